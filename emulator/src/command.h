@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "scenario.h"
-#include "stranger.h"
+#include "injector.h"
 
 typedef enum {
   COMMAND_FAULT,
@@ -33,7 +33,7 @@ typedef struct {
   bool remove;               // obstacle; or what the sensor was told to measure
   size_t sensor;             // the board's, by index
   double value;              // light, sensor, speed
-  stranger_packet packet;    // send
+  injector_packet packet;    // send
 } command;
 
 // Reads a line. Returns 0, or -1 with one line in `error`; release it either way.

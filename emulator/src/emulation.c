@@ -117,12 +117,12 @@ static double world_value(void *context, sensor_kind kind) {
   return kind == SENSOR_HC_SR04 ? CM_PER_M * world_distance_m(around, n->index) : around->light;
 }
 
-static void stranger_begins(void *context, const stranger_packet *packet, cycles_t at) {
+static void injector_begins(void *context, const injector_packet *packet, cycles_t at) {
   emulation *e = context;
   rf_bus_move(&e->air, e->config->board_count, packet->x_m, packet->y_m, at);
 }
 
-static void stranger_carrier(void *context, bool carrier, cycles_t at) {
+static void injector_carrier(void *context, bool carrier, cycles_t at) {
   emulation *e = context;
   rf_bus_carrier(&e->air, e->config->board_count, carrier, at);
   sniffer_tx_edge(&e->listener, e->config->board_count, carrier, at);
@@ -188,7 +188,7 @@ static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *
   if (fault_plan_init(&e->faults, config) != 0 ||
       world_init(&e->surroundings, config, (world_listener){e, motor_turns, board_placed}) != 0)
     return out_of_memory(e);
-  stranger_init(&e->someone, config->radio.bit_rate, (stranger_listener){e, stranger_begins, stranger_carrier});
+  injector_init(&e->injector, config->radio.bit_rate, (injector_listener){e, injector_begins, injector_carrier});
   if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
       sniffer_init(&e->listener, config, &e->air, out) != 0) {
     snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 63 together");
@@ -333,7 +333,7 @@ static cycles_t node_next_event(const node *n) {
 // One step; a longer one while all boards sleep, up to where the first thing happens.
 static cycles_t step_end(const emulation *e, cycles_t until) {
   cycles_t end =
-      earliest(earliest(e->air.next_event, e->faults.next), earliest(e->surroundings.next_step, e->someone.next));
+      earliest(earliest(e->air.next_event, e->faults.next), earliest(e->surroundings.next_step, e->injector.next));
   for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
     end = earliest(end, node_next_event(&e->nodes[i]));
   end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
@@ -360,7 +360,7 @@ int emulation_run(emulation *e, cycles_t until) {
     cycles_t end = step_end(e, until);
     for (size_t i = 0; i < e->node_count; i++)
       if (run_board(e, &e->nodes[i], end) != 0) return -1;
-    stranger_advance(&e->someone, end);
+    injector_advance(&e->injector, end);
     // In this order a packet is known at its sender before it arrives anywhere.
     sniffer_advance_tx(&e->listener, end);
     rf_bus_advance(&e->air, end);

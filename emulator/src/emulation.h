@@ -19,7 +19,7 @@
 #include "sensor.h"
 #include "serial_sniffer.h"
 #include "sniffer.h"
-#include "stranger.h"
+#include "injector.h"
 #include "trace.h"
 #include "uart.h"
 #include "world.h"
@@ -56,7 +56,7 @@ typedef struct emulation {
   fault_plan faults;
   size_t next_jam;
   world surroundings;
-  stranger someone;
+  injector injector;
   record *kept;        // what comes from outside; NULL: it is not kept
   bool played;         // nothing comes from outside but what is played
   double speed_asked;  // by a command, below 0 where none has asked; the caller keeps the time

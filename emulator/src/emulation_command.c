@@ -20,7 +20,7 @@ static const char *prepare(emulation *e, const command *c) {
       return world_put_obstacle(&e->surroundings, &c->obstacle) == 0 ? NULL
                                                                      : "there are 64 obstacles; remove one first";
     case COMMAND_SEND:
-      return stranger_send(&e->someone, &c->packet, e->now) == 0
+      return injector_send(&e->injector, &c->packet, e->now) == 0
                  ? NULL
                  : "16 packets wait to be sent; send this one when some of them are out";
     default: return NULL;

@@ -5,7 +5,7 @@
 
 static bool waits_for_time(const planned_fault *fault) { return !fault->done && fault->writes_left == 0; }
 
-static bool concerns(const planned_fault *fault, size_t board) {
+static bool matches(const planned_fault *fault, size_t board) {
   return !fault->done && fault->config->kind != FAULT_JAM && fault->config->board == board;
 }
 
@@ -47,7 +47,7 @@ const fault_config *fault_plan_take(fault_plan *plan, cycles_t now) {
 void fault_plan_output(fault_plan *plan, size_t board, int pin, bool level, cycles_t at) {
   for (size_t i = 0; plan->waiting > 0 && i < plan->count; i++) {
     planned_fault *fault = &plan->faults[i];
-    if (!concerns(fault, board) || fault->at != NEVER || pin != fault->config->after_pin ||
+    if (!matches(fault, board) || fault->at != NEVER || pin != fault->config->after_pin ||
         level != fault->config->after_level)
       continue;
     fault->at = at + seconds_to_cycles(fault->config->t_s);
@@ -60,7 +60,7 @@ const fault_config *fault_plan_write(fault_plan *plan, size_t board, cycles_t at
   const fault_config *reached = NULL;
   for (size_t i = 0; i < plan->count; i++) {
     planned_fault *fault = &plan->faults[i];
-    if (!concerns(fault, board) || fault->writes_left == 0 || at < fault->at) continue;
+    if (!matches(fault, board) || fault->writes_left == 0 || at < fault->at) continue;
     if (fault->writes_left > 1) {
       fault->writes_left--;
     } else if (!reached) {  // another one waits for the write after this
@@ -73,6 +73,6 @@ const fault_config *fault_plan_write(fault_plan *plan, size_t board, cycles_t at
 
 uint64_t fault_plan_pending(const fault_plan *plan, size_t board) {
   uint64_t pending = 0;
-  for (size_t i = 0; i < plan->count; i++) pending += concerns(&plan->faults[i], board);
+  for (size_t i = 0; i < plan->count; i++) pending += matches(&plan->faults[i], board);
   return pending;
 }

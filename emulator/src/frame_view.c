@@ -11,9 +11,9 @@
 #define CONVERSATION_LENGTH 4  // with the # before it
 #define TAG_LENGTH 8
 #define PROOF_LENGTH 8
-// Of a piece's index digit: its low bits, and the one that asks for an answer.
-#define PIECE_INDEX 7
-#define PIECE_ASKS 8
+// Of a fragment's index digit: its low bits, and the one that asks for an answer.
+#define FRAGMENT_INDEX 7
+#define FRAGMENT_ASKS 8
 
 static int digit_value(uint8_t digit) {
   static const char ALPHABET[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -24,22 +24,24 @@ static int digit_value(uint8_t digit) {
 static frame_kind kind_of(const uint8_t *destination) {
   if (memcmp(destination, "////", ADDRESS_LENGTH) == 0) return KIND_BROADCAST;
   if (memcmp(destination, "//", 2) == 0) return KIND_MULTICAST;
-  if (memcmp(destination, "+F", 2) == 0 && digit_value(destination[3]) <= (PIECE_ASKS | PIECE_INDEX)) return KIND_PIECE;
+  if (memcmp(destination, "+F", 2) == 0 && digit_value(destination[3]) <= (FRAGMENT_ASKS | FRAGMENT_INDEX))
+    return KIND_FRAGMENT;
   if (memcmp(destination, "+K", 2) == 0) return KIND_ACKNOWLEDGEMENT;
   if (destination[0] == '+' || destination[0] == '/') return KIND_RESERVED;
   return KIND_UNICAST;
 }
 
-// Whether the message is content in the clear: force;term or force#conversation;term in UTF-8.
+// Whether the message is content in the clear: performative;term or performative#conversation;term in UTF-8.
 static bool is_plain_content(const frame_view *view) {
-  static const char *const FORCES[] = {"tell",   "untell",  "achieve",   "unachieve", "signal", "askOne", "askAll",
-                                       "askHow", "tellHow", "untellHow", "sorry",     "move",   NULL};
+  static const char *const PERFORMATIVES[] = {"tell",   "untell", "achieve", "unachieve", "signal",
+                                              "askOne", "askAll", "askHow",  "tellHow",   "untellHow",
+                                              "sorry",  "move",   NULL};
   const uint8_t *divider = memchr(view->message, ';', view->message_length);
   if (!divider || divider + 1 == view->message + view->message_length) return false;
-  size_t force = (size_t)(divider - view->message);
-  if (force > CONVERSATION_LENGTH && divider[-CONVERSATION_LENGTH] == '#') force -= CONVERSATION_LENGTH;
-  for (int i = 0; FORCES[i]; i++)
-    if (force == strlen(FORCES[i]) && memcmp(view->message, FORCES[i], force) == 0)
+  size_t performative = (size_t)(divider - view->message);
+  if (performative > CONVERSATION_LENGTH && divider[-CONVERSATION_LENGTH] == '#') performative -= CONVERSATION_LENGTH;
+  for (int i = 0; PERFORMATIVES[i]; i++)
+    if (performative == strlen(PERFORMATIVES[i]) && memcmp(view->message, PERFORMATIVES[i], performative) == 0)
       return utf8_valid(view->message, view->message_length);
   return false;
 }
@@ -55,23 +57,23 @@ int frame_view_read(frame_view *view, const uint8_t *payload, size_t length) {
   view->message = payload + HEADER_LENGTH;
   view->message_length = length - HEADER_LENGTH;
   view->kind = kind_of(view->destination);
-  view->piece_id = digit_value(payload[2]);
-  view->piece_index = digit_value(payload[3]) & PIECE_INDEX;
-  view->asks = (digit_value(payload[3]) & PIECE_ASKS) != 0;
+  view->fragment_id = digit_value(payload[2]);
+  view->fragment_index = digit_value(payload[3]) & FRAGMENT_INDEX;
+  view->asks = (digit_value(payload[3]) & FRAGMENT_ASKS) != 0;
   view->sealed = (view->kind == KIND_MULTICAST || view->kind == KIND_UNICAST) &&
                  view->message_length >= NONCE_LENGTH + TAG_LENGTH && !is_plain_content(view);
   return 0;
 }
 
 const char *frame_kind_text(frame_kind kind) {
-  static const char *const TEXTS[] = {"broadcast", "multicast", "unicast", "piece", "acknowledgement", "reserved"};
+  static const char *const TEXTS[] = {"broadcast", "multicast", "unicast", "fragment", "acknowledgement", "reserved"};
   return TEXTS[kind];
 }
 
 const char *frame_answer_text(const frame_view *view) {
   switch (view->message_length) {
     case PROOF_LENGTH: return "delivered";
-    case 1 + PROOF_LENGTH: return "pieces";
+    case 1 + PROOF_LENGTH: return "fragments";
     case NONCE_LENGTH + 2 + PROOF_LENGTH: return "stale";
     default: return "unknown";
   }

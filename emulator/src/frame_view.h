@@ -11,7 +11,7 @@ typedef enum {
   KIND_BROADCAST,
   KIND_MULTICAST,
   KIND_UNICAST,
-  KIND_PIECE,
+  KIND_FRAGMENT,
   KIND_ACKNOWLEDGEMENT,
   KIND_RESERVED
 } frame_kind;
@@ -22,10 +22,10 @@ typedef struct {
   const uint8_t *message;
   size_t message_length;
   frame_kind kind;
-  bool sealed;      // a multicast or unicast with room for nonce and tag that does not read as content
-  int piece_id;     // of a piece, 0…63
-  int piece_index;  // of a piece, 0…7
-  bool asks;        // the piece wants an answer
+  bool sealed;         // a multicast or unicast with room for nonce and tag that does not read as content
+  int fragment_id;     // of a fragment, 0…63
+  int fragment_index;  // of a fragment, 0…7
+  bool asks;           // the fragment wants an answer
 } frame_view;
 
 // Reads a payload as a frame. Returns 0, or -1 where it is none (SPEC section 2).
@@ -33,7 +33,7 @@ int frame_view_read(frame_view *view, const uint8_t *payload, size_t length);
 
 const char *frame_kind_text(frame_kind kind);
 
-// What an acknowledgement says: "delivered", "pieces", "stale", or "unknown" for a length that
+// What an acknowledgement says: "delivered", "fragments", "stale", or "unknown" for a length that
 // SPEC 7.3 does not have.
 const char *frame_answer_text(const frame_view *view);
 

@@ -21,7 +21,7 @@
 #define RF_DELAY (110 * CYCLES_PER_US)
 // A transmission is over after so many bits without carrier; no symbols hold such a gap.
 #define RF_QUIET_BITS 8
-// Boards, the stranger and jammers.
+// Boards, the injector and jammers.
 #define MAX_SOURCES 64
 
 typedef struct {
@@ -38,7 +38,7 @@ typedef struct {
   cycles_t at;
 } rf_edge;
 
-// A board's transmitter, the stranger's, or a jammer.
+// A board's transmitter, the injector's, or a jammer.
 typedef struct {
   bool everywhere;  // heard at any distance
   double x_m, y_m;
@@ -78,7 +78,7 @@ typedef struct {
   uint64_t seed;
   size_t board_count;
   size_t planned_count;  // sources but for the jammers of commands
-  size_t source_count;   // boards first, then the stranger, then jammers
+  size_t source_count;   // boards first, then the injector, then jammers
   rf_source *sources;
   rf_receiver *receivers;
   rf_jam *jams;
@@ -87,7 +87,7 @@ typedef struct {
   cycles_t next_event;  // no source or receiver has anything to do before
 } rf_bus;
 
-// Sets up boards and jam faults of the scenario: source n is board n, then come the stranger and the jammers.
+// Sets up boards and jam faults of the scenario: source n is board n, then come the injector and the jammers.
 // Returns 0, or -1 where the memory does not suffice or boards and jams at one time are more than 63.
 int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener);
 void rf_bus_release(rf_bus *bus);

@@ -13,7 +13,7 @@
 #define MIN_BIT_RATE 100
 #define MAX_BIT_RATE 10000
 // Who sends without being a board is called so.
-#define STRANGER "stranger"
+#define INJECTOR "injector"
 #define MAX_OBSTACLES 64
 #define MAX_DISTANCE_RATES 16
 

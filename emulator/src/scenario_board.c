@@ -316,10 +316,10 @@ static void read_wiring(board_config *board, const json_node *node) {
   read_clock_error(board, &clock_error);
 }
 
-// In the trace the stranger is called so.
+// In the trace the injector is called so.
 static void check_name(const char *name, const json_node *board) {
   json_node node = json_member(board, "name");
-  if (name && strcmp(name, STRANGER) == 0) json_expected(&node, "another name: the stranger of the trace has this one");
+  if (name && strcmp(name, INJECTOR) == 0) json_expected(&node, "another name: the injector of the trace has this one");
 }
 
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,

@@ -10,9 +10,9 @@
 // How much later than the end of a packet a receiver's decoder may tell it.
 #define ARRIVAL_BITS 8
 
-// The source behind the boards' is the stranger's.
+// The source behind the boards' is the injector's.
 static const char *board_name(const sniffer *s, size_t board) {
-  return board < s->config->board_count ? s->config->boards[board].name : STRANGER;
+  return board < s->config->board_count ? s->config->boards[board].name : INJECTOR;
 }
 
 static void write_message(trace *t, const frame_view *view) {
@@ -21,9 +21,9 @@ static void write_message(trace *t, const frame_view *view) {
     trace_utf8(t, "content", view->message, view->message_length);
 }
 
-static void write_piece(trace *t, const frame_view *view) {
-  trace_count(t, "id", (uint64_t)view->piece_id);
-  trace_count(t, "index", (uint64_t)view->piece_index);
+static void write_fragment(trace *t, const frame_view *view) {
+  trace_count(t, "id", (uint64_t)view->fragment_id);
+  trace_count(t, "index", (uint64_t)view->fragment_index);
   trace_flag(t, "asks", view->asks);
 }
 
@@ -32,7 +32,7 @@ static void write_frame(trace *t, const frame_view *view) {
   trace_utf8(t, "origin", view->origin, 4);
   trace_text(t, "kind", frame_kind_text(view->kind));
   switch (view->kind) {
-    case KIND_PIECE: write_piece(t, view); break;
+    case KIND_FRAGMENT: write_fragment(t, view); break;
     case KIND_ACKNOWLEDGEMENT: trace_text(t, "answers", frame_answer_text(view)); break;
     default: write_message(t, view); break;
   }

@@ -50,7 +50,7 @@ typedef struct sniffer {
   const scenario *config;
   const rf_bus *bus;
   trace *out;
-  sniffer_station *stations;  // of the boards, then the stranger's, who only sends
+  sniffer_station *stations;  // of the boards, then the injector's, who only sends
   bool ending;                // what is on the air is broken off
   cycles_t next_deadline;
   double bit_cycles;
@@ -62,7 +62,7 @@ int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *o
 void sniffer_end(sniffer *s);
 void sniffer_release(sniffer *s);
 
-// `board` may be the stranger: the number of boards.
+// `board` may be the injector: the number of boards.
 void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at);
 void sniffer_rx_edge(sniffer *s, size_t board, bool level, cycles_t at);
 void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t at);

@@ -250,7 +250,7 @@ TEST(Command, a_recorded_run_is_made_again_to_the_byte) {
   Outcome live = finish(scratch, child);
   ASSERT_EQ(live.status, 0) << live.err;
   std::string trace = read_text(scratch.path("trace"));
-  EXPECT_NE(trace.find("\"stranger\""), std::string::npos);
+  EXPECT_NE(trace.find("\"injector\""), std::string::npos);
   EXPECT_NE(trace.find("\"closed\""), std::string::npos);
   struct stat status;
   ASSERT_EQ(stat(scratch.path("record").c_str(), &status), 0);

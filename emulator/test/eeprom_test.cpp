@@ -123,7 +123,7 @@ TEST(Eeprom, takes_the_time_of_a_real_one) {
 
 TEST(Eeprom, a_reset_does_not_break_off_a_write) {
   Scratch scratch;
-  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@keeper","eeprom":"a.bin"}],
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@eeprom_writer","eeprom":"a.bin"}],
         "faults":[{"t":0.001,"board":"a","do":"reset","after":{"pin":13}}]})");
   run.run_until(0.1);
   EXPECT_EQ(last_line(run), "kept 256 busy");

@@ -57,8 +57,8 @@ TEST(FrameView, tells_kind_and_sealed) {
       {"SUHOSUPOBw1234567890abcd", KIND_UNICAST, true},
       {"SUHOSUPOCItell;a(plain,one)", KIND_UNICAST, false},
       {"SUHOSUPOAoshort", KIND_UNICAST, false},
-      {"+FAASUPOAIx", KIND_PIECE, false},
-      {"+F/PSUPOBw1234567890abcd", KIND_PIECE, false},
+      {"+FAASUPOAIx", KIND_FRAGMENT, false},
+      {"+F/PSUPOBw1234567890abcd", KIND_FRAGMENT, false},
       {"+FAQSUPOAIx", KIND_RESERVED, false},  // no such index
       {"+K//SUPOBA12345678", KIND_ACKNOWLEDGEMENT, false},
       {"+GAASUPOAIx", KIND_RESERVED, false},
@@ -72,7 +72,7 @@ TEST(FrameView, tells_kind_and_sealed) {
   }
 }
 
-// A force of SPEC 3 that this does not know would be shown as sealed.
+// A performative of SPEC 3 that this does not know would be shown as sealed.
 TEST(FrameView, every_content_of_the_vectors_is_plain) {
   json_t *root = load_vectors("contents.json");
   size_t index;
@@ -86,16 +86,16 @@ TEST(FrameView, every_content_of_the_vectors_is_plain) {
   json_decref(root);
 }
 
-TEST(FrameView, every_force_of_the_specification_is_plain) {
+TEST(FrameView, every_performative_of_the_specification_is_plain) {
   std::string spec = read_text(SPEC);
-  std::istringstream table(spec.substr(spec.find("| force | conversation |")));
-  int forces = 0;
+  std::istringstream table(spec.substr(spec.find("| performative | conversation |")));
+  int performatives = 0;
   for (std::string row; std::getline(table, row) && !row.empty();) {
     std::istringstream cell(row.substr(0, row.find(" |")));
     std::string word;
     // Every second word is between backticks.
     while (std::getline(cell, word, '`') && std::getline(cell, word, '`')) {
-      forces++;
+      performatives++;
       for (const char *conversation : {"", "#AbC"}) {
         frame_view view;
         ASSERT_EQ(read(&view, frame("SUHOSUPO", word + conversation + ";a(plain,one)")), 0);
@@ -103,7 +103,7 @@ TEST(FrameView, every_force_of_the_specification_is_plain) {
       }
     }
   }
-  EXPECT_GT(forces, 0);
+  EXPECT_GT(performatives, 0);
 }
 
 TEST(FrameView, what_only_looks_like_a_content_is_sealed) {
@@ -121,9 +121,9 @@ TEST(FrameView, reads_the_address_of_every_piece) {
       frame_view view;
       std::string address = std::string("+F") + digits()[id] + digits()[digit];
       ASSERT_EQ(read(&view, address + "SUPOAIx"), 0);
-      EXPECT_EQ(view.kind, KIND_PIECE);
-      EXPECT_EQ(view.piece_id, id);
-      EXPECT_EQ(view.piece_index, digit % 8);
+      EXPECT_EQ(view.kind, KIND_FRAGMENT);
+      EXPECT_EQ(view.fragment_id, id);
+      EXPECT_EQ(view.fragment_index, digit % 8);
       EXPECT_EQ(view.asks, digit >= 8);
     }
 }
@@ -132,7 +132,7 @@ TEST(FrameView, tells_what_an_acknowledgement_says_by_its_length) {
   for (size_t length = 0; length <= 67; length++) {
     frame_view view;
     ASSERT_EQ(read(&view, frame("+KABSUPO", std::string(length, 'x'))), 0) << length;
-    std::string expected = length == 8 ? "delivered" : length == 9 ? "pieces" : length == 16 ? "stale" : "unknown";
+    std::string expected = length == 8 ? "delivered" : length == 9 ? "fragments" : length == 16 ? "stale" : "unknown";
     EXPECT_EQ(frame_answer_text(&view), expected) << length;
   }
 }

@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 // A board whose program writes 0x55 to its EEPROM, of zeros so far, byte after byte.
-static std::string keeper(const Scratch &scratch, const std::string &faults) {
+static std::string eepromWriter(const Scratch &scratch, const std::string &faults) {
   scratch.write("a.bin", std::string(4096, '\0'));
-  return R"({"boards":[{"name":"a","firmware":"@keeper","eeprom":"a.bin","watch":[{"pin":13,"name":"writes"}]}],
+  return R"({"boards":[{"name":"a","firmware":"@eeprom_writer","eeprom":"a.bin","watch":[{"pin":13,"name":"writes"}]}],
         "faults":[)" +
          faults + "]}";
 }
@@ -23,7 +23,7 @@ static int kept(const Event &line) {
 
 TEST(Power, a_cut_lasts_and_ends_in_a_start) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0.05,"board":"a","do":"power-cut","duration":0.2})"));
+  Emulation run(scratch, eepromWriter(scratch, R"({"t":0.05,"board":"a","do":"power-cut","duration":0.2})"));
   run.run_until(0.3);
   auto resets = run.events("a", "reset");
   ASSERT_EQ(resets.size(), 2u);
@@ -38,7 +38,7 @@ TEST(Power, a_cut_lasts_and_ends_in_a_start) {
 
 TEST(Power, ram_holds_anything_after_a_cut_and_all_after_a_reset) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0.05,"board":"a","do":"power-cut","duration":0.01},
+  Emulation run(scratch, eepromWriter(scratch, R"({"t":0.05,"board":"a","do":"power-cut","duration":0.01},
                                               {"t":0.1,"board":"a","do":"reset"})"));
   run.run_until(0.15);
   auto lines = run.events("a", "uart");
@@ -51,7 +51,7 @@ TEST(Power, ram_holds_anything_after_a_cut_and_all_after_a_reset) {
 TEST(Power, pins_fall_at_a_cut) {
   Scratch scratch;
   Emulation run(scratch,
-                keeper(scratch, R"({"t":0.001,"board":"a","do":"power-cut","duration":1,"after":{"pin":13}})"));
+                eepromWriter(scratch, R"({"t":0.001,"board":"a","do":"power-cut","duration":1,"after":{"pin":13}})"));
   run.run_until(0.5);
   auto pins = run.events("a", "pin");
   ASSERT_EQ(pins.size(), 2u);
@@ -121,7 +121,7 @@ TEST(Power, a_port_plugged_or_unplugged_meanwhile_is_so_afterwards) {
 
 TEST(Power, cuts_that_overlap_end_with_the_last) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0.05,"board":"a","do":"power-cut","duration":0.1},
+  Emulation run(scratch, eepromWriter(scratch, R"({"t":0.05,"board":"a","do":"power-cut","duration":0.1},
                                               {"t":0.06,"board":"a","do":"power-cut","duration":0.01},
                                               {"t":0.07,"board":"a","do":"reset"},
                                               {"t":0.08,"board":"a","do":"power-cut","duration":0.1})"));
@@ -146,8 +146,8 @@ struct Torn {
 // Cuts the power at the third write after 20 ms; the writes begin every 8.4 ms.
 static Torn torn_write(uint64_t seed) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0.02,"board":"a","do":"power-cut","duration":1,"eepromWrites":3})"),
-                seed);
+  Emulation run(
+      scratch, eepromWriter(scratch, R"({"t":0.02,"board":"a","do":"power-cut","duration":1,"eepromWrites":3})"), seed);
   run.run_until(0.2);
   run.close();
   std::string bytes = read_text(scratch.path("a.bin"));
@@ -180,7 +180,7 @@ TEST(Power, what_is_torn_repeats_by_seed) {
 TEST(Power, a_cut_that_falls_into_a_write_tears_it_too) {
   Scratch scratch;
   Emulation run(scratch,
-                keeper(scratch, R"({"t":0.002,"board":"a","do":"power-cut","duration":1,"after":{"pin":13}})"));
+                eepromWriter(scratch, R"({"t":0.002,"board":"a","do":"power-cut","duration":1,"after":{"pin":13}})"));
   run.run_until(0.1);
   auto faults = run.events("a", "fault");
   ASSERT_EQ(faults.size(), 1u);
@@ -190,7 +190,7 @@ TEST(Power, a_cut_that_falls_into_a_write_tears_it_too) {
 
 TEST(Power, a_cut_between_writes_tears_nothing) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0.002,"board":"a","do":"power-cut","duration":1,
+  Emulation run(scratch, eepromWriter(scratch, R"({"t":0.002,"board":"a","do":"power-cut","duration":1,
                                                "after":{"pin":13,"level":0}})"));
   run.run_until(0.1);
   auto faults = run.events("a", "fault");
@@ -202,7 +202,7 @@ TEST(Power, a_cut_between_writes_tears_nothing) {
 
 TEST(Power, two_cuts_at_the_same_write_come_one_after_the_other) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0,"board":"a","do":"power-cut","duration":0.01,"eepromWrites":2},
+  Emulation run(scratch, eepromWriter(scratch, R"({"t":0,"board":"a","do":"power-cut","duration":0.01,"eepromWrites":2},
                                               {"t":0,"board":"a","do":"power-cut","duration":0.01,"eepromWrites":2})"));
   run.run_until(0.1);
   auto faults = run.events("a", "fault");
@@ -213,7 +213,7 @@ TEST(Power, two_cuts_at_the_same_write_come_one_after_the_other) {
 
 TEST(Power, a_fault_that_does_not_come_is_counted) {
   Scratch scratch;
-  Emulation run(scratch, keeper(scratch, R"({"t":0,"board":"a","do":"power-cut","duration":1,"eepromWrites":1000},
+  Emulation run(scratch, eepromWriter(scratch, R"({"t":0,"board":"a","do":"power-cut","duration":1,"eepromWrites":1000},
                                               {"t":0,"board":"a","do":"reset","after":{"pin":22}},
                                               {"t":9,"board":"a","do":"reset"})"));
   run.run_until(0.1);

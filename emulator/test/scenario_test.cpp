@@ -299,8 +299,8 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps) {
        ": boards[0].sensors[0]: a distance in the world needs a vehicle; expected a \"vehicle\" of the board, or a "
        "list of "
        "points"},
-      {R"({"boards":[{"name":"stranger","firmware":"bus.elf"}]})",
-       ": boards[0].name: expected another name: the stranger of the trace has this one, found \"stranger\""},
+      {R"({"boards":[{"name":"injector","firmware":"bus.elf"}]})",
+       ": boards[0].name: expected another name: the injector of the trace has this one, found \"injector\""},
       {R"({#boards,"faults":{}})", ": faults: expected a list [ … ], found {}"},
   };
   Scratch scratch;

@@ -187,9 +187,9 @@ TEST(Sniffer, tells_content_in_the_clear) {
   EXPECT_NE(json_object_get(event.fields, "sealed"), nullptr);
 }
 
-TEST(Sniffer, tells_a_piece_and_whether_it_asks) {
+TEST(Sniffer, tells_a_fragment_and_whether_it_asks) {
   Event event = sniffed("+FCKCAFEAwHello!");
-  EXPECT_EQ(event.text("kind"), "piece");
+  EXPECT_EQ(event.text("kind"), "fragment");
   EXPECT_EQ(event.text("origin"), "CAFE");
   EXPECT_EQ(event.number("id"), 2);
   EXPECT_EQ(event.number("index"), 2);
@@ -205,7 +205,7 @@ TEST(Sniffer, calls_a_part_of_a_message_no_content) {
 TEST(Sniffer, tells_what_an_acknowledgement_answers) {
   EXPECT_EQ(sniffed("+KABCAFEBA12345678").text("kind"), "acknowledgement");
   EXPECT_EQ(sniffed("+KABCAFEBA12345678").text("answers"), "delivered");
-  EXPECT_EQ(sniffed("+KABCAFEBI123456789").text("answers"), "pieces");
+  EXPECT_EQ(sniffed("+KABCAFEBI123456789").text("answers"), "fragments");
   EXPECT_EQ(sniffed("+KABCAFECA1234567890123456").text("answers"), "stale");
   EXPECT_EQ(sniffed("+KABCAFEAA").text("answers"), "unknown");
 }

@@ -5,7 +5,7 @@
 
 /// What came of an attack.
 struct Tally {
-  uint64_t tries = 0;     ///< hostile packets, or messages in pieces
+  uint64_t tries = 0;     ///< hostile packets, or messages in fragments
   uint64_t accepted = 0;  ///< how often one of them was taken for genuine
   uint64_t genuine = 0;   ///< messages in between that ought to arrive: what refuses all has shown nothing
   uint64_t lost = 0;      ///< of these

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures how well test:firmware's suites catch mistakes: plants one mistake at a time into the firmware, builds without
+"""Measures how well test:firmware's suites kill mutants of the firmware: builds one at a time without
 sanitizers, runs the suites until one fails, and writes the score into docs/results.md and the survivors into build/results.
 
 usage: mutate.py [--mutants N|all] [--seed N]
-       mutate.py --list   prints all mistakes, a JSON object a line, with some more kinds, and tries none
+       mutate.py --list   prints all mutants, a JSON object a line, with some more kinds, and tries none
 """
 import argparse
 import json
@@ -26,7 +26,7 @@ SOURCES = 'javino-firmware/src'
 FOLDERS = ['delivery', 'radio', 'secure', 'storage']
 SUITES = {'radio': ['radio/radio-tests', 'firmware-tests', 'small-tests', 'arduino-tests']}
 OTHER_SUITES = ['firmware-tests', 'small-tests', 'arduino-tests', 'radio/radio-tests']
-# Why a mistake does no harm that a test could see, by the line with it.
+# Why a mutant does no harm that a test could see, by its changed line.
 HARMLESS = {
     'symbol_ = symbolAt((0 + 1));': 'the same: the first six symbols are all training',
     'for (uint8_t i = 0; i <= READINGS; i++) storeSeals(crc, rightSeals(crc));': 'one reading more than needed',
@@ -35,7 +35,7 @@ HARMLESS = {
     'const bool first = recordAt(place, 0).erase((0 + 1));': 'one byte more is erased of what goes',
     'random_.seed(address_.value(), (0 + 1));': 'any number does: the addresses tell boards apart',
 }
-LONGEST_SECONDS = 600  # of one suite: a mistake that never ends is caught too
+LONGEST_SECONDS = 600  # of one suite: a mutant that never ends is killed too
 
 SWAPS = [('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'), ('&&', '||'), ('||', '&&'),
          ('+', '-'), ('-', '+'), ('&', '|'), ('|', '&'), ('<<', '>>'), ('>>', '<<'), ('%', '/'), ('*', '+'),
@@ -44,7 +44,7 @@ STATEMENT = re.compile(r'^\s+(?:if \(.*\) )?([\w.\[\]>()-]+(?:\+\+|--)|\+\+\w+|-
 
 
 def mutants_of(line, more=False):
-    """Each mistake of one line, as (what, line); with more, numbers become smaller and double too."""
+    """Each mutant of one line, as (what, line); with more, numbers become smaller and double too."""
     code = line.split('//')[0].rstrip()
     if not code.strip() or re.match(r'\s*(#|static_assert|namespace|const \w+ \w+::|using|///)', code) or '__asm__' in code:
         return
@@ -99,20 +99,20 @@ def prepare():
     shutil.rmtree(TREE, ignore_errors=True)
     for folder in ['javino-firmware/src', 'javino-firmware/examples', 'test/firmware', 'test/arduino-mock', 'test/vectors']:
         shutil.copytree(os.path.join(ROOT, folder), os.path.join(TREE, folder), ignore=ignore,
-                        copy_function=shutil.copy)  # all newer than what an earlier run has built of a mistake
+                        copy_function=shutil.copy)  # all newer than what an earlier run has built of a mutant
     if not run(['cmake', '-S', os.path.join(TREE, 'test/firmware'), '-B', OUT, '-DSANITIZE=OFF']) or not build():
-        raise SystemExit('the firmware does not build without a mistake: run gradle :test:firmware:test')
+        raise SystemExit('the firmware does not build unchanged: run gradle :test:firmware:test')
     seconds = {}
     for suite in OTHER_SUITES:
         begin = time.monotonic()
         if not run([os.path.join(OUT, suite)], LONGEST_SECONDS):
-            raise SystemExit('%s fails without a mistake: run gradle :test:firmware:test' % suite)
+            raise SystemExit('%s fails for the unchanged firmware: run gradle :test:firmware:test' % suite)
         seconds[suite] = time.monotonic() - begin
     return seconds
 
 
 def survives(mutant, seconds):
-    """Whether no suite sees a mistake; None where the compiler does."""
+    """Whether no suite kills a mutant; None where the compiler does."""
     folder, name, number, _, line = mutant
     path = os.path.join(TREE, SOURCES, name)
     with open(path) as source:
@@ -134,21 +134,21 @@ def survives(mutant, seconds):
 
 
 def write(total, seed, tried, survivors):
-    caught = len(tried) - len(survivors)
+    killed = len(tried) - len(survivors)
     scores = []
-    rows = ['| folder | mutants | caught |', '| --- | --- | --- |']
+    rows = ['| folder | mutants | killed |', '| --- | --- | --- |']
     for folder in FOLDERS + [None]:
         of = [m for m in tried if folder in (m[0], None)]
         left = [m for m in survivors if folder in (m[0], None)]
         if of:
             scores.append(100 * (len(of) - len(left)) // len(of))
             rows.append('| %s | %d | %d %% |' % (folder or 'all', len(of), scores[-1]))
-    text = ['- caught: **%d %% of %d** (of a folder: %d…%d %%)' % (scores[-1], len(tried), min(scores), max(scores)), '',
-            'Of %d possible mistakes in %s (a negated condition, another operator, a constant plus one, a removed statement)'
-            ' %d that compile without a warning were planted, one at a time, and test:firmware\'s suites run without sanitizers: %d caught.'
-            % (total, ', '.join('`src/%s`' % folder for folder in FOLDERS), len(tried), caught), ''] + rows
+    text = ['- killed: **%d %% of %d** (of a folder: %d…%d %%)' % (scores[-1], len(tried), min(scores), max(scores)), '',
+            'Of %d possible mutants of %s (a negated condition, another operator, a constant plus one, a removed statement)'
+            ' %d that compile without a warning were tested by test:firmware\'s suites without sanitizers: %d killed.'
+            % (total, ', '.join('`src/%s`' % folder for folder in FOLDERS), len(tried), killed), ''] + rows
     if survivors:
-        text += ['', 'Not caught:', '', '| place | mistake | line with it | harmless, since |', '| --- | --- | --- | --- |']
+        text += ['', 'Survivors:', '', '| place | mutant | changed line | harmless, since |', '| --- | --- | --- | --- |']
         text += ['| %s:%d | %s | `%s` | %s |' % (m[1], m[2] + 1, m[3].replace('|', '\\|'), m[4].strip().replace('|', '\\|'),
                                               HARMLESS.get(m[4].strip(), ''))
                  for m in sorted(survivors)]

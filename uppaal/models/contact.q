@@ -26,7 +26,7 @@ E<> kills == 0 && copies == 0 && Sender1.grown && Receiver1.Here
 E<> Sender1.grown && Sender1.tries == 0 && W1_1.Silent && Sender1.next == 1
 /* W21 holds: a part may be wrong; then it is forgotten. */
 E<> kills == 0 && Sender1.grown && X1.UnderWay && has[0] == 0
-/* W22 holds: pieces follow each other without being asked for. */
+/* W22 holds: parts follow each other without being asked for. */
 E<> kills == 0 && Sender1.tries == 2 && !Sender1.grown && Receiver1.Here
 /* W23 holds: a message may be lost. */
 E<> losses == 1 && O1.Silent && Sender1.tries == 1
@@ -42,9 +42,9 @@ E<> kills == 0 && Sender1.tries == TRIES && Receiver1.Asked
 A[] (kills == 0 && (W1_0.UnderWay || W1_1.UnderWay)) imply !Receiver1.None
 /* W29 holds: nobody wants what he has. */
 A[] (kills == 0 && W1_0.UnderWay) imply has[0] == 0
-/* W30 holds: a piece that comes twice is answered with what is wanted. */
+/* W30 holds: a part that comes twice is answered with what is wanted. */
 E<> kills == 0 && losses == 0 && Sender1.tries == 2 && !Sender1.grown && W1_1.UnderWay
-/* W31 holds: a receiver that is killed in the midst of its pieces may keep what has come. */
+/* W31 holds: a receiver that is killed in the midst of its parts may keep what has come. */
 E<> Bus.Starting && losses == 0 && copies == 0 && underWay[0] == 0 && Sender1.next == 1 && has[0] == 1
 /* W32 holds: or lose it. */
 E<> Bus.Starting && losses == 0 && copies == 0 && underWay[0] == 0 && Sender1.next == 1 && has[0] == 0

@@ -1,6 +1,6 @@
 // World does all that others may do, with one carrier at a time.
 
-/* G1 holds: a multicast in pieces is sent as often as it is to be, and no more. */
+/* G1 holds: a multicast in fragments is sent as often as it is to be, and no more. */
 A[] Police1.Sent imply Police1.attempt == MULTICAST_SENDS
 /* G2 holds: it keeps its board's turn until then. */
 A[] (turn[POLICE] == 1) == (Police1.Contending || Police1.Deferred || Police1.Part || Police1.OnAir || Police1.Pausing || Police1.PutOff || Police1.CutOff)
@@ -40,7 +40,7 @@ E<> Early.Just && Police1.Part && kind == PART
 A[] (Early.After && !collided) imply !Police1.Part
 /* G20 holds: what its board was about when it was reset is over. */
 A[] Ear.SenderCut imply (Police1.Over || Police1.CutOff)
-/* G21 holds: other pieces follow the one that begins an attempt. */
+/* G21 holds: other fragments follow the one that begins an attempt. */
 A[] (Air.Heard && kind == DATA && from == POLICE) imply Police1.PutOff
 /* G22 holds: what is on the air alone is still being sent. */
 A[] (Air.Busy && !collided && from == POLICE) imply sending[POLICE]

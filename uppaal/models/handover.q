@@ -40,7 +40,7 @@ E<> X1.UnderWay && Sender1.Deleted && Receiver1.Ready
 E<> W1_1.UnderWay && Receiver1.None && has[0] == 1
 /* J21 holds: or be lost. */
 E<> W1_1.UnderWay && Receiver1.Coming && has[0] == 0
-/* J22 holds: pieces may come in the wrong order. */
+/* J22 holds: parts may come in the wrong order. */
 E<> D1_0.UnderWay && D1_1.UnderWay && Receiver1.Wanting && has[0] == 0
 /* J23 holds: an offer that is late may find all its parts, and make a receiver ready that was cancelled. */
 E<> Receiver1.Ready && C1.UnderWay

@@ -18,5 +18,5 @@ A[] (Bus.Starting imply !(Receiver1.Asked || Receiver1.Wanting || Receiver1.Comi
 E<> Bus.Starting && has[0] == PARTS && Receiver1.None && R1.Silent
 /* J36 holds: parts of which nothing is recorded may be left, or be lost. */
 E<> Bus.Starting && has[0] == 0 && W1_1.UnderWay && X1.Silent && R1.Silent
-/* J38 holds: only who offers has pieces to send. */
+/* J38 holds: only who offers has parts to send. */
 A[] Sender1.Offered || Sender1.next == PARTS

@@ -15,32 +15,32 @@ A[] (owed[1] == ACK || again[1]) imply given[1] > 0
 /* V7 holds: only what is below the floor is stale. */
 A[] owed[1] == STALE imply Support1.lost
 /* V8 holds: an answer is under way only where one is owed, and it is one of three. */
-A[] ((Answer1.Due || Answer1.Pending || Answer1.PutOff || Answer1.OnAir) imply owed[1] > 0) && (owed[1] == 0 || owed[1] == ACK || owed[1] == PIECES || owed[1] == STALE)
+A[] ((Answer1.Due || Answer1.Pending || Answer1.PutOff || Answer1.OnAir) imply owed[1] > 0) && (owed[1] == 0 || owed[1] == ACK || owed[1] == FRAGMENTS || owed[1] == STALE)
 /* V9 holds: an answer has the transmitter from its begin to its end, and what is cut off ends at once. */
 A[] ((Answer1.OnAir || Answer1.CutOff) imply (sending[SUPPORT] && !World.mine && onAir > 0)) && (sending[SUPPORT] imply (World.mine || World.Begins || World.Ends || Answer1.OnAir || Answer1.CutOff)) && (Answer1.CutOff imply collided)
 /* V10 holds: it is for the message's sender. */
-A[] (Answer1.OnAir && !collided && World.There && kind > 0) imply ((kind == ACK || kind == PIECES || kind == STALE) && to == POLICE && from == SUPPORT && nonce == 1 && genuine)
+A[] (Answer1.OnAir && !collided && World.There && kind > 0) imply ((kind == ACK || kind == FRAGMENTS || kind == STALE) && to == POLICE && from == SUPPORT && nonce == 1 && genuine)
 /* V11 holds: an answer that waits for the air knows whether a carrier is there. */
 A[] ((Answer1.Due || Answer1.PutOff) imply !busy)
 /* V12 holds: it may tell that the message is stale. */
 E<> Answer1.OnAir && owed[1] == STALE
-/* V13 holds: which pieces have come. */
-E<> Answer1.OnAir && owed[1] == PIECES && Support1.Listening
+/* V13 holds: which fragments have come. */
+E<> Answer1.OnAir && owed[1] == FRAGMENTS && Support1.Listening
 /* V14 holds: also where the host has newer messages. */
-E<> Answer1.OnAir && owed[1] == PIECES && Support1.Taken && taken[SUPPORT] == 2
+E<> Answer1.OnAir && owed[1] == FRAGMENTS && Support1.Taken && taken[SUPPORT] == 2
 /* V15 holds: that the host has it, again and twice. */
 E<> Answer1.OnAir && owed[1] == ACK && again[1] && given[1] == 1
 /* V16 holds: nothing is ever stuck. */
 A[] not deadlock
 /* V17 holds: a message that comes waits, or is acknowledged again, or is stale, or is older than what the host has. */
 A[] Ear.Message imply (waiting[1] || taken[SUPPORT] == 2 || owed[1] == (Support1.lost ? STALE : ACK))
-/* V18 holds: a piece that asks is answered, as long as the whole does not wait. */
-A[] Ear.Question imply (waiting[1] || owed[1] == (Support1.Taken && taken[SUPPORT] == 1 ? ACK : PIECES))
+/* V18 holds: a fragment that asks is answered, as long as the whole does not wait. */
+A[] Ear.Question imply (waiting[1] || owed[1] == (Support1.Taken && taken[SUPPORT] == 1 ? ACK : FRAGMENTS))
 /* V19 holds: a board that begins anew has nothing more to hand over or to answer. */
 A[] Ear.ReceiverCut imply (!waiting[1] && !unread[1] && owed[1] == 0 && !again[1] && (Support1.Listening || Support1.Taken) && (Answer1.Idle || Answer1.CutOff))
-/* V20 holds: a message can come after a piece that asks. */
-E<> Ear.Message && Support1.Queued && owed[1] == PIECES
-/* V21 holds: a piece that asks can come after the message has been taken. */
+/* V20 holds: a message can come after a fragment that asks. */
+E<> Ear.Message && Support1.Queued && owed[1] == FRAGMENTS
+/* V21 holds: a fragment that asks can come after the message has been taken. */
 E<> Ear.Question && owed[1] == ACK && Answer1.Idle
 /* V22 holds: a board can lose its memory while a message waits. */
 E<> Ear.ReceiverCut && Support1.lost && given[1] == 1 && taken[SUPPORT] == 0

@@ -23,7 +23,7 @@ class Broadcaster {
   static void *operator new(size_t) = delete;
 
   /// The most bytes of a text: what fits one packet; fewer where the radio carries fewer.
-  static const uint8_t MAX_TEXT = PIECE_LENGTH;
+  static const uint8_t MAX_TEXT = FRAGMENT_LENGTH;
 
   /// A sketch's function that is called for each broadcast of another board.
   /// @param from the sender's address, four digits and a zero

@@ -332,7 +332,7 @@ void Courier::acknowledged(const RadioPacket &lost) {
     }
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
-  if (borne) state_.count(Counter::RADIO_ANSWERS_BORNE);
+  if (borne) state_.count(Counter::RADIO_ANSWERS_TOLERATED);
 }
 
 // An attempt that waits for the air is none yet.

@@ -6,8 +6,8 @@
 
 namespace javinolib {
 
-static const uint8_t INDEX_MASK = MAX_PIECES - 1;
-static const uint8_t INDEXES = MAX_PIECES + pieces::WANTS_ANSWER;
+static const uint8_t INDEX_MASK = MAX_FRAGMENTS - 1;
+static const uint8_t INDEXES = MAX_FRAGMENTS + pieces::WANTS_ANSWER;
 
 bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun, bool isDoubtful) {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
@@ -17,13 +17,13 @@ bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun, 
   const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
   Frame whole;
   if (index >= INDEXES || piece.length == 0 || (at == 0 && !startsFrame(piece, longest, whole))) {
-    return admission_.drop(Counter::RADIO_PIECES_DROPPED);
+    return admission_.drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
   if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return false;
   if (isDoubtful && !isSealed(piece, id, at)) return admission_.drop(Counter::RADIO_DOUBTFUL);
   PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, begun);
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
-    return admission_.drop(Counter::RADIO_PIECES_DROPPED);
+    return admission_.drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
   finish(*partial, now);
   if (wantsAnswer && partial->hasFirst()) answer(admission_, *partial);
@@ -46,7 +46,7 @@ bool PieceReceiver::startsFrame(const Frame &piece, uint8_t longest, Frame &whol
       static_cast<uint16_t>(whole.destination.isBroadcast() ? MAX_CONTENT_LENGTH : MAX_CONTENT_LENGTH + SEAL_LENGTH);
   const uint8_t count = pieces::count(static_cast<uint16_t>(HEADER_LENGTH + whole.length), longest);
   const Address::Class to = whole.destination.classOf();
-  return count > 1 && count <= MAX_PIECES && whole.length <= most &&
+  return count > 1 && count <= MAX_FRAGMENTS && whole.length <= most &&
          (to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST) &&
          whole.origin == piece.origin;
 }

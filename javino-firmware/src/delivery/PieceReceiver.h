@@ -50,7 +50,7 @@ class NoPieceReceiver {
  public:
   explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}
 
-  bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_.drop(Counter::RADIO_PIECES_DROPPED); }
+  bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_.drop(Counter::RADIO_FRAGMENTS_DROPPED); }
   void run() {}
   void clear() {}
   void *lend() { return nullptr; }

@@ -26,7 +26,7 @@ uint8_t all(uint8_t count) { return static_cast<uint8_t>(2 * bitOf(static_cast<u
 uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into) {
   Frame whole;
   Frame::parseHeader(frame, whole);
-  const uint8_t at = index & (MAX_PIECES - 1);
+  const uint8_t at = index & (MAX_FRAGMENTS - 1);
   const uint8_t bytes = length(frameLength, at, longest);
   Frame::writeHeader(into, Address::piece(id, index), whole.origin, bytes);
   memcpy(into + HEADER_LENGTH, frame + at * longest, bytes);

@@ -9,10 +9,10 @@
 namespace javinolib {
 
 /// Bytes of a frame that a piece holds where packets carry the most, as the ASK radio's do (SPEC 7.1).
-static const uint8_t PIECE_LENGTH = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
-static const uint8_t MAX_PIECES = 8;
+static const uint8_t FRAGMENT_LENGTH = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
+static const uint8_t MAX_FRAGMENTS = 8;
 
-static_assert(MAX_FRAME_LENGTH <= MAX_PIECES * PIECE_LENGTH, "SPEC 7.1");
+static_assert(MAX_FRAME_LENGTH <= MAX_FRAGMENTS * FRAGMENT_LENGTH, "SPEC 7.1");
 
 /// How a frame that is too long for one packet is cut (SPEC 7.1). `longest`: the most bytes of a piece, 16…67, as the
 /// radio carries ten more.
@@ -21,7 +21,7 @@ namespace pieces {
 /// Added to the index of a piece whose sender wants an answer.
 static const uint8_t WANTS_ANSWER = 8;
 
-/// The pieces of a frame; 1 where it travels whole, more than MAX_PIECES where it cannot.
+/// The pieces of a frame; 1 where it travels whole, more than MAX_FRAGMENTS where it cannot.
 /// @param frameLength 10…521 bytes
 JAVINO_NOINLINE uint8_t count(uint16_t frameLength, uint8_t longest);
 

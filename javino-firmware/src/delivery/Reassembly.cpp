@@ -34,7 +34,7 @@ uint8_t PartialFrame::have() const {
   const uint16_t whole = length();
   uint8_t have = 0;
   uint8_t bit = 1;
-  for (uint8_t index = 0; index < MAX_PIECES; index++, bit = static_cast<uint8_t>(bit << 1)) {
+  for (uint8_t index = 0; index < MAX_FRAGMENTS; index++, bit = static_cast<uint8_t>(bit << 1)) {
     if ((have_ & bit) != 0 && isPieceOf(whole, index, lengths_[index])) have |= bit;
   }
   return have;
@@ -78,7 +78,7 @@ bool PartialFrame::choose(uint8_t turn) { return swap(asideOf((turn & 1) == 0));
 bool PartialFrame::swap(Aside &aside) {
   if (aside.length == 0) return false;
   uint8_t *place = at(aside.index);
-  for (uint8_t i = 0; i < PIECE_LENGTH && place + i < bytes_ + sizeof bytes_; i++) {
+  for (uint8_t i = 0; i < FRAGMENT_LENGTH && place + i < bytes_ + sizeof bytes_; i++) {
     const uint8_t other = place[i];
     place[i] = aside.bytes[i];
     aside.bytes[i] = other;

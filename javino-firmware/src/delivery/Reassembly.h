@@ -71,7 +71,7 @@ class PartialFrame {
   struct Aside {
     uint8_t index;
     uint8_t length;  // 0: none
-    uint8_t bytes[PIECE_LENGTH];
+    uint8_t bytes[FRAGMENT_LENGTH];
   };
 
   bool isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) const;
@@ -86,7 +86,7 @@ class PartialFrame {
   uint8_t refusals_;
   uint8_t longest_;
   uint8_t doubted_;  // bit k: piece k is here, but is to be sent once more
-  uint8_t lengths_[MAX_PIECES];
+  uint8_t lengths_[MAX_FRAGMENTS];
   // Last: AVR reaches only the first 64 bytes of an object in one instruction.
   Aside aside_[2];  // of the first piece, and of any other
   uint8_t bytes_[MAX_FRAME_LENGTH];

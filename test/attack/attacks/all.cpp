@@ -3,7 +3,7 @@
 const std::vector<Attack> &allAttacks() {
   static const std::vector<Attack> ALL = {
       {"each single bit changed", changeEachBit},
-      {"each single bit changed, in pieces", changeEachBitOfPieces},
+      {"each single bit changed, in fragments", changeEachBitOfFragments},
       {"a run of bytes replaced", changeManyBits},
       {"tag and content guessed", guessTags},
       {"cut off or extended", changeLengths},
@@ -15,14 +15,14 @@ const std::vector<Attack> &allAttacks() {
       {"replayed after power failed in an EEPROM write", replayAcrossCutWrites},
       {"damaged copies of frames", damageFrames},
       {"changed copies of damaged frames", imitateFrames},
-      {"pieces of several messages mixed", mixPieces},
-      {"pieces forged", forgePieces},
-      {"first pieces without end", floodWithFirstPieces},
+      {"fragments of several messages mixed", mixFragments},
+      {"fragments forged", forgeFragments},
+      {"first fragments without end", floodWithFirstFragments},
       {"acknowledgements forged", forgeAcknowledgements},
       {"acknowledgements forged and damaged", forgeDamagedAcknowledgements},
       {"acknowledgements of other messages", replayAcknowledgements},
-      {"stale notices forged and replayed", forgeStaleNotices},
-      {"stale notices of a group's member for one multicast", raiseByMulticast},
+      {"stale acknowledgements forged and replayed", forgeStaleAcknowledgements},
+      {"stale acknowledgements of a group's member for one multicast", raiseByMulticast},
       {"invented origins of a group's member", inventOrigins},
   };
   return ALL;

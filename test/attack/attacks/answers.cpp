@@ -93,7 +93,7 @@ Bytes raised(Bytes nonce, unsigned by) {
   return nonce;
 }
 
-// The notice that says: above this only.
+// The acknowledgement that says: above this only.
 Bytes stale(const Bytes &nonce, const Bytes &floor) { return genuine(Proof::STALE, nonce, floor + Bytes{0xFF, 0xFF}); }
 
 // An acknowledgement as if it were of another frame.
@@ -188,9 +188,9 @@ Tally raiseByMulticast(uint32_t seed, uint64_t tries) {
     // A member who holds the key raises and raises.
     for (unsigned by = 1; by < 200; by++) {
       const Bytes body = raised(nonce, by) + Bytes{0xFF, 0xFF};
-      const Bytes notice =
+      const Bytes forged =
           answer(nonce, "SUXX", body + proof(Victim::groupKey(), Proof::STALE, nonce, "SUPO", "SUXX", body));
-      victim.suffer(notice);
+      victim.suffer(forged);
     }
     victim.board.sendNext();  // again, as a multicast is
     victim.board.radio.sent.clear();
@@ -207,7 +207,7 @@ Tally raiseByMulticast(uint32_t seed, uint64_t tries) {
   });
 }
 
-Tally forgeStaleNotices(uint32_t seed, uint64_t tries) {
+Tally forgeStaleAcknowledgements(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Errand errand(victim);
   std::vector<Bytes> recorded;
@@ -215,9 +215,9 @@ Tally forgeStaleNotices(uint32_t seed, uint64_t tries) {
     const Bytes nonce = errand.nonce();
     for (int i = 0; i < 100; i++) {
       const Bytes floor = raised(nonce, 1 + victim.random.number(31));
-      Bytes notice = stale(nonce, floor);
-      notice[HEADER + victim.random.number(16)] ^= static_cast<uint8_t>(1 + victim.random.number(255));
-      victim.suffer(notice);
+      Bytes forged = stale(nonce, floor);
+      forged[HEADER + victim.random.number(16)] ^= static_cast<uint8_t>(1 + victim.random.number(255));
+      victim.suffer(forged);
     }
     // With a right proof even: of a floor that no receiver can have.
     victim.suffer(stale(nonce, raised(nonce, 34 + victim.random.number(1000000))));

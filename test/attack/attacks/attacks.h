@@ -4,7 +4,7 @@
 
 // Frames that were changed, or made without the key (frames.cpp).
 Tally changeEachBit(uint32_t seed, uint64_t tries);
-Tally changeEachBitOfPieces(uint32_t seed, uint64_t tries);
+Tally changeEachBitOfFragments(uint32_t seed, uint64_t tries);
 Tally changeManyBits(uint32_t seed, uint64_t tries);
 Tally guessTags(uint32_t seed, uint64_t tries);
 Tally changeLengths(uint32_t seed, uint64_t tries);
@@ -22,14 +22,14 @@ Tally inventOrigins(uint32_t seed, uint64_t tries);
 Tally damageFrames(uint32_t seed, uint64_t tries);
 Tally imitateFrames(uint32_t seed, uint64_t tries);
 
-// Messages in pieces (pieces.cpp).
-Tally mixPieces(uint32_t seed, uint64_t tries);
-Tally forgePieces(uint32_t seed, uint64_t tries);
-Tally floodWithFirstPieces(uint32_t seed, uint64_t tries);
+// Messages in fragments (fragments.cpp).
+Tally mixFragments(uint32_t seed, uint64_t tries);
+Tally forgeFragments(uint32_t seed, uint64_t tries);
+Tally floodWithFirstFragments(uint32_t seed, uint64_t tries);
 
 // Answers to the board's own messages (answers.cpp).
 Tally forgeAcknowledgements(uint32_t seed, uint64_t tries);
 Tally forgeDamagedAcknowledgements(uint32_t seed, uint64_t tries);
 Tally replayAcknowledgements(uint32_t seed, uint64_t tries);
-Tally forgeStaleNotices(uint32_t seed, uint64_t tries);
+Tally forgeStaleAcknowledgements(uint32_t seed, uint64_t tries);
 Tally raiseByMulticast(uint32_t seed, uint64_t tries);

@@ -41,13 +41,13 @@ Tally changeEachBit(uint32_t seed, uint64_t tries) {
   });
 }
 
-Tally changeEachBitOfPieces(uint32_t seed, uint64_t tries) {
+Tally changeEachBitOfFragments(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   return victim.endure(tries, [&] {
     const Bytes frame = victim.genuine(54 + victim.random.number(441), victim.random.number(2) != 0);
     for (size_t bit = 0; bit < 8 * frame.size() && victim.tally.tries < tries; bit++) {
       victim.tally.tries++;
-      for (const Bytes &packet : piecesOf(withBit(frame, bit), victim.random.number(64))) victim.hear(packet);
+      for (const Bytes &packet : fragmentsOf(withBit(frame, bit), victim.random.number(64))) victim.hear(packet);
       victim.skip(5000);
     }
     victim.deliver(frame);

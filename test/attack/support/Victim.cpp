@@ -6,7 +6,7 @@
 
 #include "support/Digits.h"
 
-static const uint8_t PIECE_LENGTH = 67;
+static const uint8_t FRAGMENT_LENGTH = 67;
 static const uint32_t SENDER_EPOCH = 5;
 
 const Bytes &Victim::pairKey() {
@@ -86,7 +86,7 @@ void Victim::deliver(const Bytes &frame) {
   if (frame.size() <= javinolib::MAX_RADIO_PAYLOAD) {
     hear(frame);
   } else {
-    for (const Bytes &packet : piecesOf(frame, random.number(64))) hear(packet);
+    for (const Bytes &packet : fragmentsOf(frame, random.number(64))) hear(packet);
   }
   take();
   tally.genuine++;
@@ -112,19 +112,19 @@ void Victim::reset(bool keepsRam) {
 
 char digit(unsigned value) { return digits()[value % 64]; }
 
-Bytes piece(const std::string &origin, unsigned id, unsigned index, const Bytes &part) {
+Bytes fragment(const std::string &origin, unsigned id, unsigned index, const Bytes &part) {
   const std::string header =
       origin + digit(static_cast<unsigned>(part.size() * 8 / 64)) + digit(static_cast<unsigned>(part.size() * 8));
   return bytesOf(std::string("+F") + digit(id) + digit(index) + header) + part;
 }
 
-std::vector<Bytes> piecesOf(const Bytes &frame, unsigned id) {
+std::vector<Bytes> fragmentsOf(const Bytes &frame, unsigned id) {
   const std::string origin(frame.begin() + 4, frame.begin() + 8);
-  std::vector<Bytes> pieces;
-  for (size_t at = 0; at < frame.size(); at += PIECE_LENGTH) {
-    const size_t end = std::min<size_t>(at + PIECE_LENGTH, frame.size());
-    pieces.push_back(
-        piece(origin, id, static_cast<unsigned>(pieces.size()), Bytes(frame.begin() + at, frame.begin() + end)));
+  std::vector<Bytes> fragments;
+  for (size_t at = 0; at < frame.size(); at += FRAGMENT_LENGTH) {
+    const size_t end = std::min<size_t>(at + FRAGMENT_LENGTH, frame.size());
+    fragments.push_back(
+        fragment(origin, id, static_cast<unsigned>(fragments.size()), Bytes(frame.begin() + at, frame.begin() + end)));
   }
-  return pieces;
+  return fragments;
 }

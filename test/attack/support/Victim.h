@@ -39,7 +39,7 @@ class Victim {
   /// Has the host take over all that waits. What is not allowed, or came before, counts as accepted.
   void take();
 
-  /// Hears a genuine frame, in one packet or in pieces, and takes what came: it is lost where that is not it.
+  /// Hears a genuine frame, in one packet or in fragments, and takes what came: it is lost where that is not it.
   void deliver(const Bytes &frame);
 
   /// The content of a frame that is about to be heard may come once, but need not.
@@ -69,13 +69,13 @@ class Victim {
 /// Base64's digit of a value.
 char digit(unsigned value);
 
-/// The pieces of a frame, by SPEC 7.1.
+/// The fragments of a frame, by SPEC 7.1.
 /// @param frame of 78…521 bytes
 /// @param id 0…63
-std::vector<Bytes> piecesOf(const Bytes &frame, unsigned id);
+std::vector<Bytes> fragmentsOf(const Bytes &frame, unsigned id);
 
-/// One piece: `part` goes to `+F`, id and index.
-Bytes piece(const std::string &origin, unsigned id, unsigned index, const Bytes &part);
+/// One fragment: `part` goes to `+F`, id and index.
+Bytes fragment(const std::string &origin, unsigned id, unsigned index, const Bytes &part);
 
 template <typename T>
 void shuffle(std::vector<T> &items, RandomBytes &random) {

@@ -14,7 +14,7 @@ std::string classNameOf(Address::Class addressClass) {
     case Address::SERIAL_LINE: return "serial";
     case Address::BROADCAST: return "broadcast";
     case Address::MULTICAST: return "multicast";
-    case Address::PIECE: return "piece";
+    case Address::PIECE: return "fragment";
     case Address::ACKNOWLEDGEMENT: return "acknowledgement";
     default: return "reserved";
   }

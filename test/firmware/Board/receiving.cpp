@@ -26,7 +26,7 @@ class BoardReceiving : public testing::Test {
     for (int i = static_cast<int>(Counter::RADIO_BAD_FRAMES); i <= static_cast<int>(Counter::RADIO_QUEUE_FULL); i++) {
       dropped += board.counter(static_cast<Counter>(i));
     }
-    for (Counter counter : {Counter::RADIO_REPEATS, Counter::RADIO_PIECES_DROPPED, Counter::RADIO_STALE}) {
+    for (Counter counter : {Counter::RADIO_REPEATS, Counter::RADIO_FRAGMENTS_DROPPED, Counter::RADIO_STALE}) {
       dropped += board.counter(counter);
     }
     EXPECT_EQ(++dropped_, dropped);

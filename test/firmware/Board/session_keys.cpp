@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -303,7 +303,7 @@ TEST_F(BoardSessionKeys, without_one_a_first_piece_is_told_too) {
   const std::vector<Bytes> pieces = cut(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), std::string(90, 'x')), 5);
   board.receive(pieces[1]);
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
-  board.receive(pieces[0]);
+  board.receive(fragments[0]);
   EXPECT_EQ(std::vector<std::string>{"SUHOSUPP"}, withoutKey());
 }
 

@@ -35,7 +35,7 @@ TEST_F(BroadcastMemoryTest, the_same_again_later_is_none) {
   EXPECT_FALSE(isRepeat(1000 + AIRTIME + 401));
 }
 
-TEST_F(BroadcastMemoryTest, the_same_again_while_the_first_still_came_in_pieces_is_a_repeat) {
+TEST_F(BroadcastMemoryTest, the_same_again_while_the_first_still_came_in_fragments_is_a_repeat) {
   EXPECT_FALSE(isRepeat(1000, 12000));
   EXPECT_TRUE(isRepeat(2000, 12500));
 }

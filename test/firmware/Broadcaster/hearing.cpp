@@ -56,7 +56,7 @@ TEST_F(HearingTest, ignores_and_counts_all_else) {
                                  "////ROM-BItell;help",   // a digit that is none
                                  "SUPOROMABItell;help",   // to a device
                                  "//SUROMABItell;help",   // to a group
-                                 "+FAAROMABItell;help",   // a piece
+                                 "+FAAROMABItell;help",   // a fragment
                                  "////++++BItell;help",   // from no device
                                  "////CAFEBItell;help"};  // from its own address
   uint32_t count = 0;

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/TestBoard.h"
 
 using javinolib::Counter;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -111,13 +111,13 @@ class DamagedMessages : public testing::Test {
 TEST_F(DamagedAnswers, one_with_seven_wrong_bits_of_its_proof_is_borne) {
   hear(answer(), wrongSymbols(PROOF_AT, 7));
   EXPECT_TRUE(isDelivered());
-  EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_BORNE));
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_TOLERATED));
 }
 
 TEST_F(DamagedAnswers, one_with_eight_is_not) {
   hear(answer(), wrongSymbols(PROOF_AT, 8));
   EXPECT_FALSE(isDelivered());
-  EXPECT_EQ(0u, board.counter(Counter::RADIO_ANSWERS_BORNE));
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_ANSWERS_TOLERATED));
 }
 
 // The chance of a forger who chooses each six bits as he likes, and even learns how many of the earlier ones were wrong: SECURITY.md.
@@ -171,7 +171,7 @@ TEST_F(DamagedAnswers, after_sixteen_guesses_at_a_message_none_is_borne) {
   EXPECT_TRUE(isDelivered()) << "an intact one is";
 }
 
-TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_pieces_is_borne_too) {
+TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_fragments_is_borne_too) {
   hear(answer(), {});
   ASSERT_TRUE(isDelivered());
   send("tell;" + std::string(150, 'x'));
@@ -179,7 +179,7 @@ TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_pieces_is_borne_too) {
   const Bytes third = board.sendNext();
   EXPECT_EQ(3u, board.radio.sent.size() - 1);
   hear(answer(TYPE_PIECES, {3}), both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1)));
-  EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_BORNE));
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_TOLERATED));
   EXPECT_EQ(third, board.sendNext()) << "the one that is lacking";
 }
 
@@ -191,7 +191,7 @@ TEST_F(DamagedAnswers, what_is_borne_is_no_guess) {
   board.sendNext();
   const std::set<size_t> wrong = both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1));
   for (int i = 0; i < 40; i++) hear(answer(TYPE_PIECES, {3}), wrong);
-  EXPECT_EQ(40u, board.counter(Counter::RADIO_ANSWERS_BORNE));
+  EXPECT_EQ(40u, board.counter(Counter::RADIO_ANSWERS_TOLERATED));
 }
 
 TEST_F(DamagedAnswers, packets_sent_again_have_a_mark_and_parity_once_it_was_asked_for) {

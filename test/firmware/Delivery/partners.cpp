@@ -5,7 +5,7 @@
 
 #include "support/Air.h"
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/TestBoard.h"
 
 using javinolib::Counter;
@@ -232,7 +232,7 @@ TEST_F(Partners, a_stale_notice_for_a_multicast_counts_though_others_were_taken_
   EXPECT_EQ(notice[5] + 1, sent.at(15));
 }
 
-TEST_F(Partners, messages_in_pieces_to_several_are_told_apart) {
+TEST_F(Partners, messages_in_fragments_to_several_are_told_apart) {
   transmit("SUAA", std::string(150, 'a'));
   transmit("SUBB", std::string(150, 'b'));
   std::vector<Bytes> sent;

@@ -6,7 +6,7 @@
 
 #include "support/Air.h"
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -215,8 +215,8 @@ TEST(Relays, that_lie_have_nothing_delivered_twice_or_wrongly) {
   }
 }
 
-// A relay's memory is the place of one of two messages in pieces.
-TEST(Relays, take_one_message_in_pieces_at_a_time_and_two_when_they_are_none) {
+// A relay's memory is the place of one of two messages in fragments.
+TEST(Relays, take_one_message_in_fragments_at_a_time_and_two_when_they_are_none) {
   TestBoard board;
   board.radio.mends = true;
   board.start("SUHO");

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/TestBoard.h"
 
 using javinolib::Counter;

@@ -87,18 +87,18 @@ TEST_F(LoopbackRadioTest, delivers_what_fits_one_packet) {
   EXPECT_EQ(1u, roma.counter(Counter::RADIO_SENT));
 }
 
-TEST_F(LoopbackRadioTest, delivers_the_longest_message_in_eight_pieces) {
-  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_PIECES));
+TEST_F(LoopbackRadioTest, delivers_the_longest_message_in_eight_fragments) {
+  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_FRAGMENTS));
   pass(200);
-  EXPECT_THAT(contents(), ElementsAre(EIGHT_PIECES));
+  EXPECT_THAT(contents(), ElementsAre(EIGHT_FRAGMENTS));
   pass(50);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   roma.use();
   EXPECT_EQ(8u, roma.counter(Counter::RADIO_SENT));
 }
 
-TEST_F(LoopbackRadioTest, sends_again_only_the_piece_that_was_missed) {
-  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_PIECES));
+TEST_F(LoopbackRadioTest, sends_again_only_the_fragment_that_was_missed) {
+  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_FRAGMENTS));
   while (romaRadio.idle()) pass(1);
   while (romaRadio.sending()) pass(1);
   while (!romaRadio.sending()) pass(1);
@@ -109,7 +109,7 @@ TEST_F(LoopbackRadioTest, sends_again_only_the_piece_that_was_missed) {
     pass(1);
     received = contents();
   }
-  EXPECT_THAT(received, ElementsAre(EIGHT_PIECES));
+  EXPECT_THAT(received, ElementsAre(EIGHT_FRAGMENTS));
   pass(50);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   roma.use();
@@ -117,10 +117,10 @@ TEST_F(LoopbackRadioTest, sends_again_only_the_piece_that_was_missed) {
   EXPECT_EQ(1u, roma.counter(Counter::RADIO_RESENT));
 }
 
-TEST_F(LoopbackRadioTest, refuses_what_eight_pieces_do_not_carry) {
-  EXPECT_EQ(Status::TOO_LONG, send("SUPO", EIGHT_PIECES + "y"));
-  EXPECT_EQ(Status::OK, send("////", EIGHT_PIECES + "fourteen bytes"));
-  EXPECT_EQ(Status::TOO_LONG, send("////", EIGHT_PIECES + "fourteen bytes!"));
+TEST_F(LoopbackRadioTest, refuses_what_eight_fragments_do_not_carry) {
+  EXPECT_EQ(Status::TOO_LONG, send("SUPO", EIGHT_FRAGMENTS + "y"));
+  EXPECT_EQ(Status::OK, send("////", EIGHT_FRAGMENTS + "fourteen bytes"));
+  EXPECT_EQ(Status::TOO_LONG, send("////", EIGHT_FRAGMENTS + "fourteen bytes!"));
 }
 
 TEST_F(LoopbackRadioTest, a_radio_that_is_not_joined_does_not_start) {

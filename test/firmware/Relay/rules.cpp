@@ -201,12 +201,12 @@ TEST_F(RelayTest, is_in_reserve_where_others_carry_all) {
   EXPECT_TRUE(sends(5 * SLOT));
 }
 
-TEST_F(RelayTest, spends_a_tenth_of_the_air_on_strangers) {
+TEST_F(RelayTest, spends_a_tenth_of_the_air_on_unproved_pairs) {
   uint32_t sent = 0;
   const uint32_t begun = clock.millis;
   for (int i = 0; i < 400; i++) {
-    const std::string stranger = "X" + digitsOf(static_cast<uint8_t>(i / 2)) + "A";
-    hear(unicast(static_cast<uint8_t>(i), "SUPO", stranger));
+    const std::string origin = "X" + digitsOf(static_cast<uint8_t>(i / 2)) + "A";
+    hear(unicast(static_cast<uint8_t>(i), "SUPO", origin));
     if (sends(20 * SLOT)) sent += radio.airtimeMillis(40);
   }
   const uint32_t all = clock.millis - begun;
@@ -215,7 +215,7 @@ TEST_F(RelayTest, spends_a_tenth_of_the_air_on_strangers) {
   EXPECT_GT(relay.refused(), 100u);
 }
 
-TEST_F(RelayTest, serves_those_whose_messages_arrive_before_strangers) {
+TEST_F(RelayTest, serves_those_whose_messages_arrive_before_unproved_pairs) {
   carry(1);
   for (uint8_t i = 0; i < 40; i++) {
     hear(unicast(i, "XXXX", "YYYY"));

@@ -75,7 +75,7 @@ TEST_F(SerialSessionTest, every_chunk_size_gives_the_same_replies) {
   }
 }
 
-TEST_F(SerialSessionTest, a_reply_goes_out_in_whatever_pieces_the_line_takes) {
+TEST_F(SerialSessionTest, a_reply_goes_out_in_whatever_fragments_the_line_takes) {
   board.port.setRoom(0);
   board.port.arrive(request(1, "S") + request(2, "Acount"));
   board.board->run();

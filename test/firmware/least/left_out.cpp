@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -61,9 +61,10 @@ TEST_F(LeastBoard, tells_nothing_of_frames_without_a_key) {
   EXPECT_TRUE(board.poll().records.empty());
 }
 
-TEST_F(LeastBoard, drops_pieces_and_sends_them) {
+TEST_F(LeastBoard, drops_fragments_and_sends_them) {
   const std::string content(MAX_SEALED_IN_A_PACKET + 1, 'x');
-  for (const Bytes &piece : cut(sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, content), 7)) board.receive(piece);
+  for (const Bytes &fragment : cut(sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, content), 7))
+    board.receive(fragment);
   EXPECT_TRUE(board.messages().empty());
   EXPECT_EQ(Status::OK, board.transmit("ROMA", "LAMP", content).status);
   EXPECT_EQ("+F", textOf(board.nextSent()).substr(0, 2));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -75,7 +75,7 @@ TEST_F(SmallBoard, takes_the_longest_content_and_refuses_a_longer_one) {
   EXPECT_EQ(Status::TOO_LONG, board.transmit("////", "LAMP", text(MAX_CONTENT + 1)).status);
   EXPECT_EQ(Status::TOO_LONG, board.transmit("ROMA", "LAMP", text(MAX_CONTENT + 1)).status);
   EXPECT_EQ(Status::OK, board.transmit("ROMA", "LAMP", text(MAX_CONTENT)).status);
-  EXPECT_EQ("+F", textOf(board.nextSent()).substr(0, 2)) << "it goes in pieces";
+  EXPECT_EQ("+F", textOf(board.nextSent()).substr(0, 2)) << "it goes in fragments";
 }
 
 TEST_F(SmallBoard, refuses_a_packet_that_is_too_long_and_goes_on) {
@@ -93,12 +93,13 @@ TEST_F(SmallBoard, receives_what_fits_a_packet) {
   EXPECT_EQ(text(MAX_SEALED_IN_A_PACKET), board.messages()[0].content);
 }
 
-TEST_F(SmallBoard, drops_and_counts_pieces) {
-  for (const Bytes &piece : cut(sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, text(MAX_SEALED_IN_A_PACKET + 1)), 7)) {
-    board.receive(piece);
+TEST_F(SmallBoard, drops_and_counts_fragments) {
+  for (const Bytes &fragment :
+       cut(sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, text(MAX_SEALED_IN_A_PACKET + 1)), 7)) {
+    board.receive(fragment);
   }
   EXPECT_TRUE(board.messages().empty());
-  EXPECT_EQ(2u, board.counter(Counter::RADIO_PIECES_DROPPED));
+  EXPECT_EQ(2u, board.counter(Counter::RADIO_FRAGMENTS_DROPPED));
 }
 
 TEST_F(SmallBoard, tells_all_outcomes_in_one_poll) {

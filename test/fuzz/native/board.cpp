@@ -46,7 +46,7 @@ class Scene {
 
   void step() {
     static const Step STEPS[] = {&Scene::rawBytes,  &Scene::request, &Scene::poll,        &Scene::transmit,
-                                 &Scene::rawPacket, &Scene::frame,   &Scene::longFrame,   &Scene::piece,
+                                 &Scene::rawPacket, &Scene::frame,   &Scene::longFrame,   &Scene::fragment,
                                  &Scene::answer,    &Scene::replay,  &Scene::sealedFrame, &Scene::pass,
                                  &Scene::endPacket, &Scene::reset};
     (this->*STEPS[input_.byte() % (sizeof STEPS / sizeof *STEPS)])();
@@ -155,7 +155,7 @@ class Scene {
     }
   }
 
-  void piece() {
+  void fragment() {
     const std::string to = std::string("+F") + digit(input_.byte()) + digit(input_.byte());
     const char *from = address();
     hear(reference::frame(to, from, input_.bytes(PART)));
@@ -175,8 +175,8 @@ class Scene {
   void answer() {
     if (board_.radio.sent.empty() || board_.radio.sent.back().size() < 24) return;
     const Bytes &packet = board_.radio.sent.back();
-    const bool isPiece = packet[0] == '+';
-    const auto at = packet.begin() + (isPiece ? 20 : 10);
+    const bool isFragment = packet[0] == '+';
+    const auto at = packet.begin() + (isFragment ? 20 : 10);
     if (packet.end() - at < 6) return;
     const Bytes nonce(at, at + 6);
     const uint8_t type = input_.byte() % 3;

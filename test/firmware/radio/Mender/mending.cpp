@@ -161,16 +161,16 @@ TEST(Mender, survivesRandomSymbols) {
 }
 
 // They differ in a digit and in the CRC alone.
-TEST(Mender, combinesAPieceWithTheSameOneThatAsksForAnAnswer) {
+TEST(Mender, combinesAFragmentWithTheSameOneThatAsksForAnAnswer) {
   std::mt19937 random(60);
   int tries = 0, whole = 0;
   for (int k = 0; k < 300; k++) {
-    Bytes piece = randomBytes(77, random);
-    piece[3] = 'B';
-    Bytes asking = piece;
+    Bytes fragment = randomBytes(77, random);
+    fragment[3] = 'B';
+    Bytes asking = fragment;
     asking[3] = 'J';
     MendingDecoder decoder;
-    decoder.addAll(damaged(reference::packetBits(piece), 2e-2, random));
+    decoder.addAll(damaged(reference::packetBits(fragment), 2e-2, random));
     if (decoder.isEmpty() || decoder.take() == javinolib::Mender::WHOLE) continue;
     decoder.addAll(damaged(reference::packetBits(asking), 2e-2, random));
     tries++;

@@ -19,7 +19,7 @@ public final class Benchmarks {
             System.err.println("bench: no such subject among " + wanted + "; there are " + String.join(", ", known));
             System.exit(2);
         }
-        Report report = new Report();
+        BenchReport report = new BenchReport();
         for (Subject subject : SUBJECTS) {
             if (!wanted.isEmpty() && !wanted.contains(subject.name())) {
                 continue;

@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Scope;
@@ -36,7 +36,7 @@ public final class Codec implements Subject {
         @Benchmark
         public List<PacketDecoder.Result> encodeAndDecode() {
             sequence = sequence + 1 & 0xFF;
-            byte[] line = new Packet(sequence, frame).encode().toArray();
+            byte[] line = new SerialPacket(sequence, frame).encode().toArray();
             return decoder.feed(line, line.length);
         }
     }
@@ -49,7 +49,7 @@ public final class Codec implements Subject {
     @Override
     public String method() {
         return """
-            JMH, one thread: `Packet.encode` and `PacketDecoder.feed` of a frame of 64 bytes, checksums and COBS
+            JMH, one thread: `SerialPacket.encode` and `PacketDecoder.feed` of a frame of 64 bytes, checksums and COBS
             included; a fork with 3 rounds of warming up and 5 of measuring, 2 s each, allocation by its GC
             profiler.""";
     }

@@ -51,11 +51,11 @@ final class Radio implements Subject {
             host; this includes sealing and the whole reply of the receiver's board. The ratio is that of the median to
             the packet's time on the air.
             With a bridge, both ports hold bytes back so long. Goodput: 10 contents of 200 bytes, which travel in
-            pieces, with two of them always waiting at the board; content bits from the first packet's start to the
+            fragments, with two of them always waiting at the board; content bits from the first packet's start to the
             last one's end, waits for the air between messages and, of unicasts, acknowledgements included. The limit
             is what line code (8 of 12 bits), training, headers, nonce and tag leave: content bits of the bits of the
-            pieces. Of the 40 bytes of payload for a content of 16, ten are the paper's header (to whom, from whom, two
-            digits of length), six the nonce, which must not come again in a board's life, and eight the tag, which
+            fragments. Of the 40 bytes of payload for a content of 16, ten are the paper's header (to whom, from whom,
+            two digits of length), six the nonce, which must not come again in a board's life, and eight the tag, which
             leaves a forger one chance in 2^64; a receiver cannot know them beforehand, since it may have been switched
             off.""";
     }

@@ -17,16 +17,17 @@ final class Sizes implements Subject {
     public String method() {
         return """
             `avr-size` of what `gradle firmware` builds. Of Vehicle's flash, by `gradle :javino-firmware:sizes`:
-            delivery (pieces, acknowledgements, carrier sense) 10.3 kB, radio 8.7, requests and replies 7.2, EEPROM 2.9,
-            envelopes and nonces 2.8, AES 1.0, frames and addresses 0.9, the sketch 0.3; the Arduino core 2.7, and what
-            the linker does not name 2.2. Of the radio, parity takes 3.1 kB of flash and 0.3 of RAM, copies of damaged
-            packets 1.0 and 0.9, other mending 2.1; one line of `Config.h` leaves each out. The paper's sketch has no
-            acknowledgement, no piece, no replay memory and no key store; these take the difference in size. Of the RAM
-            4.0 kB are queues: two serial packets of 524 bytes, 640 bytes each for messages received and to be sent, two
-            messages in pieces of 534. We tried compiler flags (540 bytes of flash less), a CRC in one go, one expanded
-            key instead of two, and radio payloads left in place (77 bytes of RAM less). Without `noinline`, which helps
-            the stack, flash would be 86 bytes less. We did not try one buffer for request and reply, nor queues that
-            share their memory: they would change what a board can do. With shorter messages it fits an Uno.""";
+            delivery (fragments, acknowledgements, carrier sense) 10.3 kB, radio 8.7, requests and replies 7.2, EEPROM
+            2.9, envelopes and nonces 2.8, AES 1.0, frames and addresses 0.9, the sketch 0.3; the Arduino core 2.7, and
+            what the linker does not name 2.2. Of the radio, parity takes 3.1 kB of flash and 0.3 of RAM, copies of
+            damaged packets 1.0 and 0.9, other mending 2.1; one line of `Config.h` leaves each out. The paper's sketch
+            has no acknowledgement, no fragment, no replay memory and no key store; these take the difference in size.
+            Of the RAM 4.0 kB are queues: two serial packets of 524 bytes, 640 bytes each for messages received and to
+            be sent, two messages in fragments of 534. We tried compiler flags (540 bytes of flash less), a CRC in one
+            go, one expanded key instead of two, and radio payloads left in place (77 bytes of RAM less). Without
+            `noinline`, which helps the stack, flash would be 86 bytes less. We did not try one buffer for request and
+            reply, nor queues that share their memory: they would change what a board can do. With shorter messages it
+            fits an Uno.""";
     }
 
     @Override

@@ -17,7 +17,7 @@ final class BoardKeys {
 
     private final Set<Address> stored = ConcurrentHashMap.newKeySet();
     /** Who has had a session key since the port was opened: nobody gets both kinds of keys meanwhile. */
-    private final Set<Address> strangers = ConcurrentHashMap.newKeySet();
+    private final Set<Address> certified = ConcurrentHashMap.newKeySet();
     private volatile Set<Address> met = Set.of();
     private volatile boolean known;
 
@@ -26,8 +26,8 @@ final class BoardKeys {
         Set<Address> inEeprom = addresses(keys.stream().filter(key -> key.role() != Role.SESSION));
         stored.retainAll(inEeprom);
         stored.addAll(inEeprom);
-        strangers.addAll(addresses(keys.stream().filter(key -> key.role() == Role.SESSION)));
-        strangers.removeAll(inEeprom);
+        certified.addAll(addresses(keys.stream().filter(key -> key.role() == Role.SESSION)));
+        certified.removeAll(inEeprom);
         known = true;
     }
 
@@ -41,8 +41,8 @@ final class BoardKeys {
     }
 
     /** A device's session key is being set. */
-    void addStranger(Address device) {
-        strangers.add(device);
+    void addCertified(Address device) {
+        certified.add(device);
     }
 
     /** With which devices the board has session keys now. */
@@ -56,9 +56,9 @@ final class BoardKeys {
         return known && needsKey && !stored.contains(to);
     }
 
-    /** What a device is from which something came sealed; as long as that is not known, a stranger. */
+    /** What a device is from which something came sealed; as long as that is not known, certified only. */
     TrustLevel peer(Address device) {
-        return known && !strangers.contains(device) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
+        return known && !certified.contains(device) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
     }
 
     /** A belief for each device with a key. */

@@ -68,7 +68,7 @@ public final class Destinations {
         Address address = group.matches() ? Address.multicast(group.group(1)) : Address.parse(name);
         return switch (address.kind()) {
             case DEVICE, MULTICAST, BROADCAST -> address;
-            case PIECE, ACKNOWLEDGEMENT, SERIAL, RESERVED ->
+            case FRAGMENT, ACKNOWLEDGEMENT, SERIAL, RESERVED ->
                 throw new IllegalArgumentException("nothing can be sent to it");
         };
     }

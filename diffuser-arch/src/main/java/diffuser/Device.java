@@ -26,7 +26,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply.StoredKey;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
@@ -64,7 +64,7 @@ final class Device implements BoardListener, KeyService.Host {
      * @param inbox    where its messages go.
      * @param warnings where its user is told what went wrong.
      * @param wake     ends its sleep.
-     * @param keyService   finds keys for strangers, if that library is there.
+     * @param keyService   agrees on keys, if that library is there.
      */
     record DeviceContext(String agent, Inbox inbox, Warnings warnings, Runnable wake, Optional<KeyService> keyService) {
     }
@@ -240,16 +240,16 @@ final class Device implements BoardListener, KeyService.Host {
         return keys.peer(from);
     }
 
-    // What finds keys for strangers wants of the board.
+    // What key agreement wants of the board.
 
     @Override
-    public Transmission transmit(Address to, Word word) {
-        return session.join().transmit(to, word);
+    public Transmission transmit(Address to, HostMessage message) {
+        return session.join().transmit(to, message);
     }
 
     @Override
     public CompletableFuture<?> setSessionKey(Address device, Key key) {
-        keys.addStranger(device);
+        keys.addCertified(device);
         return session.join().setSessionKey(device, key);
     }
 
@@ -384,10 +384,10 @@ final class Device implements BoardListener, KeyService.Host {
     }
 
     @Override
-    public void word(Address from, Address to, Word word) {
+    public void hostMessage(Address from, Address to, HostMessage message) {
         if (!closed) {
             communicability.heard();
-            context.keyService().ifPresent(keyService -> keyService.word(from, to, word));
+            context.keyService().ifPresent(keyService -> keyService.hostMessage(from, to, message));
         }
     }
 

@@ -228,23 +228,23 @@ public class Diffuser extends AgArch {
      * @return completes as soon as the board has taken the message; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
      */
-    public CompletableFuture<?> diffuse(OutgoingMessage letter) throws JasonException {
+    public CompletableFuture<?> diffuse(OutgoingMessage outgoing) throws JasonException {
         Device board = requireDevice();
-        questions.remember(letter);
-        return outbox.diffuse(letter, board);
+        questions.remember(outgoing);
+        return outbox.diffuse(outgoing, board);
     }
 
     /**
      * Makes the board transmit a message; only the future tells how it ended.
      *
-     * @param letter a message that is acknowledged.
+     * @param outgoing a message that is acknowledged.
      * @return completes when the message is delivered; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
      */
-    public CompletableFuture<?> deliver(OutgoingMessage letter) throws JasonException {
+    public CompletableFuture<?> deliver(OutgoingMessage outgoing) throws JasonException {
         Device board = requireDevice();
-        questions.remember(letter);
-        return outbox.deliver(letter, board);
+        questions.remember(outgoing);
+        return outbox.deliver(outgoing, board);
     }
 
     /**
@@ -278,7 +278,7 @@ public class Diffuser extends AgArch {
         return services.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
-    /** What a device is from which something came sealed; without a board, a stranger. For any thread. */
+    /** What a device is from which something came sealed; without a board, certified only. For any thread. */
     public TrustLevel peer(Address device) {
         return device().map(board -> board.peer(device)).orElse(TrustLevel.CERTIFIED);
     }

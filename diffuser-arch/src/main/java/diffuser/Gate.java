@@ -56,7 +56,7 @@ import javino.protocol.Performative;
  *
  * <p>A unicast has a second mark, {@code peer(provisioned,ROMA)} or {@code peer(certified,ROMA)}, which says how the
  * two devices came to their key. It names the sender for the same reason. A multicast has none: otherwise a unicast of
- * a stranger and a multicast in the stranger's name would together seem to be a provisioned unicast.
+ * a certified device and a multicast in its name would together seem to be a provisioned unicast.
  */
 public final class Gate implements CircumstanceListener {
 
@@ -107,7 +107,7 @@ public final class Gate implements CircumstanceListener {
             this.kind = kind;
         }
 
-        /** What was wrong, in words of which there are few: a stranger shall not fill the log. */
+        /** What was wrong, in words of which there are few: an attacker must not fill the log. */
         String kind() {
             return kind;
         }

@@ -18,7 +18,7 @@ import javino.protocol.Performative;
 /** Messages from the radio on their way to the agent: the board's thread puts them in, the agent's takes them out. */
 final class Inbox {
 
-    private final Queue<Mail> mails = new ConcurrentLinkedQueue<>();
+    private final Queue<IncomingMessage> waiting = new ConcurrentLinkedQueue<>();
     private final AtomicLong received = new AtomicLong();
     private final AtomicLong malformed = new AtomicLong();
     private final AtomicLong refused = new AtomicLong();
@@ -39,7 +39,7 @@ final class Inbox {
      * @param receiver the agent.
      * @param term     what it says.
      */
-    private record Mail(ReceivedMessage message, Provenance of, String receiver, Term term) {
+    private record IncomingMessage(ReceivedMessage message, Provenance of, String receiver, Term term) {
 
         Content content() {
             return message.content();
@@ -73,7 +73,8 @@ final class Inbox {
         }
         try {
             Term term = Texts.readContent(message.content());
-            apart(term, message.content()).forEach(said -> mails.add(new Mail(message, of, receiver, said)));
+            apart(term, message.content())
+                    .forEach(said -> waiting.add(new IncomingMessage(message, of, receiver, said)));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
@@ -106,26 +107,26 @@ final class Inbox {
             return;
         }
         handedOn = Optional.empty();
-        while (handedOn.isEmpty() && !mails.isEmpty()) {
-            handedOn = pass(mails.poll());
+        while (handedOn.isEmpty() && !waiting.isEmpty()) {
+            handedOn = pass(waiting.poll());
         }
     }
 
-    private Optional<Message> pass(Mail mail) {
-        Message message = mail.toJason();
+    private Optional<Message> pass(IncomingMessage incoming) {
+        Message message = incoming.toJason();
         try {
-            if (mail.content().isAnswer()) {
-                answer(mail, message);
+            if (incoming.content().isAnswer()) {
+                answer(incoming, message);
             } else {
-                gate.pass(message, mail.of());
+                gate.pass(message, incoming.of());
             }
             received.incrementAndGet();
             return Optional.of(message);
         } catch (Gate.RefusedException e) {
-            refuse(mail.message(), e.kind(), e.getMessage());
+            refuse(incoming.message(), e.kind(), e.getMessage());
         } catch (RuntimeException e) {
             // Where a term makes Jason stumble, that costs the message, not the agent's intentions.
-            refuse(mail.message(), e.getClass().getName(), "Jason cannot handle it: " + e);
+            refuse(incoming.message(), e.getClass().getName(), "Jason cannot handle it: " + e);
         }
         return Optional.empty();
     }
@@ -137,32 +138,33 @@ final class Inbox {
     }
 
     /** The answer as its question went: what anybody in a group could have asked is no more than a group's word. */
-    private void answer(Mail mail, Message message) throws Gate.RefusedException {
-        Gate.permit(Policy.Act.ANSWER, mail.of());
+    private void answer(IncomingMessage incoming, Message message) throws Gate.RefusedException {
+        Gate.permit(Policy.Act.ANSWER, incoming.of());
         Optional<Questions.Question> question =
-                questions.answered(mail.content().conversation().orElseThrow(), mail.message().from());
-        Provenance of = question.map(asked -> asked.answered(mail.message().from(), mail.of().peer()))
-                .orElse(mail.of().answering(Provenance.Question.NONE_OPEN));
+                questions.answered(incoming.content().conversation().orElseThrow(), incoming.message().from());
+        Provenance of = question.map(asked -> asked.answered(incoming.message().from(), incoming.of().peer()))
+                .orElse(incoming.of().answering(Provenance.Question.NONE_OPEN));
         question.flatMap(Questions.Question::messageId).ifPresent(message::setInReplyTo);
         try {
             gate.pass(message, of);
         } catch (Gate.RefusedException | RuntimeException e) {
-            question.ifPresent(asked -> fail(asked, mail, "its answer was dropped: " + e.getMessage()));
+            question.ifPresent(asked -> fail(asked, incoming, "its answer was dropped: " + e.getMessage()));
             throw e;
         }
-        if (mail.content().performative() == Performative.SORRY) {
-            fail(question.orElseThrow(), mail, ((StringTerm) mail.term()).getString());
+        if (incoming.content().performative() == Performative.SORRY) {
+            fail(question.orElseThrow(), incoming, ((StringTerm) incoming.term()).getString());
         }
     }
 
-    private void fail(Questions.Question question, Mail mail, String reason) {
-        Failure why = new Failure("no_answer", mail.message().from() + " cannot answer " + question.letter().content()
-                + ": " + reason);
+    private void fail(Questions.Question question, IncomingMessage incoming, String reason) {
+        Failure why =
+                new Failure("no_answer", incoming.message().from() + " cannot answer " + question.outgoing().content()
+                        + ": " + reason);
         question.messageId().ifPresentOrElse(id -> intentions.fail(id, why), () -> warnings.always(why.message()));
     }
 
     boolean isEmpty() {
-        return mails.isEmpty();
+        return waiting.isEmpty();
     }
 
     /** How many messages, or literals of lists that messages say, have passed the gate. */

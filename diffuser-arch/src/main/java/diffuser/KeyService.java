@@ -10,7 +10,7 @@ import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * What finds keys for devices with which the board has none (SPEC 11). Without one, a message to such a device fails
@@ -21,13 +21,13 @@ public interface KeyService extends BoardService {
     /** The board, and the agent behind it. For any thread; no method waits, and futures fail as a board's. */
     interface Host {
 
-        /** Has the board transmit a word to other hosts, or a content, as it is. */
-        Transmission transmit(Address to, Word word);
+        /** Has the board transmit a message to other hosts, or a content, as it is. */
+        Transmission transmit(Address to, HostMessage message);
 
         /** As the other. */
         Transmission transmitAsIs(Address to, Content content);
 
-        /** Gives the board the session key of a pair. What comes sealed from the device is a stranger's from now on. */
+        /** Gives the board the session key of a pair. The device counts as certified from now on. */
         CompletableFuture<?> setSessionKey(Address device, Key key);
 
         /** Gives the board the key of a group, which it stores. */
@@ -39,7 +39,7 @@ public interface KeyService extends BoardService {
         /** Tells the agent with which devices the board has session keys now. */
         void met(Set<Address> peers);
 
-        /** A message of a stranger for the agent. */
+        /** A message of a certified device for the agent. */
         void received(Address from, Content content);
 
         /** Tells the user something. */
@@ -54,8 +54,8 @@ public interface KeyService extends BoardService {
      */
     void online(Host host, Address self, int bootEpoch, List<Reply.StoredKey> keys);
 
-    /** A word of another host has come; to this device if it came sealed, else to all. */
-    void word(Address from, Address to, Word word);
+    /** A host message has come; to this device if it came sealed, else to all. */
+    void hostMessage(Address from, Address to, HostMessage message);
 
     /** A sealed frame has come for which the board has no key. */
     void noKey(PollReply.NoKey frame);
@@ -67,6 +67,6 @@ public interface KeyService extends BoardService {
      */
     Transmission transmit(Host host, Address to, Content content);
 
-    /** Whether strangers can get the key of the own group, if they have the right certificate. */
+    /** Whether certified devices can get the key of the own group. */
     boolean sharesGroup();
 }

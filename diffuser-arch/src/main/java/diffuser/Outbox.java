@@ -28,18 +28,18 @@ final class Outbox {
     }
 
     /** Sends a message; completes when the board has taken it. Its outcome is an event. */
-    CompletableFuture<?> diffuse(OutgoingMessage letter, Device board) {
-        Transmission transmission = transmit(letter, board);
-        transmission.end().thenAccept(outcome -> tell(letter, outcome));
+    CompletableFuture<?> diffuse(OutgoingMessage outgoing, Device board) {
+        Transmission transmission = transmit(outgoing, board);
+        transmission.end().thenAccept(outcome -> tell(outgoing, outcome));
         return transmission.taken();
     }
 
     /** Sends a message for which nobody waits: that it was refused is an event, too. */
-    void post(OutgoingMessage letter, Device board) {
-        diffuse(letter, board).exceptionally(thrown -> {
+    void post(OutgoingMessage outgoing, Device board) {
+        diffuse(outgoing, board).exceptionally(thrown -> {
             Failure failure = Failure.of(thrown);
             warnings.always(failure.message());
-            signal.accept(letter.undelivered(failure));
+            signal.accept(outgoing.undelivered(failure));
             return null;
         });
     }
@@ -51,9 +51,9 @@ final class Outbox {
      */
     void answer(Message answer, IncomingQuestion question, Device board) throws JasonException {
         try {
-            OutgoingMessage letter = OutgoingMessage.answer(answer, question.conversation());
-            if (!question.ofGroup() || !letter.knowsNothing()) {
-                post(letter, board);
+            OutgoingMessage outgoing = OutgoingMessage.answer(answer, question.conversation());
+            if (!question.ofGroup() || !outgoing.knowsNothing()) {
+                post(outgoing, board);
             }
         } catch (JasonException e) {
             post(OutgoingMessage.sorry(answer, question.conversation(), Failure.of(e)), board);
@@ -62,35 +62,35 @@ final class Outbox {
     }
 
     /** Sends a message; completes when it is delivered, and fails if it is not. Its outcome is no event. */
-    CompletableFuture<?> deliver(OutgoingMessage letter, Device board) {
-        Transmission transmission = transmit(letter, board);
+    CompletableFuture<?> deliver(OutgoingMessage outgoing, Device board) {
+        Transmission transmission = transmit(outgoing, board);
         return transmission.taken().thenCompose(nothing -> transmission.end()).thenAccept(outcome -> {
             if (outcome != Outcome.DELIVERED) {
-                throw new CompletionException(unacknowledged(letter).toException());
+                throw new CompletionException(unacknowledged(outgoing).toException());
             }
         });
     }
 
-    private Transmission transmit(OutgoingMessage letter, Device board) {
-        if (Destinations.isMistakable(letter.to())) {
-            String group = letter.to().group();
-            warnings.once(letter.to() + " is the device // of group " + group + "; for the whole group write \"//"
+    private Transmission transmit(OutgoingMessage outgoing, Device board) {
+        if (Destinations.isMistakable(outgoing.to())) {
+            String group = outgoing.to().group();
+            warnings.once(outgoing.to() + " is the device // of group " + group + "; for the whole group write \"//"
                     + group + "\"");
         }
-        Transmission transmission = board.transmit(letter.to(), letter.content());
+        Transmission transmission = board.transmit(outgoing.to(), outgoing.content());
         return new Transmission(
-                transmission.taken().handle((nothing, thrown) -> taken(thrown, letter)),
+                transmission.taken().handle((nothing, thrown) -> taken(thrown, outgoing)),
                 transmission.end().thenApply(this::counted));
     }
 
     /** A board tells how long a message may be, but not how long this one is. */
-    private static Void taken(Throwable thrown, OutgoingMessage letter) {
+    private static Void taken(Throwable thrown, OutgoingMessage outgoing) {
         if (thrown == null) {
             return null;
         }
         Failure failure = Failure.of(thrown);
         throw new CompletionException(!failure.isTooLong() ? thrown : new Failure(failure.error(),
-                failure.message() + "; this one has " + letter.content().encode().length()).toException());
+                failure.message() + "; this one has " + outgoing.content().encode().length()).toException());
     }
 
     private Outcome counted(Outcome outcome) {
@@ -99,19 +99,20 @@ final class Outbox {
     }
 
     /** That a message to all or to a group was sent is nothing to tell. */
-    private void tell(OutgoingMessage letter, Outcome outcome) {
+    private void tell(OutgoingMessage outgoing, Outcome outcome) {
         Optional<Literal> event = switch (outcome) {
             case SENT -> Optional.empty();
-            case DELIVERED -> Optional.of(letter.delivered());
-            case UNDELIVERED -> Optional.of(letter.undelivered(unacknowledged(letter)));
+            case DELIVERED -> Optional.of(outgoing.delivered());
+            case UNDELIVERED -> Optional.of(outgoing.undelivered(unacknowledged(outgoing)));
         };
         event.ifPresent(signal);
     }
 
-    private static Failure unacknowledged(OutgoingMessage letter) {
-        String why = letter.isAcknowledged() ? "was not acknowledged: its receiver is out of reach or a board was lost"
-                : "was not sent yet when the board was lost";
-        return new Failure("undelivered", letter + " " + why + "; it may have arrived all the same");
+    private static Failure unacknowledged(OutgoingMessage outgoing) {
+        String why =
+                outgoing.isAcknowledged() ? "was not acknowledged: its receiver is out of reach or a board was lost"
+                        : "was not sent yet when the board was lost";
+        return new Failure("undelivered", outgoing + " " + why + "; it may have arrived all the same");
     }
 
     /** How many of the messages that the board has taken have ended so. */

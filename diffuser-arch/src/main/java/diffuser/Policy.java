@@ -214,6 +214,6 @@ public final class Policy {
 
     private static String why(Provenance of) {
         return of.cast() == Cast.BROADCAST ? "it came as a broadcast, which anyone can send in anyone's name"
-                : "it came from a stranger, or under a key that strangers can get";
+                : "it came from a certified device, or under a key that certified devices can get";
     }
 }

@@ -29,16 +29,16 @@ final class Questions {
     /**
      * A question that was asked.
      *
-     * @param letter    what was asked of whom.
+     * @param outgoing    what was asked of whom.
      * @param messageId by which an intention waits for the answer; empty if none does.
      * @param answered  who has answered.
      */
-    record Question(OutgoingMessage letter, Optional<String> messageId, Set<Address> answered) {
+    record Question(OutgoingMessage outgoing, Optional<String> messageId, Set<Address> answered) {
 
         /** Where an answer of a device comes from: as the question went. */
         Provenance answered(Address by, TrustLevel peer) {
-            return Provenance.of(by, Cast.of(letter.to()), peer).answering(
-                    Provenance.Question.of(letter.content().performative(), messageId.isPresent()));
+            return Provenance.of(by, Cast.of(outgoing.to()), peer).answering(
+                    Provenance.Question.of(outgoing.content().performative(), messageId.isPresent()));
         }
     }
 
@@ -55,12 +55,12 @@ final class Questions {
      */
     void ask(Message message, Device board) throws JasonException {
         try {
-            OutgoingMessage letter = OutgoingMessage.of(message);
+            OutgoingMessage outgoing = OutgoingMessage.of(message);
             if (intentions.isWaiting(message.getMsgId())) {
-                await(letter, message.getMsgId(), board);
+                await(outgoing, message.getMsgId(), board);
             } else {
-                remember(letter);
-                outbox.post(letter, board);
+                remember(outgoing);
+                outbox.post(outgoing, board);
             }
         } catch (JasonException e) {
             intentions.forget(message.getMsgId());
@@ -68,14 +68,14 @@ final class Questions {
         }
     }
 
-    private void await(OutgoingMessage letter, String messageId, Device board) throws JasonException {
-        if (!letter.isAcknowledged()) {
-            throw new JasonException("an answer can be awaited from one device, not from " + letter.to()
+    private void await(OutgoingMessage outgoing, String messageId, Device board) throws JasonException {
+        if (!outgoing.isAcknowledged()) {
+            throw new JasonException("an answer can be awaited from one device, not from " + outgoing.to()
                     + "; without the argument for it, each answer comes as a belief", JasonException.WRONG_ARGS);
         }
         boolean limited = intentions.hasTimeout(messageId);
-        remember(letter, Optional.of(messageId));
-        outbox.deliver(letter, board).exceptionally(thrown -> {
+        remember(outgoing, Optional.of(messageId));
+        outbox.deliver(outgoing, board).exceptionally(thrown -> {
             Failure failure = Failure.of(thrown);
             // What is undelivered may have arrived all the same, and the answer still come in time.
             if (!limited || !failure.isUndelivered()) {
@@ -85,19 +85,19 @@ final class Questions {
         });
     }
 
-    /** Expects answers to a letter, if it is a question, for which no intention waits. */
-    void remember(OutgoingMessage letter) {
-        if (letter.isQuestion()) {
-            remember(letter, Optional.empty());
+    /** Expects answers to a message, if it is a question, for which no intention waits. */
+    void remember(OutgoingMessage outgoing) {
+        if (outgoing.isQuestion()) {
+            remember(outgoing, Optional.empty());
         }
     }
 
-    private void remember(OutgoingMessage letter, Optional<String> messageId) {
+    private void remember(OutgoingMessage outgoing, Optional<String> messageId) {
         open.values().removeIf(question -> question.messageId().filter(id -> !intentions.isWaiting(id)).isPresent());
         if (messageId.isEmpty()) {
             forgetOldUnawaited();
         }
-        Question question = new Question(letter, messageId, new HashSet<>());
+        Question question = new Question(outgoing, messageId, new HashSet<>());
         open.put(conversation(question), question);
     }
 
@@ -109,16 +109,16 @@ final class Questions {
     }
 
     private static Conversation conversation(Question question) {
-        return question.letter().content().conversation().orElseThrow();
+        return question.outgoing().content().conversation().orElseThrow();
     }
 
     /** The open question that a device answers; none if it was not asked, has answered, or nobody waits any more. */
     Optional<Question> answered(Conversation conversation, Address by) {
         Question question = open.get(conversation);
-        if (question == null || !question.letter().to().reaches(by) || !question.answered().add(by)) {
+        if (question == null || !question.outgoing().to().reaches(by) || !question.answered().add(by)) {
             return Optional.empty();
         }
-        if (question.letter().isAcknowledged()) {
+        if (question.outgoing().isAcknowledged()) {
             open.remove(conversation);
         }
         return Optional.of(question).filter(known -> known.messageId().map(intentions::isWaiting).orElse(true));

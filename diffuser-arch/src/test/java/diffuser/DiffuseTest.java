@@ -112,7 +112,7 @@ class DiffuseTest {
     }
 
     @Test
-    void send_otherForceToRfAddress_fails() {
+    void send_otherPerformativeToRfAddress_fails() {
         FakeBoard board = new FakeBoard("antenna");
         RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board);
         agent.notes(

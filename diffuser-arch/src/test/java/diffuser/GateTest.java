@@ -40,7 +40,7 @@ class GateTest {
 
     /** Finds out about a door for partners only. */
     private static final String DOOR = """
-            +?door(X)[peer(certified,S)] <- diffuser.note(stranger,S); .fail.
+            +?door(X)[peer(certified,S)] <- diffuser.note(certified,S); .fail.
             +?door(X) <- diffuser.note(partner); X = 1.
             """;
 
@@ -255,13 +255,13 @@ class GateTest {
     }
 
     @Test
-    void pass_questionsAndUntellOfAStranger_arePlansToRefuse() {
+    void pass_questionsAndUntellOfACertifiedDevice_arePlansToRefuse() {
         String program = PROGRAM + DOOR + """
                 +!kqml_received(S,untell,q(X),_)[peer(certified,S)] <- diffuser.note(kept,X).
                 """;
-        FakeBoard board = withAStranger();
+        FakeBoard board = withACertifiedDevice();
         RunningAgent agent = RunningAgent.listening(program, board);
-        assertRefusesTheStrangersQuestion(agent, board);
+        assertRefusesTheCertifiedDevicesQuestion(agent, board);
         board.receive(ME, "ROMB", "tell;q(1)");
         board.receive(ME, "ROMB", "untell;q(1)");
         agent.notes("kept 1");
@@ -275,18 +275,18 @@ class GateTest {
                 door(1).
                 +!kqml_received(S,askOne,Content,M) <- -door(1); ?Content; .send(S,tell,Content,M).
                 """;
-        FakeBoard board = withAStranger();
-        assertRefusesTheStrangersQuestion(RunningAgent.listening(program, board), board);
+        FakeBoard board = withACertifiedDevice();
+        assertRefusesTheCertifiedDevicesQuestion(RunningAgent.listening(program, board), board);
     }
 
-    private static void assertRefusesTheStrangersQuestion(RunningAgent agent, FakeBoard board) {
+    private static void assertRefusesTheCertifiedDevicesQuestion(RunningAgent agent, FakeBoard board) {
         board.receive(ME, "ROMB", "askOne#AbC;door(X)");
-        agent.notes("stranger ROMB");
+        agent.notes("certified ROMB");
         board.receive(ME, "SUPO", "askOne#AbD;door(X)");
         agent.notes("partner");
     }
 
-    private static FakeBoard withAStranger() {
+    private static FakeBoard withACertifiedDevice() {
         FakeBoard board = new FakeBoard("radio");
         board.keys.set("SUPO", Bytes.of(1, 2, 3));
         board.keys.setSession("ROMB", Bytes.of(1, 2, 3));
@@ -297,15 +297,15 @@ class GateTest {
     void pass_unicast_isMarkedByTheSendersKeyAndNothingElse() {
         String program = PROGRAM + """
                 +r(X)[peer(provisioned,S)] <- diffuser.note(known,X,S).
-                +r(X)[peer(certified,S)] <- diffuser.note(stranger,X,S).
+                +r(X)[peer(certified,S)] <- diffuser.note(certified,X,S).
                 +r(X) <- diffuser.note(neither,X).
                 """;
-        FakeBoard board = withAStranger();
+        FakeBoard board = withACertifiedDevice();
         RunningAgent agent = RunningAgent.listening(program, board);
         board.receive(ME, "SUPO", "tell;r(1)[peer(certified,\"SUPO\")]");
         agent.notes("known 1 SUPO");
         board.receive(ME, "ROMB", "tell;r(2)[peer(provisioned,\"ROMB\")]");
-        agent.notes("stranger 2 ROMB");
+        agent.notes("certified 2 ROMB");
         // Beside the unicast, it would seem to be a provisioned one of ROMB.
         board.receive(GROUP, "ROMB", "tell;r(3)[peer(provisioned,\"ROMB\")]");
         agent.notes("neither 3");
@@ -315,22 +315,24 @@ class GateTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"tellHow;{ +!go(2) <- diffuser.note(taught) }", "untellHow;mine"})
-    void pass_plansOfAStranger_refusedUnlessAPlanAsksForThem(String content) throws Exception {
-        FakeBoard board = withAStranger();
+    void pass_plansOfACertifiedDevice_refusedUnlessAPlanAsksForThem(String content) throws Exception {
+        FakeBoard board = withACertifiedDevice();
         String performative = content.split(";")[0];
         RunningAgent agent = RunningAgent.listening(PROGRAM + "@mine +!own <- true.", board);
         String before = plansOf(agent);
         board.receive(ME, "ROMB", content);
-        agent.warns("it came from a stranger, or under a key that strangers can get; if the agent is to take it,"
-                + " write a plan that asks for it: +!kqml_received(S," + performative
-                + ",X,_)[peer(certified,S)] <- ...");
+        agent.warns(
+                "it came from a certified device, or under a key that certified devices can get;"
+                        + " if the agent is to take it,"
+                        + " write a plan that asks for it: +!kqml_received(S," + performative
+                        + ",X,_)[peer(certified,S)] <- ...");
         nothingSoFar(agent, board);
         assertEquals(before, plansOf(agent));
         assertEquals(1, refused(agent));
         agent.close();
         String open =
                 "+!kqml_received(S,%s,X,_)[peer(certified,S)] <- diffuser.note(opened,S).".formatted(performative);
-        FakeBoard again = withAStranger();
+        FakeBoard again = withACertifiedDevice();
         RunningAgent asking = RunningAgent.listening(PROGRAM + open, again);
         again.receive(ME, "ROMB", content);
         asking.notes("opened ROMB");
@@ -341,7 +343,7 @@ class GateTest {
     void peers_withStoredKeys_areBelieved() {
         String program = "!start. +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready)."
                 + "+peer(S,K)[source(percept)] <- diffuser.note(S,K).";
-        RunningAgent agent = RunningAgent.run(program, withAStranger());
+        RunningAgent agent = RunningAgent.run(program, withACertifiedDevice());
         agent.notesAll("ready", "SUPO provisioned");
     }
 
@@ -488,7 +490,7 @@ class GateTest {
 
     /** As the README shows it, in a program around it. */
     @Test
-    void pass_guardOfTheReadme_holdsAgainstATrustedStranger() throws Exception {
+    void pass_guardOfTheReadme_holdsAgainstATrustedCertifiedDevice() throws Exception {
         String readme = Files.readString(
                 Path.of(System.getProperty("javino.root"), "diffuser-arch", "README.md"));
         String guard = readme.lines().filter(line -> line.startsWith("+!open(Gate)[cast(unicast, S)]")).findFirst()

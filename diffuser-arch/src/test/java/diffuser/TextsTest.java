@@ -47,7 +47,7 @@ class TextsTest {
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {"tell#AbC | 3", "tell#AbC | \"p\"",
             "tell#AbC | [p,[1,\"x\"],q(-2)]", "tell | [p,q(X)]", "askOne#AbC | p(X)", "untellHow | [a,b]",
             "sorry#AbC | \"no\""})
-    void readContent_whatGoesWithTheForce_readsBackAsItself(String head, String text) throws Exception {
+    void readContent_whatGoesWithThePerformative_readsBackAsItself(String head, String text) throws Exception {
         assertEquals(text, Texts.readContent(Content.parse(head + ";" + text)).toString());
     }
 
@@ -64,7 +64,7 @@ class TextsTest {
     }
 
     @Test
-    void force_sorryOrNone_isRefused() throws Exception {
+    void performative_sorryOrNone_isRefused() throws Exception {
         assertEquals(Performative.ASK_ONE, Texts.performative("askOne"));
         assertRefused("wrong_arguments", () -> Texts.performative("sorry"));
         assertRefused("wrong_arguments", () -> Texts.performative("shout"));
@@ -139,7 +139,7 @@ class TextsTest {
             "untellHow   | { @l +!p <- q }",
             "sorry#AbC   | p",
     })
-    void readContent_notWhatGoesWithTheForce_isMalformed(String head, String text) {
+    void readContent_notWhatGoesWithThePerformative_isMalformed(String head, String text) {
         Content content = Content.parse(head + ";" + text);
         assertThrows(MalformedTextException.class, () -> Texts.readContent(content));
     }

@@ -8,13 +8,13 @@ local HEADER_LENGTH = 10
 local MAX_MESSAGE_LENGTH = 511
 local MAX_CONTENT_LENGTH = 494
 local MAX_RADIO_PAYLOAD = 77
-local PIECE_LENGTH = 67
+local FRAGMENT_LENGTH = 67
 local NONCE_LENGTH, TAG_LENGTH, PROOF_LENGTH = 6, 8, 8
-local NOTICE_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of a notice without serials, and of that its signature
+local REVOCATION_LIST_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of one without serials, and of that its signature
 local LONGEST_COUNT = 80
 local CRC_OF_HOP = 0x0811  -- each hop, modulo 3, changes the CRC by it
 local HOPS_NOT_KNOWN = 255
-local PIECES_TIME = 5  -- seconds without a new piece after which a message is forgotten
+local FRAGMENTS_TIME = 5  -- seconds without a new fragment after which a message is forgotten
 local ANSWERABLE = 16  -- frames with the same last bits of their nonce among which an answer looks for its own
 
 local air = Proto("javino", "Javino")
@@ -43,19 +43,19 @@ local COMMANDS = {H = "hello", P = "poll", A = "act", C = "list actions", I = "s
   V = "set session key", L = "list keys", S = "statistics", transmit = "transmit"}
 local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialRepeats", "radioReceived", "radioDamaged",
   "radioMissed", "radioBadFrames", "radioReserved", "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed",
-  "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
+  "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
-  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped", "relayCopies",
+  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated", "radioOverheardDropped", "relayCopies",
   "relayAnswers", "relayRefused", "memoryDamaged"}
--- How a force goes with a conversation.
-local FORCES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
+-- How a performative goes with a conversation.
+local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
   askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always", move = "never"}
 local MOVES = {O = "offer", W = "want", D = "data", R = "ready", G = "go", A = "awake", C = "cancelled", X = "refused"}
 local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "predation"}
 local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
--- The words of hosts (SPEC 11.3) by their kinds.
+-- Host messages (SPEC 11.3) by their kinds.
 local KINDS = {[0] = "MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
-  "SEQUENCES", "NOTICE", "GROUP_KEY"}
+  "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY"}
 local FIRST_SEALED = 8
 -- The lengths of their bodies, of the fragments from 0 on; of the others any.
 local BODIES = {[0] = {37}, {63, 25}, {63}, {16}, {16}, {8}, {1}, {0}, [11] = {16}}
@@ -102,7 +102,7 @@ field(air, "repeat_of", "framenum", "Sent again; first in", base.NONE, frametype
 
 field(air, "content", "string", "Content")
 field(air, "content.bytes", "bytes", "Content")
-field(air, "force", "string", "Force")
+field(air, "performative", "string", "Performative")
 field(air, "conversation", "uint24", "Conversation")
 field(air, "term", "string", "Term")
 field(air, "move.type", "string", "Type of move")
@@ -120,20 +120,20 @@ field(air, "move.offset", "uint24", "Offset")
 field(air, "move.packed", "bytes", "Packed bytes")
 field(air, "move.reason", "string", "Error and reason")
 
-field(air, "word", "string", "Word")
-field(air, "word.kind", "uint8", "Kind", base.DEC, KINDS, 0x3C)
-field(air, "word.fragment", "uint8", "Fragment", base.DEC, nil, 0x03)
-field(air, "word.to", "string", "To")
-field(air, "word.body", "bytes", "Body")
-field(air, "word.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
-field(air, "word.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
-field(air, "word.id", "uint24", "Id of the content")
-field(air, "notice.authority", "bytes", "Authority")
-field(air, "notice.sequence", "uint16", "Sequence")
-field(air, "notice.day", "uint16", "Day", base.UNIT_STRING, {" days after 1970-01-01"})
-field(air, "notice.least_until", "uint16", "Least until", base.UNIT_STRING, {" days after 1970-01-01"})
-field(air, "notice.serial", "uint16", "Revoked serial")
-field(air, "notice.signature", "bytes", "Signature")
+field(air, "host_message", "string", "Host message")
+field(air, "host_message.kind", "uint8", "Kind", base.DEC, KINDS, 0x3C)
+field(air, "host_message.fragment", "uint8", "Fragment", base.DEC, nil, 0x03)
+field(air, "host_message.to", "string", "To")
+field(air, "host_message.body", "bytes", "Body")
+field(air, "host_message.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
+field(air, "host_message.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
+field(air, "host_message.id", "uint24", "Id of the content")
+field(air, "revocation_list.authority", "bytes", "Authority")
+field(air, "revocation_list.sequence", "uint16", "Sequence")
+field(air, "revocation_list.day", "uint16", "Day", base.UNIT_STRING, {" days after 1970-01-01"})
+field(air, "revocation_list.least_until", "uint16", "Least until", base.UNIT_STRING, {" days after 1970-01-01"})
+field(air, "revocation_list.serial", "uint16", "Revoked serial")
+field(air, "revocation_list.signature", "bytes", "Signature")
 
 field(air, "nonce", "bytes", "Nonce N")
 field(air, "epoch", "uint24", "Epoch")
@@ -142,16 +142,16 @@ field(air, "sealed", "bytes", "Sealed content C")
 field(air, "tag", "bytes", "Tag T")
 field(air, "tag.right", "bool", "Tag is right")
 
-field(air, "piece.id", "uint8", "Id of the whole")
-field(air, "piece.index", "uint8", "Index")
-field(air, "piece.asks", "bool", "Asks for an answer")
-field(air, "piece.part", "bytes", "Part")
-field(air, "piece.whole_in", "framenum", "Whole in")
-field(air, "piece.in", "framenum", "Piece in")
+field(air, "fragment.id", "uint8", "Id of the whole")
+field(air, "fragment.index", "uint8", "Index")
+field(air, "fragment.asks", "bool", "Asks for an answer")
+field(air, "fragment.part", "bytes", "Part")
+field(air, "fragment.whole_in", "framenum", "Whole in")
+field(air, "fragment.in", "framenum", "Fragment in")
 
 field(air, "acknowledgement.nonce", "uint16", "Last bits of the nonce", base.HEX)
 field(air, "acknowledgement.answers", "string", "Answers")
-field(air, "acknowledgement.pieces", "uint8", "Pieces that are here", base.HEX)
+field(air, "acknowledgement.fragments", "uint8", "Fragments that are here", base.HEX)
 field(air, "acknowledgement.floor", "bytes", "Floor")
 field(air, "acknowledgement.uptime", "uint16", "Uptime", base.UNIT_STRING, {" × 0.1 s"})
 field(air, "acknowledgement.proof", "bytes", "Proof")
@@ -459,7 +459,7 @@ local function open(frame)
 end
 
 -- Whether a frame's partner has made a proof, and whether it then asks for parity; nil where there is no key.
-local PROOF_TYPES = {delivered = {"\6", "\22"}, pieces = {"\7", "\23"}, stale = {"\8"}}
+local PROOF_TYPES = {delivered = {"\6", "\22"}, fragments = {"\7", "\23"}, stale = {"\8"}}
 
 local function is_proof(answered, acknowledger, answers, message)
   local keys = keys_for(answered.destination, answered.origin)
@@ -510,7 +510,7 @@ local function class_of(address)
   if address == "++++" then return "serial" end
   if address == "////" then return "broadcast" end
   if address:sub(1, 2) == "//" then return "multicast" end
-  if address:sub(1, 2) == "+F" then return "piece" end
+  if address:sub(1, 2) == "+F" then return "fragment" end
   if address:sub(1, 2) == "+K" then return "acknowledgement" end
   if value >= 62 * 64 ^ 3 or RESERVED_WORDS[address] then return "reserved" end
   return "device"
@@ -590,7 +590,7 @@ local function show_move(tree, range)
   end
 end
 
--- Shows `force;term` or `force#conversation;term` (SPEC 3), and returns it for the list.
+-- Shows `performative;term` or `performative#conversation;term` (SPEC 3), and returns it for the list.
 local function show_content(tree, range)
   local bytes = range and range:raw() or ""
   local function bad(name, why)
@@ -601,19 +601,19 @@ local function show_content(tree, range)
     complain(tree, e_error, nil, "BAD_CONTENT", "empty")
     return ""
   end
-  local force, mark, term = bytes:match("^(%a+)(#?[%w+/]*);(.+)$")
-  local item = force == "move" and tree:add(f["content.bytes"], range) or text(tree, "content", range)
+  local performative, mark, term = bytes:match("^(%a+)(#?[%w+/]*);(.+)$")
+  local item = performative == "move" and tree:add(f["content.bytes"], range) or text(tree, "content", range)
   if #bytes > MAX_CONTENT_LENGTH then return bad("TOO_LONG", #bytes .. " bytes") end
-  local rule = FORCES[force]
-  if not rule or #mark ~= 0 and #mark ~= 4 or #mark == 4 and mark:sub(1, 1) ~= "#" then return bad("BAD_CONTENT", "not force;term") end
+  local rule = PERFORMATIVES[performative]
+  if not rule or #mark ~= 0 and #mark ~= 4 or #mark == 4 and mark:sub(1, 1) ~= "#" then return bad("BAD_CONTENT", "not performative;term") end
   if rule == "always" and mark == "" or rule == "never" and mark ~= "" then
-    return bad("BAD_CONTENT", force .. (mark == "" and " without a conversation" or " with a conversation"))
+    return bad("BAD_CONTENT", performative .. (mark == "" and " without a conversation" or " with a conversation"))
   end
-  if force ~= "move" and not is_utf8(bytes) then return bad("BAD_TEXT", "no UTF-8") end
-  text(item, "force", range(0, #force))
-  if mark ~= "" then item:add(f["conversation"], range(#force + 1, 3), digits(mark, 2, 4)) end
-  local rest = range(#force + #mark + 1)
-  if force == "move" then
+  if performative ~= "move" and not is_utf8(bytes) then return bad("BAD_TEXT", "no UTF-8") end
+  text(item, "performative", range(0, #performative))
+  if mark ~= "" then item:add(f["conversation"], range(#performative + 1, 3), digits(mark, 2, 4)) end
+  local rest = range(#performative + #mark + 1)
+  if performative == "move" then
     show_move(item, rest)
     return "move: " .. (MOVES[term:sub(1, 1)] or "unknown")
   end
@@ -621,32 +621,32 @@ local function show_content(tree, range)
   return plain(bytes)
 end
 
--- Shows a notice (SPEC 11.2), or returns false where it is none.
-local function show_notice(tree, range)
-  local serials = range:len() - NOTICE_LENGTH
+-- Shows a revocation list (SPEC 11.2), or returns false where it is none.
+local function show_revocation_list(tree, range)
+  local serials = range:len() - REVOCATION_LIST_LENGTH
   if serials < 0 or serials % 2 ~= 0 then return false end
-  tree:add(f["notice.authority"], range(0, 1))
-  for i, name in ipairs({"sequence", "day", "least_until"}) do tree:add(f["notice." .. name], range(2 * i - 1, 2)) end
-  for at = 7, 5 + serials, 2 do tree:add(f["notice.serial"], range(at, 2)) end
-  tree:add(f["notice.signature"], range(range:len() - SIGNATURE_LENGTH))
+  tree:add(f["revocation_list.authority"], range(0, 1))
+  for i, name in ipairs({"sequence", "day", "least_until"}) do tree:add(f["revocation_list." .. name], range(2 * i - 1, 2)) end
+  for at = 7, 5 + serials, 2 do tree:add(f["revocation_list.serial"], range(at, 2)) end
+  tree:add(f["revocation_list.signature"], range(range:len() - SIGNATURE_LENGTH))
   return true
 end
 
--- Shows a word of a host (SPEC 11.3), and returns its name for the list.
-local function show_word(tree, range, is_plain)
+-- Shows a host message (SPEC 11.3), and returns its name for the list.
+local function show_host_message(tree, range, is_plain)
   local bytes = range:raw()
   local kind, fragment = bit.rshift(bit.band(bytes:byte(), 0x3C), 2), bit.band(bytes:byte(), 0x03)
   local name = KINDS[kind]
-  local item = tree:add(f["word"], range, name or "unknown")
-  item:add(f["word.kind"], range(0, 1))
-  item:add(f["word.fragment"], range(0, 1))
+  local item = tree:add(f["host_message"], range, name or "unknown")
+  item:add(f["host_message.kind"], range(0, 1))
+  item:add(f["host_message.fragment"], range(0, 1))
   local function bad(why)
-    complain(item, e_error, range, "BAD_WORD", why)
-    return "word: " .. (name or "unknown")
+    complain(item, e_error, range, "BAD_HOST_MESSAGE", why)
+    return "host message: " .. (name or "unknown")
   end
   if not name then return bad("kind " .. kind) end
   if is_plain ~= (kind < FIRST_SEALED) then return bad(name .. (is_plain and " in a broadcast" or " in a sealed message")) end
-  local line, head = "word: " .. name, 1
+  local line, head = "host message: " .. name, 1
   if is_plain then
     head = 4
     if #bytes < head then return bad("no address") end
@@ -655,7 +655,7 @@ local function show_word(tree, range, is_plain)
       local digit = math.floor(number(bytes, 2, 4) / 64 ^ power) % 64 + 1
       to = to .. BASE64:sub(digit, digit)
     end
-    item:add(f["word.to"], range(1, 3), to)
+    item:add(f["host_message.to"], range(1, 3), to)
     item:add(f["address"], range(1, 3), to):set_hidden()
     line = line .. " to " .. to
   end
@@ -664,31 +664,31 @@ local function show_word(tree, range, is_plain)
   if length ~= lengths[fragment + 1] then return bad(string.format("fragment %d of %d bytes", fragment, length)) end
   if #lengths > 1 then line = line .. ", fragment " .. fragment end
   if not body then return line end
-  local shown = item:add(f["word.body"], body)
+  local shown = item:add(f["host_message.body"], body)
   if name == "WANT" then
-    shown:add(f["word.wanted"], body)
-    shown:add(f["word.wanted.fragment"], body)
+    shown:add(f["host_message.wanted"], body)
+    shown:add(f["host_message.wanted.fragment"], body)
   elseif name == "CONTENT" then
     if length < 4 then return bad("no content") end
-    shown:add(f["word.id"], body(0, 3))
+    shown:add(f["host_message.id"], body(0, 3))
     return line .. ": " .. show_content(shown, body(3))
   elseif name == "SEQUENCES" then
     if length % 3 ~= 0 then return bad(length .. " bytes") end
     for at = 0, length - 3, 3 do
-      shown:add(f["notice.authority"], body(at, 1))
-      shown:add(f["notice.sequence"], body(at + 1, 2))
+      shown:add(f["revocation_list.authority"], body(at, 1))
+      shown:add(f["revocation_list.sequence"], body(at + 1, 2))
     end
-  elseif name == "NOTICE" and not show_notice(shown, body) then
-    return bad("no notice")
+  elseif name == "REVOCATION_LIST" and not show_revocation_list(shown, body) then
+    return bad("no revocation list")
   end
   return line
 end
 
--- Shows a content or a word. `is_plain` says whether it was broadcast.
+-- Shows a content or a host message. `is_plain` says whether it was broadcast.
 local function show_message(tree, range, is_plain)
   local first = range and range(0, 1):uint() or 0
-  local is_word = first >= 0x80 and first <= 0xBF and range:len() <= MAX_CONTENT_LENGTH
-  return is_word and show_word(tree, range, is_plain) or show_content(tree, range)
+  local is_host_message = first >= 0x80 and first <= 0xBF and range:len() <= MAX_CONTENT_LENGTH
+  return is_host_message and show_host_message(tree, range, is_plain) or show_content(tree, range)
 end
 
 local function show_nonce(tree, name, range)
@@ -737,7 +737,7 @@ local function answered_by(place, acknowledger, bits, answers, message)
   if likely then return own_sending(list, likely[1]), likely[2] end
 end
 
-local ANSWERS = {[8] = "delivered", [9] = "pieces", [16] = "stale"}
+local ANSWERS = {[8] = "delivered", [9] = "fragments", [16] = "stale"}
 
 local function show_acknowledgement(tree, range, pinfo, frame, place)
   local message, packet = frame.message, this_packet(pinfo)
@@ -750,7 +750,7 @@ local function show_acknowledgement(tree, range, pinfo, frame, place)
     complain(tree, e_error, body or range, "radioBadProofs", "no acknowledgement has " .. #message .. " bytes")
     return "acknowledgement of no known shape"
   end
-  if answers == "pieces" then tree:add(f["acknowledgement.pieces"], body(0, 1)) end
+  if answers == "fragments" then tree:add(f["acknowledgement.fragments"], body(0, 1)) end
   if answers == "stale" then
     show_nonce(tree, "acknowledgement.floor", body(0, 6))
     tree:add(f["acknowledgement.uptime"], body(6, 2))
@@ -794,15 +794,15 @@ local function show_sealed(tree, range, frame)
   return show_message(tree, ByteArray.new(content, true):tvb("Content, opened")(), false)
 end
 
--- What is wrong with the shape of a piece, or nil (SPEC 7.1).
-local function wrong_piece(frame, index)
+-- What is wrong with the shape of a fragment, or nil (SPEC 7.1).
+local function wrong_fragment(frame, index)
   local length = #frame.message
   if index > 7 then return "index " .. index end
-  if length == 0 or length > PIECE_LENGTH then return length .. " bytes" end
-  if index * PIECE_LENGTH + length > HEADER_LENGTH + MAX_MESSAGE_LENGTH then return "the whole would be too long" end
+  if length == 0 or length > FRAGMENT_LENGTH then return length .. " bytes" end
+  if index * FRAGMENT_LENGTH + length > HEADER_LENGTH + MAX_MESSAGE_LENGTH then return "the whole would be too long" end
   if frame.origin == "++++" then return "from the serial line" end
   if index > 0 then return nil end
-  if length < PIECE_LENGTH then return "a first piece of " .. length .. " bytes" end
+  if length < FRAGMENT_LENGTH then return "a first fragment of " .. length .. " bytes" end
   local destination, bits = frame.message:sub(1, 4), digits(frame.message, 9, 10)
   if not digits(destination, 1, 4) or not bits or bits % 8 ~= 0 or HEADER_LENGTH + bits / 8 <= MAX_RADIO_PAYLOAD then return "no header of a whole" end
   if frame.message:sub(5, 8) ~= frame.origin then return "the whole is another device's" end
@@ -816,20 +816,20 @@ local function join(partial)
   if not first then return "", false end
   local total = HEADER_LENGTH + digits(first, 9, 10) / 8
   local parts = {}
-  for i = 0, math.ceil(total / PIECE_LENGTH) - 1 do
+  for i = 0, math.ceil(total / FRAGMENT_LENGTH) - 1 do
     local part = partial.parts[i]
-    if not part or #part ~= math.min(PIECE_LENGTH, total - i * PIECE_LENGTH) then return table.concat(parts), false end
+    if not part or #part ~= math.min(FRAGMENT_LENGTH, total - i * FRAGMENT_LENGTH) then return table.concat(parts), false end
     table.insert(parts, part)
   end
   return table.concat(parts), true
 end
 
--- Joins a piece with those before it, and returns the message that they make.
-local function add_piece(place, pinfo, frame, id, index)
+-- Joins a fragment with those before it, and returns the message that they make.
+local function add_fragment(place, pinfo, frame, id, index)
   local key = place .. frame.origin .. id
   local partial = known.partial[key]
   local another = partial and partial.parts[index] and partial.parts[index] ~= frame.message
-  if not partial or another or pinfo.abs_ts - partial.time > PIECES_TIME then
+  if not partial or another or pinfo.abs_ts - partial.time > FRAGMENTS_TIME then
     partial = {parts = {}, numbers = {}}
     known.partial[key] = partial
   end
@@ -847,35 +847,35 @@ end
 
 local show_frame
 
-local function show_piece(tree, range, pinfo, frame, place)
+local function show_fragment(tree, range, pinfo, frame, place)
   local packet = this_packet(pinfo)
   local id, digit = digits(frame.destination, 3, 3), digits(frame.destination, 4, 4)
   local index = digit < 16 and digit % 8 or digit
-  tree:add(f["piece.id"], range(2, 1), id)
-  tree:add(f["piece.index"], range(3, 1), index)
-  tree:add(f["piece.asks"], range(3, 1), digit >= 8 and digit < 16)
-  if #frame.message > 0 then tree:add(f["piece.part"], range(HEADER_LENGTH)) end
-  local wrong = wrong_piece(frame, index)
+  tree:add(f["fragment.id"], range(2, 1), id)
+  tree:add(f["fragment.index"], range(3, 1), index)
+  tree:add(f["fragment.asks"], range(3, 1), digit >= 8 and digit < 16)
+  if #frame.message > 0 then tree:add(f["fragment.part"], range(HEADER_LENGTH)) end
+  local wrong = wrong_fragment(frame, index)
   if wrong then
-    complain(tree, e_error, range, "radioPiecesDropped", wrong)
-    return "a piece that fits no message"
+    complain(tree, e_error, range, "radioFragmentsDropped", wrong)
+    return "a fragment that fits no message"
   end
   if place and not pinfo.visited and not packet.partial then
-    packet.partial = add_piece(place, pinfo, frame, id, index)
+    packet.partial = add_fragment(place, pinfo, frame, id, index)
     local first = packet.partial.parts[0]
     if first and #first >= HEADER_LENGTH + NONCE_LENGTH then
       remember_answerable(place, pinfo, {origin = frame.origin, destination = first:sub(1, 4), nonce = first:sub(HEADER_LENGTH + 1, HEADER_LENGTH + NONCE_LENGTH)})
     end
   end
-  local line = string.format("piece %d of %d%s", index, id, digit >= 8 and ", asks" or "")
+  local line = string.format("fragment %d of %d%s", index, id, digit >= 8 and ", asks" or "")
   local partial = packet.partial
   if not partial then return line end
   for i = 0, 7 do
-    if partial.numbers[i] and partial.numbers[i] ~= pinfo.number then tree:add(f["piece.in"], partial.numbers[i]):set_generated() end
+    if partial.numbers[i] and partial.numbers[i] ~= pinfo.number then tree:add(f["fragment.in"], partial.numbers[i]):set_generated() end
   end
   if not partial.whole then return line end
   if partial.whole_in ~= pinfo.number then
-    tree:add(f["piece.whole_in"], partial.whole_in):set_generated()
+    tree:add(f["fragment.whole_in"], partial.whole_in):set_generated()
     return line .. ", whole in " .. partial.whole_in
   end
   local whole = ByteArray.new(partial.whole, true):tvb("Frame, put together")
@@ -915,8 +915,8 @@ show_frame = function(parent, range, pinfo, place, whole)
     line = show_message(tree, body, true)
   elseif frame.class == "acknowledgement" then
     line = show_acknowledgement(tree, range, pinfo, frame, place)
-  elseif frame.class == "piece" then
-    line = show_piece(tree, range, pinfo, frame, place)
+  elseif frame.class == "fragment" then
+    line = show_fragment(tree, range, pinfo, frame, place)
   else
     frame.nonce = frame.message:sub(1, NONCE_LENGTH)
     if place and not pinfo.visited and #frame.nonce == NONCE_LENGTH then remember_answerable(place, pinfo, frame) end

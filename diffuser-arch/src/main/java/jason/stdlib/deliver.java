@@ -36,11 +36,12 @@ public class deliver extends diffuse {
     private static final long serialVersionUID = 1L;
 
     @Override
-    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage letter) throws JasonException {
-        if (!letter.isAcknowledged()) {
-            throw JasonException.createWrongArgument(this, "a device such as \"ROMA\" was expected, not " + letter.to()
-                    + ", as messages to all or to a group are not acknowledged; use .diffuse.");
+    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage outgoing) throws JasonException {
+        if (!outgoing.isAcknowledged()) {
+            throw JasonException.createWrongArgument(this,
+                    "a device such as \"ROMA\" was expected, not " + outgoing.to()
+                            + ", as messages to all or to a group are not acknowledged; use .diffuse.");
         }
-        return diffuser.deliver(letter);
+        return diffuser.deliver(outgoing);
     }
 }

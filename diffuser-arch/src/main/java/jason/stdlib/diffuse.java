@@ -31,9 +31,9 @@ import diffuser.OutgoingMessage;
  *     <code>signal</code>; and, to a group or device only, <code>askOne</code>, <code>askAll</code>,
  *     <code>askHow</code>, <code>tellHow</code> or <code>untellHow</code>. Answers come as beliefs or are learnt as
  *     plans; to wait for an answer use <code>.send(<i>To</i>,<i>Performative</i>,<i>Content</i>,<i>Answer</i>)</code>.
- * <li>+ Content (literal or list of literals; a triggering event, a plan or its label for the forces of plans): with
- * the performative, at most 494 bytes. Up to 67 bytes to all and 53 to a group or device fit one radio packet; longer
- * ones are cut into pieces.
+ * <li>+ Content (literal or list of literals; a triggering event, a plan or its label for the performatives of plans):
+ * with the performative, at most 494 bytes. Up to 67 bytes to all and 53 to a group or device fit one radio packet;
+ * longer ones are cut into fragments.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -69,7 +69,7 @@ public class diffuse extends BoardAction {
     }
 
     /** Has the message sent, as {@link #start}. */
-    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage letter) throws JasonException {
-        return diffuser.diffuse(letter);
+    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage outgoing) throws JasonException {
+        return diffuser.diffuse(outgoing);
     }
 }

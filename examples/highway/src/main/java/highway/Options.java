@@ -18,7 +18,7 @@ final class Options {
     private static final String CONTROL = "build/control";
     /** Certificates and secrets of all devices: on real computers each has its own. */
     static final Path IDENTITIES = Path.of("build", "identities");
-    /** A way there and back by radio takes half of it; so does a rescue by way of gateways, or among strangers. */
+    /** A way there and back by radio takes half of it; so does a rescue by way of gateways, or with key agreement. */
     private static final int LONG_SECONDS = 90;
 
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
@@ -184,7 +184,7 @@ final class Options {
         List<String> command = javino("ca", "issue", "--ca", authority.toString(), "--request",
                 request.toString(), "--out", certificate.toString());
         if (device == Device.SUPPORT) {
-            command.add("--keeper");
+            command.add("--group-key-server");
         }
         return command;
     }

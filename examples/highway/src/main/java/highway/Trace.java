@@ -10,7 +10,7 @@ import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import trace.TraceEvent;
 
 /** What the emulator's trace shows (emulator/README.md). */
@@ -44,7 +44,7 @@ final class Trace {
     private static Optional<Hosts> word(TraceEvent event) {
         Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
         Bytes word = payload.message();
-        if (payload.kind() != Payload.Kind.BROADCAST || word.length() < HEAD || !Word.isWord(word)) {
+        if (payload.kind() != Payload.Kind.BROADCAST || word.length() < HEAD || !HostMessage.isHostMessage(word)) {
             return Optional.empty();
         }
         Address to = new Address((int) word.number(1, 4));

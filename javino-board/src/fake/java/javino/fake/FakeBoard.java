@@ -17,7 +17,7 @@ import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /** A board in memory that performs requests as SPEC 4.2 and 4.3 want it, or as its script says, and logs them. */
 public final class FakeBoard {
@@ -332,8 +332,8 @@ public final class FakeBoard {
     }
 
     /** Receives a plain host message of ROMA. */
-    public void receive(Word word) {
-        mail.receive("////", "ROMA", 0, word.bytes());
+    public void receive(HostMessage message) {
+        mail.receive("////", "ROMA", 0, message.bytes());
     }
 
     /** Boots anew: it must be greeted, and offers again the messages that were not taken. */

@@ -12,7 +12,7 @@ import javino.link.LinkException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.PollReply;
 
@@ -33,9 +33,9 @@ public final class PacketLine implements FakePort.Device {
     private final byte[] buffer = new byte[1024];
     private final List<Bytes> messages = new ArrayList<>();
     private InMemoryLink line;
-    private Packet lastRequest;
+    private SerialPacket lastRequest;
     private Bytes lastReply = Bytes.EMPTY;
-    private Packet held;
+    private SerialPacket held;
     private long heldSince;
     private int polls;
     private Future<?> nextLook;
@@ -149,13 +149,13 @@ public final class PacketLine implements FakePort.Device {
         boolean over = byteCame || System.nanoTime() - heldSince >= poll.holdNanos();
         Bytes message = badPolls ? Bytes.of(0, 0, 'P') : board.answer(poll, over);
         if (message != null) {
-            Packet request = held;
+            SerialPacket request = held;
             held = null;
             reply(request, message);
         }
     }
 
-    private void answer(Packet request) {
+    private void answer(SerialPacket request) {
         if (silent || loses.test(request.frame().message())) {
             return;
         }
@@ -176,8 +176,8 @@ public final class PacketLine implements FakePort.Device {
         answerHeld(false);
     }
 
-    private void reply(Packet request, Bytes message) {
-        lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
+    private void reply(SerialPacket request, Bytes message) {
+        lastReply = new SerialPacket(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
         lastRequest = request;
         Bytes bytes = fault.apply(lastReply);
         if (haltsReadings && isHolding(request.frame().message())

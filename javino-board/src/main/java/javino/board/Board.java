@@ -22,7 +22,7 @@ import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
 import javino.protocol.Request;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * A session with one board. A daemon thread says hello to the board, polls it, and finds it again when it was lost.
@@ -90,12 +90,12 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Sends a word to another host by radio from the board's own address.
+     * Sends a host message by radio from the board's own address.
      *
      * @throws IllegalArgumentException if the destination is the serial line.
      */
-    public Transmission transmit(Address to, Word word) {
-        return transmit(to, "a word between hosts", origin -> Request.transmit(to, origin, word));
+    public Transmission transmit(Address to, HostMessage message) {
+        return transmit(to, "a host message", origin -> Request.transmit(to, origin, message));
     }
 
     private Transmission transmit(Address to, String what, Function<Address, Request> request) {

@@ -4,7 +4,7 @@ import java.util.List;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.PollReply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * Callbacks for events of a board.
@@ -44,12 +44,12 @@ public interface BoardListener {
     }
 
     /**
-     * A word of another host came by radio (SPEC 3, 11.3), under the same rules as a message.
+     * A host message came by radio (SPEC 3, 11.3), under the same rules as a message.
      *
      * @param from the device that sent it.
-     * @param to   this device, if the word was sealed, or all.
+     * @param to   this device, if it was sealed, or all.
      */
-    default void word(Address from, Address to, Word word) {
+    default void hostMessage(Address from, Address to, HostMessage message) {
     }
 
     /**

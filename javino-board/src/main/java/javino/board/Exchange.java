@@ -12,7 +12,7 @@ import javino.link.Link;
 import javino.link.LinkException;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
@@ -71,7 +71,7 @@ final class Exchange {
             replyLost = false;
         }
         sequence = sequence + 1 & 0xFF;
-        Bytes packet = new Packet(sequence, request.frame()).encode();
+        Bytes packet = new SerialPacket(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
         counters.count(SessionCounter.REQUESTS);
         int attempts = 0;
@@ -83,7 +83,7 @@ final class Exchange {
             boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1;
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
             attempts++;
-            Optional<Packet> reply = awaitReply(request.hold(), timeout, leaves);
+            Optional<SerialPacket> reply = awaitReply(request.hold(), timeout, leaves);
             if (reply.isPresent()) {
                 return Optional.of(Reply.decode(reply.get().frame()));
             }
@@ -110,7 +110,7 @@ final class Exchange {
         return left.isEmpty() ? Request.LastReply.HERE : Request.LastReply.COMING;
     }
 
-    private Optional<Packet> awaitReply(Duration hold, Duration timeout, BooleanSupplier leaves)
+    private Optional<SerialPacket> awaitReply(Duration hold, Duration timeout, BooleanSupplier leaves)
             throws LinkException {
         Deadline end = Deadline.in(hold.plus(timeout));
         Deadline deadline = end;
@@ -120,7 +120,7 @@ final class Exchange {
                 return Optional.empty();
             }
             int count = link.read(buffer, Duration.ofNanos(Math.max(1, deadline.nanosLeft())));
-            Packet reply = null;
+            SerialPacket reply = null;
             boolean endsWhole = false;
             List<PacketDecoder.Result> results = decoder.feed(buffer, count);
             for (PacketDecoder.Result result : results) {
@@ -152,7 +152,7 @@ final class Exchange {
         return Optional.empty();
     }
 
-    private void takeLate(Packet packet) {
+    private void takeLate(SerialPacket packet) {
         if (!left.contains(packet.sequence())) {
             counters.count(SessionCounter.STALE_REPLIES);
             return;

@@ -86,7 +86,7 @@ final class LegacyService {
     }
 
     private void look() throws LinkException, LostException {
-        perception.followWish();
+        perception.update();
         if (perception.isWanted() && perception.dueIn().isZero()) {
             perception.asked();
             askPercepts();

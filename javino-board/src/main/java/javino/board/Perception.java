@@ -62,8 +62,8 @@ final class Perception {
         leftOut = false;
     }
 
-    /** Tells that nothing is perceived, once percepts are wanted no longer, and lets go who would wait in vain. */
-    void followWish() {
+    /** Tells that nothing is perceived, once percepts are wanted no longer, and releases who would wait in vain. */
+    void update() {
         if (wanted) {
             Duration due = dueIn();
             List<Reading> inVain = waiting.stream().filter(reading -> reading.within().compareTo(due) < 0).toList();
@@ -113,17 +113,17 @@ final class Perception {
         }
         told = System.nanoTime();
         if (!late) {
-            letGo();
+            release();
         }
     }
 
     /** There will be none: nobody waits any more. */
     void end() {
         asked();
-        letGo();
+        release();
     }
 
-    private void letGo() {
+    private void release() {
         underWay.forEach(reading -> reading.taken().complete(null));
         underWay.clear();
     }

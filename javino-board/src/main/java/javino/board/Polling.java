@@ -13,7 +13,7 @@ import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /** Makes polls, and turns what they bring into calls of the listener. For the session's thread only. */
 final class Polling {
@@ -108,7 +108,7 @@ final class Polling {
      * @param lastReply what became of the replies to the polls before.
      */
     Request nextPoll(Duration hold, Request.LastReply lastReply) {
-        perception.followWish();
+        perception.update();
         Duration due = perception.dueIn();
         // For longer than a poll can say, they are not asked for; the board then tells them anew.
         if (!perception.isWanted() || due.compareTo(LONGEST_LEAST) > 0) {
@@ -180,9 +180,10 @@ final class Polling {
         }
         context.counters().count(SessionCounter.MESSAGES);
         try {
-            if (Word.isWord(message.content())) {
-                Word word = new Word(message.content());
-                context.listener().tell(listener -> listener.word(message.origin(), message.destination(), word));
+            if (HostMessage.isHostMessage(message.content())) {
+                HostMessage hostMessage = new HostMessage(message.content());
+                context.listener()
+                        .tell(listener -> listener.hostMessage(message.origin(), message.destination(), hostMessage));
                 return;
             }
             Content content = Content.decode(message.content());

@@ -28,11 +28,11 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -165,7 +165,7 @@ class BoardTest extends BoardFixture {
             PacketDecoder.Result toHello = new PacketDecoder().feed(reply.toArray(), reply.length()).get(0);
             int sequence = ((PacketDecoder.Found) toHello).packet().sequence();
             Frame polled = new Frame(Address.SERIAL, Address.SERIAL, Bytes.of(0, 0));
-            return new Packet(sequence, polled).encode();
+            return new SerialPacket(sequence, polled).encode();
         });
         open();
         assertEquals("online 1", listener.next());
@@ -306,11 +306,11 @@ class BoardTest extends BoardFixture {
     void word_ofAnotherHost_isNoMessageAndCanBeAnswered() throws Exception {
         openAndAwaitOnline();
         board.setRfId(Address.parse("SUPO")).get();
-        fake.receive(new Word(Bytes.of(0x80, 0)));
-        fake.receive(new Word(Bytes.of(0xBF)));
+        fake.receive(new HostMessage(Bytes.of(0x80, 0)));
+        fake.receive(new HostMessage(Bytes.of(0xBF)));
         assertEquals("word ROMA //// 8000", listener.next());
         assertEquals("word ROMA //// bf", listener.next());
-        board.transmit(Address.BROADCAST, new Word(Bytes.of(0x81, 2, 3))).taken().get();
+        board.transmit(Address.BROADCAST, new HostMessage(Bytes.of(0x81, 2, 3))).taken().get();
         assertEquals(List.of("id SUPO", "//// 810203"), List.copyOf(fake.requests));
     }
 
@@ -318,7 +318,7 @@ class BoardTest extends BoardFixture {
     void word_anotherFirstByteOrTooLong_isNone() {
         for (Bytes bytes : List.of(Bytes.EMPTY, Bytes.of(0x7F), Bytes.of(0xC0),
                 Bytes.join(Bytes.of(0x80), Bytes.copyOf(new byte[Content.MAX_LENGTH])))) {
-            assertThrows(IllegalArgumentException.class, () -> new Word(bytes), bytes::hex);
+            assertThrows(IllegalArgumentException.class, () -> new HostMessage(bytes), bytes::hex);
         }
     }
 

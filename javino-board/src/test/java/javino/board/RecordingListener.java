@@ -7,7 +7,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.PollReply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /** Keeps all that it is told, as lines such as {@code message ROMA tell;help}. */
 final class RecordingListener implements BoardListener {
@@ -35,8 +35,8 @@ final class RecordingListener implements BoardListener {
     }
 
     @Override
-    public void word(Address from, Address to, Word word) {
-        lines.add("word " + from + " " + to + " " + word.bytes());
+    public void hostMessage(Address from, Address to, HostMessage message) {
+        lines.add("host message " + from + " " + to + " " + message.bytes());
     }
 
     @Override

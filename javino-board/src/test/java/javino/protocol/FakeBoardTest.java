@@ -89,7 +89,7 @@ class FakeBoardTest {
     }
 
     private Reply ask(Frame request) throws Exception {
-        Packet packet = new Packet(sequence++ & 0xFF, request);
+        SerialPacket packet = new SerialPacket(sequence++ & 0xFF, request);
         link.write(packet.encode().toArray());
         byte[] buffer = new byte[1024];
         while (true) {

@@ -64,11 +64,11 @@ final class Doctor {
         try (Board board = Board.open(link, port.config(), new BoardListener() {})) {
             if (isReached(board, link)) {
                 BoardInfo info = Await.result(board.greeted());
-                Traffic traffic = new Traffic(board, findings);
-                Identity identity = new Identity(port.name(), findings);
-                identity.examineId(info, id);
-                identity.examineKeys(Await.result(board.keys()), keys, id);
-                identity.examineNonces(info, noted, id);
+                TrafficCheck traffic = new TrafficCheck(board, findings);
+                EepromCheck eeprom = new EepromCheck(port.name(), findings);
+                eeprom.examineId(info, id);
+                eeprom.examineKeys(Await.result(board.keys()), keys, id);
+                eeprom.examineNonces(info, noted, id);
                 traffic.examine(listen);
             }
         }

@@ -28,11 +28,11 @@ record NewProject(String name, Kind kind, Path javinoHome) {
     enum Kind {
         JASON("jason", "robot.mas2j", "", List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl")),
         JACAMO("jacamo", "robot.jcm", """
-                | `src/agt/keeper.asl` | another agent, without a board |
+                | `src/agt/teller.asl` | another agent, without a board |
                 | `src/env/house/Diary.java` | an artifact, which both agents use |
                 | `src/org/house.xml` | the organisation, which gives each agent its goals |
                 """, List.of("build.gradle", "robot.jcm", ".jcm-deps.gradle", "src/agt/robot.asl",
-                "src/agt/keeper.asl", "src/env/house/Diary.java", "src/org/house.xml"));
+                "src/agt/teller.asl", "src/env/house/Diary.java", "src/org/house.xml"));
 
         private final String resources;
         private final String masFile;

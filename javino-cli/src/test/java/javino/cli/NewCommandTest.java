@@ -61,12 +61,12 @@ class NewCommandTest extends CommandFixture {
         assertTrue(mas.contains("uses package: javino \"" + library + version + "\"\n"), mas);
         assertTrue(text(jacamo.resolve(".jcm-deps.gradle")).contains("implementation('" + library + version + "')"));
         assertTrue(text(jacamo.resolve("README.md")).contains("`robot.jcm`"));
-        for (String file : List.of("src/agt/keeper.asl", "src/env/house/Diary.java", "src/org/house.xml")) {
+        for (String file : List.of("src/agt/teller.asl", "src/env/house/Diary.java", "src/org/house.xml")) {
             assertTrue(Files.exists(jacamo.resolve(file)), file);
             assertTrue(text(jacamo.resolve("README.md")).contains("`" + file + "`"), file);
             assertFalse(text(jason.resolve("README.md")).contains(file), file);
         }
-        for (String named : List.of("agent keeper : keeper.asl", "artifact diary : house.Diary()",
+        for (String named : List.of("agent teller : teller.asl", "artifact diary : house.Diary()",
                 "organisation house : house.xml")) {
             assertTrue(mas.contains(named), mas);
         }

@@ -17,8 +17,8 @@ public record Address(int value) {
     /** Of {@code ++++}; a number, as {@link #SERIAL} itself may still be under construction where it is needed. */
     private static final int SERIAL_VALUE = 0xFBEFBE;
 
-    /** Of {@code +F}, and of {@code +K}: the first 12 bits of a piece's and of an acknowledgement's address. */
-    private static final int PIECE_GROUP = 0xF85;
+    /** Of {@code +F}, and of {@code +K}: the first 12 bits of a fragment's and of an acknowledgement's address. */
+    private static final int FRAGMENT_GROUP = 0xF85;
     private static final int ACKNOWLEDGEMENT_GROUP = 0xF8A;
 
     /** Of {@code self}, {@code true}, {@code else} and {@code elif}: words of AgentSpeak, which no sender may be. */
@@ -38,7 +38,7 @@ public record Address(int value) {
         /** Every device of a group: {@code //AA}…{@code ///+}. */
         MULTICAST,
         /** A part of a longer frame (SPEC 7.1): {@code +F} and two digits. */
-        PIECE,
+        FRAGMENT,
         /** The answer to a frame (SPEC 7.3): {@code +K} and two digits. */
         ACKNOWLEDGEMENT,
         /**
@@ -92,13 +92,13 @@ public record Address(int value) {
     }
 
     /**
-     * Where a piece of a frame goes (SPEC 7.1).
+     * Where a fragment of a frame goes (SPEC 7.1).
      *
      * @param id    of the frame, 0…63.
-     * @param index of the piece, 0…7, and 8 more if it asks for an answer.
+     * @param index of the fragment, 0…7, and 8 more if it asks for an answer.
      */
-    public static Address piece(int id, int index) {
-        return new Address(PIECE_GROUP << 12 | id << 6 | index);
+    public static Address fragment(int id, int index) {
+        return new Address(FRAGMENT_GROUP << 12 | id << 6 | index);
     }
 
     /** Where the answer to a frame goes (SPEC 7.3). @param lastBits the last 12 bits of its nonce. */
@@ -136,7 +136,7 @@ public record Address(int value) {
             return (value & 0xFFF) == 0xFFF ? Kind.BROADCAST : Kind.MULTICAST;
         }
         return switch (value >> 12) {
-            case PIECE_GROUP -> Kind.PIECE;
+            case FRAGMENT_GROUP -> Kind.FRAGMENT;
             case ACKNOWLEDGEMENT_GROUP -> Kind.ACKNOWLEDGEMENT;
             default -> value == SERIAL_VALUE ? Kind.SERIAL : Kind.RESERVED;
         };

@@ -44,8 +44,8 @@ public enum Counter {
     PERCEPTS_LEFT_OUT("perceptsLeftOut"),
     /** Messages that came again and are not delivered twice. */
     RADIO_REPEATS("radioRepeats"),
-    /** Pieces of an impossible shape, or for which no memory was free. */
-    RADIO_PIECES_DROPPED("radioPiecesDropped"),
+    /** Fragments of an impossible shape, or for which no memory was free. */
+    RADIO_FRAGMENTS_DROPPED("radioFragmentsDropped"),
     /** Half-received messages that were forgotten. */
     RADIO_EXPIRED("radioExpired"),
     /** Unicasts reported delivered. */
@@ -67,11 +67,11 @@ public enum Counter {
     /** Acknowledgements that were not sent because too many waited; their senders ask again. */
     RADIO_ANSWERS_DROPPED("radioAnswersDropped"),
 
-    /** Broadcasts, plain or in pieces, that were dropped since what mended them left a doubt. */
+    /** Broadcasts, plain or in fragments, that were dropped since what mended them left a doubt. */
     RADIO_DOUBTFUL("radioDoubtful"),
 
     /** Acknowledgements that were taken though some bits of their proof were wrong. */
-    RADIO_ANSWERS_BORNE("radioAnswersBorne"),
+    RADIO_ANSWERS_TOLERATED("radioAnswersTolerated"),
 
     /** Packets that were overheard and did not fit the memory for them. */
     RADIO_OVERHEARD_DROPPED("radioOverheardDropped"),

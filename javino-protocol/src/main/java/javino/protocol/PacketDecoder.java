@@ -13,7 +13,7 @@ public final class PacketDecoder {
     private static final byte[] ZERO = {0};
 
     /** One byte more than a packet can have, so that memory is bounded and a long one is still seen. */
-    private final byte[] decoded = new byte[Packet.MAX_LENGTH + 1];
+    private final byte[] decoded = new byte[SerialPacket.MAX_LENGTH + 1];
     private int length;
     /** Whether a packet has begun; the two below are of its block of COBS, and hold only then. */
     private boolean begun;
@@ -27,7 +27,7 @@ public final class PacketDecoder {
     }
 
     /** @param packet found undamaged. */
-    public record Found(Packet packet) implements Result {
+    public record Found(SerialPacket packet) implements Result {
     }
 
     /** @param cause why what came before the 0x00 is no packet. */
@@ -112,7 +112,7 @@ public final class PacketDecoder {
                 throw new ProtocolException(ProtocolError.BAD_COBS,
                         "the packet ends " + missing + " bytes before its block does");
             }
-            return new Found(Packet.decode(Bytes.owning(Arrays.copyOf(decoded, length))));
+            return new Found(SerialPacket.decode(Bytes.owning(Arrays.copyOf(decoded, length))));
         } catch (ProtocolException e) {
             return new Refused(e);
         }

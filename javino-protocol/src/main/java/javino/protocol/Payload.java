@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
  */
 public record Payload(Kind kind, Bytes bytes) {
 
-    /** The longest part of a frame in a piece. */
+    /** The longest part of a frame in a fragment. */
     public static final int PART_LENGTH = 67;
     /** Of a sealed message: the nonce before its content. */
     public static final int NONCE_LENGTH = 6;
@@ -22,7 +22,7 @@ public record Payload(Kind kind, Bytes bytes) {
 
     /** What a payload is, named as in a trace of the emulator. */
     public enum Kind {
-        UNICAST("unicast"), MULTICAST("multicast"), BROADCAST("broadcast"), PIECE("piece"),
+        UNICAST("unicast"), MULTICAST("multicast"), BROADCAST("broadcast"), FRAGMENT("fragment"),
         ACKNOWLEDGEMENT("acknowledgement"), RESERVED("reserved"), NO_FRAME("no frame");
 
         private final String text;
@@ -47,8 +47,8 @@ public record Payload(Kind kind, Bytes bytes) {
         if (ofFrame != Kind.UNICAST || Digits.value(to.charAt(0)) < Digits.value('+')) {
             return ofFrame;
         }
-        boolean isPiece = to.startsWith("+F") && Digits.value(to.charAt(3)) < 2 * ASKS;
-        return isPiece ? Kind.PIECE : to.startsWith("+K") ? Kind.ACKNOWLEDGEMENT : Kind.RESERVED;
+        boolean isFragment = to.startsWith("+F") && Digits.value(to.charAt(3)) < 2 * ASKS;
+        return isFragment ? Kind.FRAGMENT : to.startsWith("+K") ? Kind.ACKNOWLEDGEMENT : Kind.RESERVED;
     }
 
     private static Kind kindOfFrame(String to) {
@@ -91,36 +91,36 @@ public record Payload(Kind kind, Bytes bytes) {
         return isFrame() ? bytes.from(Frame.HEADER_LENGTH) : bytes;
     }
 
-    public boolean isPiece() {
-        return kind == Kind.PIECE;
+    public boolean isFragment() {
+        return kind == Kind.FRAGMENT;
     }
 
     public boolean isAcknowledgement() {
         return kind == Kind.ACKNOWLEDGEMENT;
     }
 
-    /** Whether it is a message, or a piece of one. */
+    /** Whether it is a message, or a fragment of one. */
     public boolean isData() {
-        return kind.compareTo(Kind.PIECE) <= 0;
+        return kind.compareTo(Kind.FRAGMENT) <= 0;
     }
 
     private int digit(int at) {
         return Digits.value(bytes.at(at));
     }
 
-    /** Of a piece: the number of its frame, 0…63. */
-    public int pieceId() {
+    /** Of a fragment: the number of its frame, 0…63. */
+    public int fragmentId() {
         return digit(2);
     }
 
-    /** Of a piece: which it is, 0…7; else 0. */
+    /** Of a fragment: which it is, 0…7; else 0. */
     public int index() {
-        return isPiece() ? digit(3) % ASKS : 0;
+        return isFragment() ? digit(3) % ASKS : 0;
     }
 
     /** Whether it wants an answer, if the message is a unicast. */
     public boolean asks() {
-        return !isPiece() || digit(3) >= ASKS;
+        return !isFragment() || digit(3) >= ASKS;
     }
 
     /** Of an acknowledgement: the last 12 bits of the nonce that it answers. */
@@ -128,9 +128,9 @@ public record Payload(Kind kind, Bytes bytes) {
         return digit(2) << 6 | digit(3);
     }
 
-    /** What it is a part of: of a first piece the frame whose header it holds, as far as it is there; else itself. */
+    /** What it is a part of: of a first fragment the frame whose header it holds, as far as it is there; else itself. */
     public Payload whole() {
-        boolean begins = isPiece() && index() == 0 && message().length() >= Frame.HEADER_LENGTH;
+        boolean begins = isFragment() && index() == 0 && message().length() >= Frame.HEADER_LENGTH;
         return begins ? new Payload(kindOfFrame(text(message(), 0)), message()) : this;
     }
 
@@ -149,8 +149,8 @@ public record Payload(Kind kind, Bytes bytes) {
         return (int) message().number(NONCE_LENGTH - 2, NONCE_LENGTH) & 0xFFF;
     }
 
-    /** The same for every time that the same piece, or frame, is sent. */
+    /** The same for every time that the same fragment, or frame, is sent. */
     public String identity() {
-        return isPiece() ? "piece " + origin() + pieceId() + "/" + index() + message().hex() : hex();
+        return isFragment() ? "fragment " + origin() + fragmentId() + "/" + index() + message().hex() : hex();
     }
 }

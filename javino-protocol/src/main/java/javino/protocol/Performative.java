@@ -61,7 +61,7 @@ public enum Performative {
     }
 
     /**
-     * Whether it is accepted only by unicast or multicast: no stranger may make an agent answer, see its plans or
+     * Whether it is accepted only by unicast or multicast: no attacker may make an agent answer, see its plans or
      * change them, or move in.
      */
     public boolean requiresSeal() {

@@ -73,7 +73,7 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, boolean 
     }
 
     /** How a packet came that was overheard, in the order of their numbers on the line. */
-    public enum Came {
+    public enum Reception {
         /** As it was sent. */
         INTACT,
         /** Damaged, and it could be mended. */
@@ -89,7 +89,7 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, boolean 
      * @param how     it came.
      * @param payload 0…77 bytes: a {@link Frame} as it was sent, as a rule.
      */
-    public record Overheard(long millis, Came how, Bytes payload) implements Item {
+    public record Overheard(long millis, Reception how, Bytes payload) implements Item {
     }
 
     /** Whether a packet that begins so seems to be a reply of this sequence byte that carries a reading. */
@@ -146,7 +146,7 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, boolean 
     private static Overheard decodeOverheard(Bytes value) throws ProtocolException {
         Reply.expect(value.length() > TIME_LENGTH, "a packet that was overheard has a time", value);
         int how = value.at(TIME_LENGTH);
-        Reply.expect(how < Came.values().length, "how a packet came is 0…2", value);
-        return new Overheard(value.number(0, TIME_LENGTH), Came.values()[how], value.from(TIME_LENGTH + 1));
+        Reply.expect(how < Reception.values().length, "how a packet came is 0…2", value);
+        return new Overheard(value.number(0, TIME_LENGTH), Reception.values()[how], value.from(TIME_LENGTH + 1));
     }
 }

@@ -319,9 +319,9 @@ public record Request(Command command, Frame frame, String description) {
         return transmit(destination, origin, content.encode(), content.toString());
     }
 
-    /** {@link Command#TRANSMIT} of a word, as of a content. */
-    public static Request transmit(Address destination, Address origin, Word word) {
-        return transmit(destination, origin, word.bytes(), "a word between hosts");
+    /** {@link Command#TRANSMIT} of a host message, as of a content. */
+    public static Request transmit(Address destination, Address origin, HostMessage message) {
+        return transmit(destination, origin, message.bytes(), "a host message");
     }
 
     private static Request transmit(Address destination, Address origin, Bytes message, String what) {

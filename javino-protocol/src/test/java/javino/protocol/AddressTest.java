@@ -77,7 +77,7 @@ class AddressTest {
         assertEquals(1, counts.get(Address.Kind.SERIAL));
         assertEquals(1, counts.get(Address.Kind.BROADCAST));
         assertEquals(4095, counts.get(Address.Kind.MULTICAST));
-        assertEquals(4096, counts.get(Address.Kind.PIECE));
+        assertEquals(4096, counts.get(Address.Kind.FRAGMENT));
         assertEquals(4096, counts.get(Address.Kind.ACKNOWLEDGEMENT));
         assertEquals(0x80000 - 1 - 1 - 4095 - 2 * 4096, counts.get(Address.Kind.RESERVED));
     }

@@ -32,7 +32,7 @@ class ContentTest {
     void decode_validVector_hasItsPartsAndRoundTrips(JsonObject vector) throws ProtocolException {
         Bytes bytes = VectorFile.bytes(vector, "content");
         Content content = Content.decode(bytes);
-        assertEquals(VectorFile.text(vector, "force"), content.performative().toString());
+        assertEquals(VectorFile.text(vector, "performative"), content.performative().toString());
         assertEquals(vector.get("conversation").isJsonNull() ? Optional.empty()
                 : Optional.of(new Conversation(vector.get("conversation").getAsInt())), content.conversation());
         assertEquals(VectorFile.text(vector, "term"), content.body().text());
@@ -49,8 +49,8 @@ class ContentTest {
     }
 
     @Test
-    void decode_vectors_haveEachForce() {
-        assertEquals(EnumSet.allOf(Performative.class), valid().map(vector -> VectorFile.text(vector, "force"))
+    void decode_vectors_haveEachPerformative() {
+        assertEquals(EnumSet.allOf(Performative.class), valid().map(vector -> VectorFile.text(vector, "performative"))
                 .map(name -> Performative.of(name).orElseThrow()).collect(Collectors.toSet()));
     }
 
@@ -73,7 +73,7 @@ class ContentTest {
     }
 
     @Test
-    void requiresSeal_force_isWhatWantsAnAnswerGivesOneOrTouchesPlans() {
+    void requiresSeal_performative_isWhatWantsAnAnswerGivesOneOrTouchesPlans() {
         assertEquals(
                 EnumSet.of(Performative.ASK_ONE, Performative.ASK_ALL, Performative.ASK_HOW, Performative.TELL_HOW,
                         Performative.UNTELL_HOW,
@@ -83,7 +83,7 @@ class ContentTest {
 
     @ParameterizedTest
     @CsvSource({"tell;x,false", "tell#AbC;x,true", "sorry#AbC;x,true", "askOne#AbC;x,false"})
-    void isAnswer_content_isAnAnswersForceWithAConversation(String content, boolean answer) {
+    void isAnswer_content_isAnAnswersPerformativeWithAConversation(String content, boolean answer) {
         assertEquals(answer, Content.parse(content).isAnswer());
     }
 

@@ -17,7 +17,7 @@ final class AcknowledgementVectors {
     private static final String OTHER_KEY = "2b7e151628aed2a6abf7158809cf4f3c";
     private static final String NONCE = "000102030405";
     private static final int DELIVERED = 6;
-    private static final int PIECES = 7;
+    private static final int FRAGMENTS = 7;
     private static final int STALE = 8;
 
     private AcknowledgementVectors() {
@@ -28,10 +28,10 @@ final class AcknowledgementVectors {
                 delivered(KEY, "SUPO", "ROMA", "000001000000"),
                 delivered(OTHER_KEY, "SUPP", "SUHO", "fffffeffffff"),
                 delivered(KEY, "AAAA", "9///", "123456abcdef"),
-                pieces("SUPO", "ROMA", NONCE, 1),
-                pieces("SUPO", "ROMA", NONCE, 3),
-                pieces("ROMA", "SUPO", "000001000fff", 0x7F),
-                pieces("ROMA", "SUPO", "000001001000", 0xFD),
+                fragments("SUPO", "ROMA", NONCE, 1),
+                fragments("SUPO", "ROMA", NONCE, 3),
+                fragments("ROMA", "SUPO", "000001000fff", 0x7F),
+                fragments("ROMA", "SUPO", "000001001000", 0xFD),
                 stale("SUPO", "ROMA", NONCE, "000102030424", 1234),
                 stale("SUPO", "ROMA", "000001000000", "00000100001f", 0),
                 stale("SUAM", "SUHO", "fffffe00003f", "ffffffffffff", 0xFFFF)));
@@ -66,10 +66,10 @@ final class AcknowledgementVectors {
         return vector;
     }
 
-    private static Map<String, Object> pieces(String sender, String acknowledger, String nonce, int bits) {
-        Map<String, Object> vector = begin(KEY, sender, acknowledger, nonce, "pieces");
-        vector.put("pieces", bits);
-        vector.put("frame", Wire.hex(frame(KEY, PIECES, nonce, sender, acknowledger, bytes(bits))));
+    private static Map<String, Object> fragments(String sender, String acknowledger, String nonce, int bits) {
+        Map<String, Object> vector = begin(KEY, sender, acknowledger, nonce, "fragments");
+        vector.put("fragments", bits);
+        vector.put("frame", Wire.hex(frame(KEY, FRAGMENTS, nonce, sender, acknowledger, bytes(bits))));
         return vector;
     }
 
@@ -98,11 +98,11 @@ final class AcknowledgementVectors {
                         "ROMA"), "for another nonce with the same last bits"),
                 invalid(readdressed(frame(KEY, DELIVERED, NONCE, "SUPO", "ROMA", none), "+KQE", "ROMA"),
                         "the address is of another nonce"),
-                invalid(frame(KEY, PIECES, NONCE, "SUPO", "ROMA", none), "delivered with the type of pieces"),
-                invalid(frame(KEY, DELIVERED, NONCE, "SUPO", "ROMA", bytes(3)), "pieces with the type of delivered"),
-                invalid(frame(KEY, STALE, NONCE, "SUPO", "ROMA", bytes(3)), "pieces with the type of stale"),
+                invalid(frame(KEY, FRAGMENTS, NONCE, "SUPO", "ROMA", none), "delivered with the type of fragments"),
+                invalid(frame(KEY, DELIVERED, NONCE, "SUPO", "ROMA", bytes(3)), "fragments with the type of delivered"),
+                invalid(frame(KEY, STALE, NONCE, "SUPO", "ROMA", bytes(3)), "fragments with the type of stale"),
                 invalid(frame(KEY, DELIVERED, NONCE, "SUPO", "ROMA", stale), "stale with the type of delivered"),
-                invalid(frame(KEY, PIECES, NONCE, "SUPO", "ROMA", bytes(3, 3)), "10 bytes"),
+                invalid(frame(KEY, FRAGMENTS, NONCE, "SUPO", "ROMA", bytes(3, 3)), "10 bytes"),
                 invalid(frame(KEY, STALE, NONCE, "SUPO", "ROMA", Arrays.copyOf(stale, 7)), "15 bytes"),
                 invalid(frame(KEY, STALE, NONCE, "SUPO", "ROMA", Arrays.copyOf(stale, 9)), "17 bytes"),
                 invalid(Wire.frame(address(NONCE), "ROMA", none), "no message"),
@@ -110,7 +110,7 @@ final class AcknowledgementVectors {
                         Arrays.copyOf(proof(KEY, DELIVERED, NONCE, "SUPO", "ROMA", none), 7)), "7 bytes"),
                 invalid(Wire.frame(address(NONCE), "ROMA", new byte[8]), "a proof of zeros")));
         for (byte[] good : List.of(frame(KEY, DELIVERED, NONCE, "SUPO", "ROMA", none),
-                frame(KEY, PIECES, NONCE, "SUPO", "ROMA", bytes(3)),
+                frame(KEY, FRAGMENTS, NONCE, "SUPO", "ROMA", bytes(3)),
                 frame(KEY, STALE, NONCE, "SUPO", "ROMA", stale))) {
             for (int at : new int[] {10, good.length - 8, good.length - 1}) {
                 byte[] changed = good.clone();

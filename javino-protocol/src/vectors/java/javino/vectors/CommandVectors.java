@@ -16,9 +16,9 @@ final class CommandVectors {
     private static final List<String> COUNTERS = List.of("serialRequests", "serialDamaged", "serialBadFrames",
             "serialRepeats", "radioReceived", "radioDamaged", "radioMissed", "radioBadFrames", "radioReserved",
             "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed", "radioReplayFull",
-            "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
+            "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
-            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne",
+            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated",
             "radioOverheardDropped",
             "relayCopies", "relayAnswers", "relayRefused", "memoryDamaged");
 

@@ -40,9 +40,9 @@ final class ContentVectors {
                 valid("tell", null, "\u00e9".repeat(244) + "x"),
                 valid("askOne", "AbC", "x".repeat(483))));
         lists.put("invalid", List.of(
-                invalid("", "empty"), invalid(";", "no force and no term"), invalid("tell", "no divider"),
-                invalid("tell;", "no term"), invalid(";help", "no force"), invalid("Tell;help", "a capital"),
-                invalid("ask;help", "an unknown force"), invalid(" tell;help", "a space before"),
+                invalid("", "empty"), invalid(";", "no performative and no term"), invalid("tell", "no divider"),
+                invalid("tell;", "no term"), invalid(";help", "no performative"), invalid("Tell;help", "a capital"),
+                invalid("ask;help", "an unknown performative"), invalid(" tell;help", "a space before"),
                 invalid("tell ;help", "a space after"), invalid("\0tell;help", "NUL before"),
                 invalid("askone;help", "a capital is missing"), invalid("ask-one#AbC;help", "Jason's older name"),
                 invalid("askOne;free(X)", "a question without a conversation"),
@@ -55,7 +55,7 @@ final class ContentVectors {
                 invalid("tell#;help", "no digits"), invalid("tell#Ab;help", "two digits"),
                 invalid("tell#AbCD;help", "four digits"), invalid("tell#Ab-;help", "- is no digit"),
                 invalid("tell#A\u00e9;help", "\u00e9 is no digit"), invalid("tell##AbC;help", "two marks"),
-                invalid("tell#AbC#AbC;help", "two conversations"), invalid("#AbC;help", "no force"),
+                invalid("tell#AbC#AbC;help", "two conversations"), invalid("#AbC;help", "no performative"),
                 invalid("tell#AbC;", "no term"), invalid("tell#AbC", "no divider"),
                 invalid(join(text("tell;"), new byte[] {(byte) 0xFF}), "BAD_TEXT", "0xFF is no UTF-8"),
                 invalid(join(text("tell;"), new byte[] {(byte) 0xC3}), "BAD_TEXT", "half a character"),
@@ -67,7 +67,8 @@ final class ContentVectors {
 
     private static Map<String, Object> valid(String performative, String conversation, String term) {
         String head = conversation == null ? performative : performative + "#" + conversation;
-        return vector("text", head + ";" + term, "content", Wire.hex(text(head + ";" + term)), "force", performative,
+        return vector("text", head + ";" + term, "content", Wire.hex(text(head + ";" + term)), "performative",
+                performative,
                 "conversation", conversation == null ? null : number(conversation), "term", term);
     }
 

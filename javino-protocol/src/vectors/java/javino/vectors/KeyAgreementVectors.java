@@ -15,7 +15,7 @@ import java.util.Map;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
-/** SPEC 11: certificates, notices, renewals and words. The curve is computed by its textbook formulas. */
+/** SPEC 11: certificates, revocation lists, renewals and host messages, by textbook formulas of the curve. */
 final class KeyAgreementVectors {
 
     private static final BigInteger P = number("ffffffff00000001000000000000000000000000ffffffffffffffffffffffff");
@@ -24,7 +24,7 @@ final class KeyAgreementVectors {
     private static final Point G = new Point(number("6b17d1f2e12c4247f8bce6e563a440f277037d812deb33a0f4a13945d898c296"),
             number("4fe342e2fe1a7f9b8ee7eb4a7c0f9e162bce33576b315ececbb6406837bf51f5"));
     private static final String[] KINDS = {"MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3",
-            "WANT", "GROUP", "CONTENT", "SEQUENCES", "NOTICE", "GROUP_KEY"};
+            "WANT", "GROUP", "CONTENT", "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY"};
     private static final int KEY_LABEL = 32768;
     private static final int PROOF_LABEL = 32769;
 
@@ -36,25 +36,29 @@ final class KeyAgreementVectors {
                 certificate(1, "SUPO", 0, false, "2027-11-24"),
                 certificate(2, "ROMA", 0x1234, true, "1970-01-01"),
                 certificate(3, "9///", 0xffff, false, "2149-06-06")));
-        lists.put("notices", List.of(
-                notice(4, 0, "2026-11-24", "2026-11-24"),
-                notice(5, 0x0102, "2149-06-06", "1970-01-01", 0, 7, 0xffff)));
+        lists.put("revocationLists", List.of(
+                revocationList(4, 0, "2026-11-24", "2026-11-24"),
+                revocationList(5, 0x0102, "2149-06-06", "1970-01-01", 0, 7, 0xffff)));
         lists.put("renewals", List.of(renewal(6, "SUPO", "ROMA"), renewal(7, "ROMA", "SUPO")));
-        lists.put("words", List.of(
-                word(0, 0, "SUPO", 37), word(1, 0, "SUPO", 63), word(1, 1, "SUPO", 25), word(2, 0, "ROMA", 63),
-                word(3, 0, "ROMA", 16), word(4, 0, "ROMA", 16), word(5, 0, "ROMA", 8), word(6, 0, "ROMA", 1),
-                word(7, 0, "//SU", 0), word(8, 0, null, 3 + 490), word(9, 0, null, 3), word(10, 0, null, 71),
-                word(11, 0, null, 16)));
+        lists.put("hostMessages", List.of(
+                hostMessage(0, 0, "SUPO", 37), hostMessage(1, 0, "SUPO", 63), hostMessage(1, 1, "SUPO", 25),
+                hostMessage(2, 0, "ROMA", 63),
+                hostMessage(3, 0, "ROMA", 16), hostMessage(4, 0, "ROMA", 16), hostMessage(5, 0, "ROMA", 8),
+                hostMessage(6, 0, "ROMA", 1),
+                hostMessage(7, 0, "//SU", 0), hostMessage(8, 0, null, 3 + 490), hostMessage(9, 0, null, 3),
+                hostMessage(10, 0, null, 71),
+                hostMessage(11, 0, null, 16)));
         return lists;
     }
 
-    private static Map<String, Object> certificate(int seed, String address, int serial, boolean keeper, String until) {
+    private static Map<String, Object> certificate(int seed, String address, int serial, boolean groupKeyServer,
+            String until) {
         BigInteger q = secret(seed, "certificates");
         BigInteger k = secret(seed, "request");
         BigInteger c = secret(seed, "contribution");
         byte[] authority = authority(seed);
         byte[] point = G.times(k).plus(G.times(c)).compressed();
-        byte[] certificate = Wire.join(address(address), two(serial), new byte[] {(byte) (keeper ? 1 : 0)},
+        byte[] certificate = Wire.join(address(address), two(serial), new byte[] {(byte) (groupKeyServer ? 1 : 0)},
                 day(until), new byte[] {hash(authority)[0]}, point);
         BigInteger e = new BigInteger(1, hash(ascii("javino-cert-1"), certificate)).mod(N);
         BigInteger r = e.multiply(c).add(q).mod(N);
@@ -65,7 +69,7 @@ final class KeyAgreementVectors {
         }
         byte[] coseKey = Wire.join(Wire.unhex("a5010202582a"), certificate, Wire.unhex("2001215820"), bytes(key.x),
                 Wire.unhex("225820"), bytes(key.y));
-        return vector("address", address, "serial", serial, "keeper", keeper, "until", until,
+        return vector("address", address, "serial", serial, "groupKeyServer", groupKeyServer, "until", until,
                 "authority", Wire.hex(authority), "requestSecret", Wire.hex(bytes(k)),
                 "request", Wire.hex(Wire.join(address(address), G.times(k).compressed())),
                 "certificate", Wire.hex(certificate), "contribution", Wire.hex(bytes(r)),
@@ -73,7 +77,8 @@ final class KeyAgreementVectors {
                 "cred", Wire.hex(Wire.join(Wire.unhex("a20264"), ascii(address), Wire.unhex("08a101"), coseKey)));
     }
 
-    private static Map<String, Object> notice(int seed, int sequence, String day, String leastUntil, int... serials) {
+    private static Map<String, Object> revocationList(int seed, int sequence, String day, String leastUntil,
+            int... serials) {
         byte[] authority = authority(seed);
         byte[] content = Wire.join(new byte[] {hash(authority)[0]}, two(sequence), day(day), day(leastUntil));
         for (int serial : serials) {
@@ -82,9 +87,9 @@ final class KeyAgreementVectors {
         BigInteger once = secret(seed, "once");
         BigInteger z = new BigInteger(1, hash(ascii("javino-notice-1"), content));
         BigInteger r = G.times(once).x.mod(N);
-        BigInteger s = once.modInverse(N).multiply(z.add(r.multiply(secret(seed, "notices")))).mod(N);
+        BigInteger s = once.modInverse(N).multiply(z.add(r.multiply(secret(seed, "revocationLists")))).mod(N);
         return vector("authority", Wire.hex(authority), "sequence", sequence, "day", day, "leastUntil", leastUntil,
-                "serials", serials, "notice", Wire.hex(Wire.join(content, bytes(r), bytes(s))));
+                "serials", serials, "revocationList", Wire.hex(Wire.join(content, bytes(r), bytes(s))));
     }
 
     private static Map<String, Object> renewal(int seed, String initiator, String responder) {
@@ -104,19 +109,19 @@ final class KeyAgreementVectors {
     }
 
     /** @param to null of a sealed one. */
-    private static Map<String, Object> word(int kind, int fragment, String to, int length) {
+    private static Map<String, Object> hostMessage(int kind, int fragment, String to, int length) {
         byte[] body = new byte[length];
         for (int i = 0; i < length; i++) {
             body[i] = (byte) (7 * i + kind);
         }
         byte[] first = {(byte) (0x80 + 4 * kind + fragment)};
         return vector("kind", KINDS[kind], "fragment", fragment, "to", to, "body", Wire.hex(body),
-                "word", Wire.hex(to == null ? Wire.join(first, body) : Wire.join(first, address(to), body)));
+                "hostMessage", Wire.hex(to == null ? Wire.join(first, body) : Wire.join(first, address(to), body)));
     }
 
     private static byte[] authority(int seed) {
         return Wire.join(G.times(secret(seed, "certificates")).compressed(),
-                G.times(secret(seed, "notices")).compressed());
+                G.times(secret(seed, "revocationLists")).compressed());
     }
 
     private static BigInteger secret(int seed, String what) {

@@ -38,7 +38,7 @@ public final class Vectors {
         files.put("radio.json", format(RadioVectors.all()));
         files.put("parity.json", format(ParityVectors.all()));
         files.put("envelopes.json", format(EnvelopeVectors.all()));
-        files.put("pieces.json", format(PieceVectors.all()));
+        files.put("fragments.json", format(FragmentVectors.all()));
         files.put("acknowledgements.json", format(AcknowledgementVectors.all()));
         files.put("keys.json", format(KeyVectors.all()));
         files.put("key-agreement.json", format(KeyAgreementVectors.all()));

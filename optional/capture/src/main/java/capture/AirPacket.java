@@ -9,7 +9,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Payload;
 import javino.protocol.ProtocolException;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * A packet on the air, as one board sent it or as it came to that board.
@@ -88,16 +88,17 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         Address.Kind kind = frame.destination().kind();
         return frame.origin() + " -> " + frame.destination() + "  " + kind.toString().toLowerCase(Locale.ROOT) + "  "
                 + switch (kind) {
-                    case BROADCAST -> Word.isWord(frame.message()) ? "word, " + frame.message().length() + " bytes"
+                    case BROADCAST -> HostMessage.isHostMessage(frame.message())
+                            ? "host message, " + frame.message().length() + " bytes"
                             : new String(frame.message().toArray(), StandardCharsets.UTF_8);
-                    case PIECE -> piece(frame.destination());
+                    case FRAGMENT -> fragment(frame.destination());
                     case DEVICE, MULTICAST -> "sealed, "
                             + (frame.message().length() - Payload.NONCE_LENGTH - Payload.TAG_LENGTH) + " bytes";
                     default -> frame.message().length() + " bytes";
                 };
     }
 
-    private String piece(Address to) {
+    private String fragment(Address to) {
         Payload piece = Payload.of(payload);
         return piece.index() + " of " + to.member().charAt(0) + (piece.asks() ? ", asks" : "");
     }

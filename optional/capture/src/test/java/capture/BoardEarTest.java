@@ -14,7 +14,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.PollReply.Came;
+import javino.protocol.PollReply.Reception;
 import javino.protocol.PollReply.Overheard;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -32,7 +32,7 @@ class BoardEarTest {
     /** When a packet was, that the board has told now. */
     private long hear(long millis) {
         ear.to(taken::add);
-        ear.overheard(new Overheard(millis, Came.INTACT, Bytes.ofText("x")));
+        ear.overheard(new Overheard(millis, Reception.INTACT, Bytes.ofText("x")));
         return taken.get(taken.size() - 1).micros() - 1000 * SECOND;
     }
 
@@ -64,7 +64,7 @@ class BoardEarTest {
     @Test
     void packets_keepHowTheyCame() {
         ear.to(taken::add);
-        for (Came how : Came.values()) {
+        for (Reception how : Reception.values()) {
             ear.overheard(new Overheard(1, how, Bytes.EMPTY));
         }
         assertEquals(List.of(AirPacket.How.INTACT, AirPacket.How.MENDED, AirPacket.How.DAMAGED),
@@ -77,7 +77,7 @@ class BoardEarTest {
             throw new IOException("Broken pipe");
         });
         assertFalse(ear.awaitBroken(0));
-        ear.overheard(new Overheard(1, Came.INTACT, Bytes.EMPTY));
+        ear.overheard(new Overheard(1, Reception.INTACT, Bytes.EMPTY));
         assertTrue(ear.awaitBroken(0));
     }
 

@@ -60,11 +60,11 @@ class CaptureCommandTest {
 
     @Test
     void packets_areALineEach() {
-        assertEquals(0, run("--trace", TRACES.resolve("pieces.jsonl")));
+        assertEquals(0, run("--trace", TRACES.resolve("fragments.jsonl")));
         List<String> lines = out.toString().lines().toList();
-        assertEquals("    1.261913 s  board4      sent     SUPO -> +FzA  piece  0 of z", lines.get(0));
-        assertEquals("    1.262023 s  board5      intact   SUPO -> +FzA  piece  0 of z", lines.get(1));
-        assertEquals("    2.533626 s  board5      damaged  SUPO -> +FzL  piece  3 of z, asks (no start symbol)",
+        assertEquals("    1.261913 s  board4      sent     SUPO -> +FzA  fragment  0 of z", lines.get(0));
+        assertEquals("    1.262023 s  board5      intact   SUPO -> +FzA  fragment  0 of z", lines.get(1));
+        assertEquals("    2.533626 s  board5      damaged  SUPO -> +FzL  fragment  3 of z, asks (no start symbol)",
                 lines.get(7));
         assertEquals("    2.820720 s  board4      intact   SUPP -> +KAA  acknowledgement  8 bytes", lines.get(9));
     }
@@ -86,7 +86,7 @@ class CaptureCommandTest {
         assertEquals(0, run("--trace", trace));
         assertEquals(List.of("    1.000000 s  a           intact   ROMA -> ////  broadcast  \\u001b[2j",
                 "    1.000000 s  a           intact   1 bytes that are no frame: TOO_SHORT",
-                "    1.000000 s  a           intact   ROMA -> ////  broadcast  word, 4 bytes"),
+                "    1.000000 s  a           intact   ROMA -> ////  broadcast  host message, 4 bytes"),
                 out.toString().lines().toList());
     }
 

@@ -15,13 +15,13 @@ import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Bytes of strangers: the dissector shows what it can, and never fails. {@link Tshark} looks for that. */
+/** Bytes of attackers: the dissector shows what it can, and never fails. {@link Tshark} looks for that. */
 class HostileTest {
 
     private static final String KEYRING = "ROMA SUPO = 000102030405060708090a0b0c0d0e0f\n"
@@ -89,7 +89,7 @@ class HostileTest {
             Bytes message = Bytes.join(Bytes.of(random.nextBoolean() ? "HPACIROYWEKNUFDVLS".charAt(random.nextInt(18))
                     : random.nextInt(3)), random(random, 40));
             boolean own = random.nextBoolean();
-            add(Tshark.SERIAL, Bytes.join(Bytes.of(1, random.nextInt(2), 1, 'b'), new Packet(random.nextInt(4),
+            add(Tshark.SERIAL, Bytes.join(Bytes.of(1, random.nextInt(2), 1, 'b'), new SerialPacket(random.nextInt(4),
                     own ? new Frame(Address.SERIAL, Address.SERIAL, message) : frame).encode()));
         }
         dissect();
@@ -138,7 +138,7 @@ class HostileTest {
 
     private static Bytes serial(int from, Bytes message) {
         return Bytes.join(Bytes.of(1, from, 1, 'b'),
-                new Packet(7, new Frame(Address.SERIAL, Address.SERIAL, message)).encode());
+                new SerialPacket(7, new Frame(Address.SERIAL, Address.SERIAL, message)).encode());
     }
 
     @Test

@@ -21,8 +21,8 @@ public final class TraceCheck {
     private final List<TraceEvent> events;
     private final List<Tshark.Dissected> packets;
 
-    /** What was found, for tests that want more of it. @param pieces that were put together. */
-    public record Found(int packets, long damaged, long opened, long pieces, long acknowledgements) {
+    /** What was found, for tests that want more of it. @param fragments that were put together. */
+    public record Found(int packets, long damaged, long opened, long fragments, long acknowledgements) {
     }
 
     private TraceCheck(List<TraceEvent> events, List<Tshark.Dissected> packets) {
@@ -118,9 +118,9 @@ public final class TraceCheck {
             assertEquals(kind.equals("unicast") ? "device" : kind, packet.shown("javino.destination.class").get(0));
         }
         if (event.has("index")) {
-            assertEquals(event.text("id"), packet.shown("javino.piece.id").get(0));
-            assertEquals(event.text("index"), packet.shown("javino.piece.index").get(0));
-            assertEquals(event.text("asks").equals("true") ? "1" : "0", packet.shown("javino.piece.asks").get(0));
+            assertEquals(event.text("id"), packet.shown("javino.fragment.id").get(0));
+            assertEquals(event.text("index"), packet.shown("javino.fragment.index").get(0));
+            assertEquals(event.text("asks").equals("true") ? "1" : "0", packet.shown("javino.fragment.asks").get(0));
         }
         if (event.has("answers")) {
             assertEquals(event.text("answers"), packet.shown("javino.acknowledgement.answers").get(0));

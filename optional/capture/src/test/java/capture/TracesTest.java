@@ -23,9 +23,9 @@ class TracesTest {
     }
 
     @Test
-    void pieces_fromADamagedAir_arePutTogether() throws Exception {
-        TraceCheck.Found found = check("pieces");
-        assertTrue(found.damaged() == 10 && found.pieces() >= 6, found::toString);
+    void fragments_fromADamagedAir_arePutTogether() throws Exception {
+        TraceCheck.Found found = check("fragments");
+        assertTrue(found.damaged() == 10 && found.fragments() >= 6, found::toString);
     }
 
     @Test

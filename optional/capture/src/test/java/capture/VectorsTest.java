@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.Status;
 import javino.vectors.Crypto;
 import javino.vectors.RadioVectors;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Test;
 class VectorsTest {
 
     private static final String NO_KEY = "NO_KEY";
-    private static final String BAD_WORD = "BAD_WORD";
+    private static final String BAD_HOST_MESSAGE = "BAD_HOST_MESSAGE";
     private static final int PARTS_PAYLOAD = 0;
     private static final int PARTS_PACKET = 3;
     private static final int PARTS_TRAILER = 7;
@@ -90,7 +90,8 @@ class VectorsTest {
 
     private int serial(int from, int sequence, String destination, String origin, Bytes message) {
         return serial(from,
-                new Packet(sequence, new Frame(Address.parse(destination), Address.parse(origin), message)).encode());
+                new SerialPacket(sequence, new Frame(Address.parse(destination), Address.parse(origin), message))
+                        .encode());
     }
 
     private int add(int linkType, Bytes record) {
@@ -312,8 +313,8 @@ class VectorsTest {
         dissect();
     }
 
-    /** A plain word to SUPO. */
-    private int plainWord(int first, Bytes body) {
+    /** A plain host message to SUPO. */
+    private int plainMessage(int first, Bytes body) {
         return air(PARTS_PAYLOAD, frame("////", "ROMA",
                 Bytes.join(Bytes.of(first), Bytes.ofNumber(Address.parse("SUPO").value(), 3), body)));
     }
@@ -325,67 +326,68 @@ class VectorsTest {
 
     /** SPEC 11.3. With another length, a fragment that it does not have, or sealed, it is none. */
     @Test
-    void plainWord_ofEachKind_hasItsFields() throws Exception {
+    void plainMessage_ofEachKind_hasItsFields() throws Exception {
         for (String row : List.of("MESSAGE_1 80 37", "MESSAGE_2 84 63", "MESSAGE_2 85 25", "MESSAGE_3 88 63",
                 "RENEWAL_1 8c 16", "RENEWAL_2 90 16", "RENEWAL_3 94 8", "WANT 98 1", "GROUP 9c 0")) {
             String[] columns = row.split(" ");
-            plainWord(columns[0], Integer.parseInt(columns[1], 16), Integer.parseInt(columns[2]));
+            plainMessage(columns[0], Integer.parseInt(columns[1], 16), Integer.parseInt(columns[2]));
         }
         dissect();
     }
 
-    private void plainWord(String name, int first, int length) {
+    private void plainMessage(String name, int first, int length) {
         Bytes body = counting(length);
-        int right = plainWord(first, body);
-        List<Integer> wrong = List.of(plainWord(first, counting(length + 1)),
+        int right = plainMessage(first, body);
+        List<Integer> wrong = List.of(plainMessage(first, counting(length + 1)),
                 air(PARTS_PAYLOAD, frame("////", "ROMA", Bytes.join(Bytes.of(first, 0, 0), body))),
-                plainWord(first | 3, body),
+                plainMessage(first | 3, body),
                 serial(0, 0, "SUPO", "ROMA", Bytes.join(Bytes.of(first, 0, 0, 0), body)));
         check(name, () -> {
             isRight(right);
-            shows(right, "word", name);
-            shows(right, "word.kind", (first - 0x80) / 4);
-            shows(right, "word.fragment", first % 4);
-            shows(right, "word.to", "SUPO");
-            has(right, "word.body", length == 0 ? new String[0] : new String[] {body.hex()});
-            for (String wanted : List.of("word.wanted", "word.wanted.fragment")) {
+            shows(right, "host_message", name);
+            shows(right, "host_message.kind", (first - 0x80) / 4);
+            shows(right, "host_message.fragment", first % 4);
+            shows(right, "host_message.to", "SUPO");
+            has(right, "host_message.body", length == 0 ? new String[0] : new String[] {body.hex()});
+            for (String wanted : List.of("host_message.wanted", "host_message.wanted.fragment")) {
                 shows(right, wanted, name.equals("WANT") ? new Object[] {1} : new Object[0]);
             }
             shows(right, "content");
-            wrong.forEach(index -> fails(index, BAD_WORD));
+            wrong.forEach(index -> fails(index, BAD_HOST_MESSAGE));
         });
     }
 
-    /** A word as a board gives it to its host, opened. */
-    private int opened(String destination, Bytes word) {
+    /** A host message as a board gives it to its host, opened. */
+    private int opened(String destination, Bytes message) {
         request(requestOf("poll"), 7);
-        Bytes record = Bytes.join(Bytes.of(0), Bytes.ofText(destination + "ROMA"), Bytes.of(0, 0, 5), word);
+        Bytes record = Bytes.join(Bytes.of(0), Bytes.ofText(destination + "ROMA"), Bytes.of(0, 0, 5), message);
         return serial(1, 7, "++++", "++++",
                 Bytes.join(Bytes.of(0, 0, 'M'), Bytes.ofNumber(record.length(), 2), record));
     }
 
     @Test
-    void sealedWord_ofEachKind_hasItsFields() throws Exception {
+    void sealedHostMessage_ofEachKind_hasItsFields() throws Exception {
         int content = opened("SUPO", Bytes.join(Bytes.of(0xA0, 0, 1, 2), Bytes.ofText("tell;help")));
         int sequences = opened("SUPO", Bytes.of(0xA4, 9, 1, 0, 8, 0, 2));
-        int notice = opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
+        int revocationList =
+                opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
         int groupKey = opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(16)));
         check("fields", () -> {
-            List.of(content, sequences, notice, groupKey).forEach(this::isRight);
-            shows(content, "word", "CONTENT");
-            shows(content, "word.id", 0x102);
+            List.of(content, sequences, revocationList, groupKey).forEach(this::isRight);
+            shows(content, "host_message", "CONTENT");
+            shows(content, "host_message.id", 0x102);
             shows(content, "content", "tell;help");
-            shows(sequences, "word", "SEQUENCES");
-            has(sequences, "notice.authority", "09", "08");
-            shows(sequences, "notice.sequence", 0x100, 2);
-            shows(notice, "word", "NOTICE");
-            shows(notice, "notice.sequence", 3);
-            shows(notice, "notice.day", 0x5001);
-            shows(notice, "notice.least_until", 0x5002);
-            shows(notice, "notice.serial", 7, 0x100);
-            has(notice, "notice.signature", counting(64).hex());
-            shows(groupKey, "word", "GROUP_KEY");
-            has(groupKey, "word.body", counting(16).hex());
+            shows(sequences, "host_message", "SEQUENCES");
+            has(sequences, "revocation_list.authority", "09", "08");
+            shows(sequences, "revocation_list.sequence", 0x100, 2);
+            shows(revocationList, "host_message", "REVOCATION_LIST");
+            shows(revocationList, "revocation_list.sequence", 3);
+            shows(revocationList, "revocation_list.day", 0x5001);
+            shows(revocationList, "revocation_list.least_until", 0x5002);
+            shows(revocationList, "revocation_list.serial", 7, 0x100);
+            has(revocationList, "revocation_list.signature", counting(64).hex());
+            shows(groupKey, "host_message", "GROUP_KEY");
+            has(groupKey, "host_message.body", counting(16).hex());
         });
         List<Integer> wrong = List.of(opened("SUPO", Bytes.of(0xA0, 0, 1, 2)), opened("SUPO", Bytes.of(0xA4, 9, 1)),
                 opened("SUPO", Bytes.join(Bytes.of(0xA8), counting(72))),
@@ -393,7 +395,7 @@ class VectorsTest {
                 opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(15))),
                 opened("SUPO", Bytes.join(Bytes.of(0xAD), counting(16))), opened("SUPO", Bytes.of(0xB0)),
                 opened("////", Bytes.of(0xA0, 0, 1, 2, 3)), opened("////", Bytes.of(0x80, 0)));
-        check("wrong", () -> wrong.forEach(index -> fails(index, BAD_WORD)));
+        check("wrong", () -> wrong.forEach(index -> fails(index, BAD_HOST_MESSAGE)));
         dissect();
     }
 
@@ -403,11 +405,11 @@ class VectorsTest {
             int index = air(PARTS_PAYLOAD, frame("////", "ROMA", Bytes.ofHex(text(vector, "content"))));
             check(vector, () -> {
                 isRight(index);
-                shows(index, "force", text(vector, "force"));
+                shows(index, "performative", text(vector, "performative"));
                 shows(index, "conversation",
                         vector.get("conversation").isJsonNull() ? new Object[0]
                                 : new Object[] {text(vector, "conversation")});
-                if (text(vector, "force").equals("move")) {
+                if (text(vector, "performative").equals("move")) {
                     has(index, "content.bytes", text(vector, "content"));
                     shows(index, "move.type", "ready");
                 } else {
@@ -498,7 +500,7 @@ class VectorsTest {
                 shows(both[0], "acknowledged_in", both[1] + 1);
                 String frame = text(vector, "frame");
                 has(both[1], "acknowledgement.proof", frame.substring(frame.length() - 16));
-                for (String field : List.of("pieces", "uptime")) {
+                for (String field : List.of("fragments", "uptime")) {
                     assertEquals(vector.has(field) ? List.of(vector.get(field).getAsLong()) : List.of(),
                             dissected.get(both[1]).shown("javino.acknowledgement." + field).stream()
                                     .map(Long::decode).toList());
@@ -510,7 +512,7 @@ class VectorsTest {
     }
 
     @Test
-    void staleNotice_ofAMember_answersTheGroupsFrame() throws Exception {
+    void staleAcknowledgement_ofAMember_answersTheGroupsFrame() throws Exception {
         Bytes key = Bytes.ofHex("000102030405060708090a0b0c0d0e0f");
         share("//SU", "", key.hex());
         Bytes nonce = Bytes.ofNumber(0x1000005, 6);
@@ -544,25 +546,25 @@ class VectorsTest {
     }
 
     @Test
-    void pieces_inAnyOrder_arePutTogether() throws Exception {
-        List<JsonObject> valid = vectors("pieces", "valid").toList();
+    void fragments_inAnyOrder_arePutTogether() throws Exception {
+        List<JsonObject> valid = vectors("fragments", "valid").toList();
         for (boolean backwards : List.of(false, true)) {
             for (JsonObject vector : valid) {
-                List<JsonElement> pieces = new ArrayList<>(vector.getAsJsonArray("pieces").asList());
+                List<JsonElement> fragments = new ArrayList<>(vector.getAsJsonArray("fragments").asList());
                 if (backwards) {
-                    Collections.reverse(pieces);
+                    Collections.reverse(fragments);
                 }
-                List<Integer> indexes = pieces.stream()
-                        .map(piece -> air(PARTS_PAYLOAD, Bytes.ofHex(piece.getAsString()))).toList();
+                List<Integer> indexes = fragments.stream()
+                        .map(fragment -> air(PARTS_PAYLOAD, Bytes.ofHex(fragment.getAsString()))).toList();
                 int last = indexes.get(indexes.size() - 1);
                 Frame whole = frame(Bytes.ofHex(text(vector, "frame")));
                 check(text(vector, "frame") + backwards, () -> {
                     for (int index : indexes) {
                         int k = backwards ? last - index : indexes.indexOf(index);
-                        shows(index, "piece.id", digit(text(vector, "id")));
-                        shows(index, "piece.index", k);
-                        shows(index, "piece.asks", 0);
-                        shows(index, "piece.whole_in", index == last ? new Object[0] : new Object[] {last + 1});
+                        shows(index, "fragment.id", digit(text(vector, "id")));
+                        shows(index, "fragment.index", k);
+                        shows(index, "fragment.asks", 0);
+                        shows(index, "fragment.whole_in", index == last ? new Object[0] : new Object[] {last + 1});
                     }
                     Tshark.Dissected end = dissected.get(last);
                     assertEquals(List.of(whole.destination().toString()),
@@ -570,25 +572,25 @@ class VectorsTest {
                     assertEquals(List.of(whole.message().hex()), end.hex("javino.message").stream().skip(1).toList());
                     assertEquals(indexes.stream().filter(index -> index != last).map(index -> index + 1).sorted()
                             .map(Object::toString).toList(),
-                            end.shown("javino.piece.in").stream().sorted((a, b) -> Integer.parseInt(a)
+                            end.shown("javino.fragment.in").stream().sorted((a, b) -> Integer.parseInt(a)
                                     - Integer.parseInt(b)).toList());
                 });
             }
         }
-        vectors("pieces", "asking").forEach(vector -> {
-            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "piece")));
+        vectors("fragments", "asking").forEach(vector -> {
+            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "fragment")));
             check(vector, () -> {
                 shows(index, "origin", text(vector, "origin"));
-                shows(index, "piece.id", digit(text(vector, "id")));
-                shows(index, "piece.index", text(vector, "index"));
-                shows(index, "piece.asks", 1);
-                has(index, "piece.part", text(vector, "part"));
+                shows(index, "fragment.id", digit(text(vector, "id")));
+                shows(index, "fragment.index", text(vector, "index"));
+                shows(index, "fragment.asks", 1);
+                has(index, "fragment.part", text(vector, "part"));
             });
         });
-        vectors("pieces", "invalid").forEach(vector -> {
-            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "piece")));
+        vectors("fragments", "invalid").forEach(vector -> {
+            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "fragment")));
             boolean fromSerial = text(vector, "why").equals("from the serial line");
-            check(vector, () -> fails(index, fromSerial ? "radioBadFrames" : "radioPiecesDropped"));
+            check(vector, () -> fails(index, fromSerial ? "radioBadFrames" : "radioFragmentsDropped"));
         });
         dissect();
     }

@@ -12,7 +12,7 @@ final class Ages {
     /** By so much a clock may be slow: one ms in a second. */
     private static final double DRIFT = 0.001;
 
-    private final Bounded<String, Fastest> gateways = new Bounded<>(MOST);
+    private final BoundedMap<String, Fastest> gateways = new BoundedMap<>(MOST);
 
     /** @param difference of the two clocks, with the way of the fastest message, at that time. */
     private record Fastest(double difference, long now) {

@@ -16,7 +16,7 @@ final class DeviceLocations {
     private static final int MOST_HERE = 256;
 
     private final String here;
-    private final Bounded<Address, Place> places = new Bounded<>(MOST);
+    private final BoundedMap<Address, Place> places = new BoundedMap<>(MOST);
 
     /**
      * @param heard when, in ms.
@@ -56,7 +56,7 @@ final class DeviceLocations {
         places.replaceAll((device, place) -> new Place(place.cell, place.heard, NEVER));
     }
 
-    /** Removes the one of too many devices here that was silent for the longest time: strangers can invent devices. */
+    /** Removes the one of too many devices here that was silent for the longest time: attackers can invent devices. */
     Optional<Address> surplus() {
         if (places.values().stream().filter(place -> place.cell.equals(here)).count() <= MOST_HERE) {
             return Optional.empty();

@@ -15,7 +15,7 @@ final class FrameHistory {
     private static final int MOST = 2048;
     private static final int MOST_GATEWAYS = 8;
 
-    private final Bounded<Bytes, Sighting> frames = new Bounded<>(MOST);
+    private final BoundedMap<Bytes, Sighting> frames = new BoundedMap<>(MOST);
 
     /** One frame. */
     static final class Sighting {

@@ -200,7 +200,7 @@ final class Gateway implements AutoCloseable {
         public void overheard(PollReply.Overheard packet) {
             synchronized (Gateway.this) {
                 counters.count(GatewayCounter.HEARD);
-                if (packet.how() == PollReply.Came.DAMAGED) {
+                if (packet.how() == PollReply.Reception.DAMAGED) {
                     counters.count(GatewayCounter.DAMAGED);
                 } else if (router.heard(packet.payload(), now())) {
                     counters.count(publish(packet) ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);

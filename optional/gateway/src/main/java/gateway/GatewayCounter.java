@@ -26,7 +26,7 @@ enum GatewayCounter {
     ANSWERED("answered"),
     /** Of these, frames for other cells. */
     ELSEWHERE("elsewhere"),
-    /** Of these, pieces of a message whose first piece is not known. */
+    /** Of these, fragments of a message whose first fragment is not known. */
     ORPHANS("orphans"),
     /** Of these, frames that would have taken more of the air than a gateway may take. */
     OVER_BUDGET("overBudget"),

@@ -29,7 +29,7 @@ final class Outgoing {
     /** Takes a frame in, unless there is no room for it, or the same waits already and would be repeated. */
     void add(Frame frame, long until) {
         Address.Kind kind = frame.destination().kind();
-        boolean repeated = kind == Address.Kind.DEVICE || kind == Address.Kind.PIECE;
+        boolean repeated = kind == Address.Kind.DEVICE || kind == Address.Kind.FRAGMENT;
         if (repeated && (frame.equals(underWay) || waiting.stream().anyMatch(other -> other.frame.equals(frame)))) {
             counters.count(GatewayCounter.DUPLICATES);
         } else if (waiting.size() == MOST) {

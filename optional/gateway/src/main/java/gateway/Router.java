@@ -30,7 +30,7 @@ final class Router {
     private final Effects effects;
     private final GatewayCounters counters;
     private final FrameHistory frameHistory = new FrameHistory();
-    private final Conversations conversations = new Conversations();
+    private final Exchanges exchanges = new Exchanges();
     private final DeviceLocations locations;
     private final Budget all;
     private final Budget searches;
@@ -77,7 +77,7 @@ final class Router {
             counters.count(GatewayCounter.ECHOES);
             return false;
         }
-        conversations.learn(frame, true, now);
+        exchanges.learn(frame, true, now);
         settle(frame.origin(), now);
         return true;
     }
@@ -98,13 +98,13 @@ final class Router {
         Frame frame = read.get();
         if (from.equals(cell)) {
             // Of another gateway of this cell, which may hear what this one does not.
-            conversations.learn(frame, true, now);
+            exchanges.learn(frame, true, now);
             settle(frame.origin(), now);
             return;
         }
         FrameHistory.Sighting sighting = frameHistory.of(packet);
         int nth = sighting.arrived(gateway, now);
-        conversations.learn(frame, false, now);
+        exchanges.learn(frame, false, now);
         if (sighting.isNew()) {
             locations.heard(frame.origin(), from, now);
         }
@@ -148,14 +148,14 @@ final class Router {
         }
         long airtime = Airtime.millis(Frame.HEADER_LENGTH + frame.message().length());
         if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
-            return !conversations.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
+            return !exchanges.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
                     : within(all.take(airtime, now));
         }
-        if (conversations.isAnswered(frame, now)) {
+        if (exchanges.isAnswered(frame, now)) {
             return Optional.of(GatewayCounter.ANSWERED);
         }
-        Optional<Address> destination = frame.destination().kind() == Address.Kind.PIECE
-                ? conversations.destination(frame) : Optional.of(frame.destination());
+        Optional<Address> destination = frame.destination().kind() == Address.Kind.FRAGMENT
+                ? exchanges.destination(frame) : Optional.of(frame.destination());
         if (destination.isEmpty()) {
             return Optional.of(GatewayCounter.ORPHANS);
         }
@@ -175,7 +175,7 @@ final class Router {
             case DEVICE -> locations.of(destination, now).filter(cell::equals).isPresent();
             case MULTICAST -> locations.hasMemberHere(destination, now);
             case BROADCAST -> broadcasts;
-            case SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
+            case SERIAL, FRAGMENT, ACKNOWLEDGEMENT, RESERVED -> false;
         };
     }
 
@@ -184,7 +184,7 @@ final class Router {
         return switch (destination.kind()) {
             case DEVICE -> nth % SEARCH_EVERY == 0 || nth <= 2 && locations.of(destination, now).isEmpty();
             case MULTICAST -> nth <= 2 && !locations.hasMemberBeside(sender, destination, now);
-            case BROADCAST, SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
+            case BROADCAST, SERIAL, FRAGMENT, ACKNOWLEDGEMENT, RESERVED -> false;
         };
     }
 
@@ -195,7 +195,7 @@ final class Router {
             boolean possible = packet.length() <= LONGEST && frame.origin().kind() == Address.Kind.DEVICE
                     && switch (frame.destination().kind()) {
                         case SERIAL, RESERVED -> false;
-                        case DEVICE, BROADCAST, MULTICAST, PIECE, ACKNOWLEDGEMENT -> true;
+                        case DEVICE, BROADCAST, MULTICAST, FRAGMENT, ACKNOWLEDGEMENT -> true;
                     };
             return possible ? Optional.of(frame) : Optional.empty();
         } catch (ProtocolException none) {

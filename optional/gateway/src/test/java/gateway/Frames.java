@@ -30,8 +30,8 @@ final class Frames {
         return of(numbered("+K", nonce & 0xFFF), by, Bytes.ofNumber(proof, 8));
     }
 
-    /** A piece of a sealed message. */
-    static Bytes piece(String to, String from, int id, int index, int nonce) {
+    /** A fragment of a sealed message. */
+    static Bytes fragment(String to, String from, int id, int index, int nonce) {
         Bytes whole = Bytes.join(Bytes.ofText(to + from + "Aw"), Bytes.ofNumber(nonce, 6));
         return of(numbered("+F", id << 6 | index), from,
                 index % 8 == 0 ? whole : Bytes.ofNumber(nonce * 7L + index, 7));

@@ -209,9 +209,9 @@ class RouterTest {
     }
 
     @Test
-    void acknowledgement_ofAMessageInPieces_isRelayed() {
-        heard(Frames.piece("ROMA", "SUPO", 5, 0, 3));
-        heard(Frames.piece("ROMA", "SUPO", 5, 9, 3));
+    void acknowledgement_ofAMessageInFragments_isRelayed() {
+        heard(Frames.fragment("ROMA", "SUPO", 5, 0, 3));
+        heard(Frames.fragment("ROMA", "SUPO", 5, 9, 3));
         assertTrue(relays(Frames.acknowledgement("ROMA", 3)));
     }
 
@@ -261,15 +261,15 @@ class RouterTest {
     }
 
     @Test
-    void pieces_goWhereTheirFirstOneGoes() {
+    void fragments_goWhereTheirFirstOneGoes() {
         heard(Frames.sealed("ROMA", "SUPO", 1));
-        assertTrue(relays(Frames.piece("SUPO", "ROMA", 7, 8, 2)));
-        assertTrue(relays(Frames.piece("SUPO", "ROMA", 7, 1, 2)));
-        assertFalse(relays(Frames.piece("SUPO", "ROMA", 8, 1, 2)));
+        assertTrue(relays(Frames.fragment("SUPO", "ROMA", 7, 8, 2)));
+        assertTrue(relays(Frames.fragment("SUPO", "ROMA", 7, 1, 2)));
+        assertFalse(relays(Frames.fragment("SUPO", "ROMA", 8, 1, 2)));
         assertEquals(1, counters.of(GatewayCounter.ORPHANS));
         relays("north", "n1", Frames.sealed("ROMA", "BUS1", 3));
-        assertFalse(relays(Frames.piece("BUS1", "ROMA", 8, 0, 4)));
-        assertFalse(relays(Frames.piece("BUS1", "ROMA", 8, 1, 4)));
+        assertFalse(relays(Frames.fragment("BUS1", "ROMA", 8, 0, 4)));
+        assertFalse(relays(Frames.fragment("BUS1", "ROMA", 8, 1, 4)));
     }
 
     @Test
@@ -353,7 +353,7 @@ class RouterTest {
         Random random = new Random(18);
         String[] cells = {"west", "east", "north"};
         List<Bytes> frames = new ArrayList<>(List.of(Frames.sealed("SUPO", "ROMA", 1),
-                Frames.acknowledgement("SUPO", 1), Frames.piece("SUPO", "ROMA", 1, 0, 1),
+                Frames.acknowledgement("SUPO", 1), Frames.fragment("SUPO", "ROMA", 1, 0, 1),
                 Frames.of("+FAA", "ROMA", Bytes.EMPTY), Frames.of("+FAA", "ROMA", Bytes.ofText("++++")),
                 Frames.of("SUPO", "ROMA", Bytes.EMPTY), Frames.of("+K//", "ROMA", Bytes.EMPTY),
                 Frames.of("SUPO", "ROMA", Bytes.copyOf(new byte[511])), Bytes.EMPTY));

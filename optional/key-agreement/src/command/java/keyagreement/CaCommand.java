@@ -27,7 +27,7 @@ public final class CaCommand implements FurtherCommand {
 
     private static final String FILE = "The authority's file, which only you can read.";
     private static final String UNTIL = "The last day on which it is valid, such as 2027-11-30; default: in a year.";
-    private static final String KEEPER = "The device gives out the key of its group.";
+    private static final String GROUP_KEY_SERVER = "The device gives out the key of its group.";
 
     @Spec
     private CommandSpec spec;
@@ -41,7 +41,7 @@ public final class CaCommand implements FurtherCommand {
         return new ParameterException(spec.commandLine(), what);
     }
 
-    private void say(Object line) {
+    private void print(Object line) {
         spec.commandLine().getOut().println(line);
     }
 
@@ -51,7 +51,7 @@ public final class CaCommand implements FurtherCommand {
             throws IOException, JavinoException {
         Authority authority = Authority.create(LocalDate.now(), new SecureRandom());
         PrivateFile.create(file, authority.format());
-        say("authority " + authority.keys().fingerprint() + " written to " + file);
+        print("authority " + authority.keys().fingerprint() + " written to " + file);
         return 0;
     }
 
@@ -63,8 +63,8 @@ public final class CaCommand implements FurtherCommand {
                     description = "Where the certificate goes; must not exist yet.") Path out,
             @Option(names = "--until", paramLabel = "DAY",
                     description = UNTIL) LocalDate until,
-            @Option(names = "--keeper",
-                    description = KEEPER) boolean keeper,
+            @Option(names = "--group-key-server",
+                    description = GROUP_KEY_SERVER) boolean groupKeyServer,
             @Option(names = "--replace",
                     description = "Revoke the device's certificate that is valid. A device has one.") boolean replace)
             throws IOException, JavinoException, InterruptedException {
@@ -83,11 +83,11 @@ public final class CaCommand implements FurtherCommand {
                 authority.revoke(authority.valid(asked.address(), today).stream().map(Certificate::serial).toList(),
                         null, today);
             }
-            answer.add(authority.issue(asked, last, keeper, today, new SecureRandom()));
+            answer.add(authority.issue(asked, last, groupKeyServer, today, new SecureRandom()));
             return authority.format();
         });
         Files.writeString(out, answer.get(0).format());
-        say(Authority.parse(PrivateFile.read(file), file).issued().stream().reduce((one, next) -> next).get()
+        print(Authority.parse(PrivateFile.read(file), file).issued().stream().reduce((one, next) -> next).get()
                 + " written to " + out + ", for the request " + asked.fingerprint());
         return 0;
     }
@@ -98,11 +98,11 @@ public final class CaCommand implements FurtherCommand {
         }
     }
 
-    @Command(name = "revoke", description = {"Writes a new notice, which ends certificates.",
+    @Command(name = "revoke", description = {"Writes a new revocation list, which ends certificates.",
             "Without any it tells devices only which day it is. They hand it on among themselves."})
     int revoke(@Option(names = "--ca", required = true, paramLabel = "FILE", description = FILE) Path file,
             @Option(names = "--out", required = true, paramLabel = "FILE",
-                    description = "Where the notice goes; must not exist yet.") Path out,
+                    description = "Where the revocation list goes; must not exist yet.") Path out,
             @Option(names = "--id", paramLabel = "ADDRESS", converter = AddressOption.Device.class,
                     description = "A device whose certificate ends.") List<Address> devices,
             @Option(names = "--least-until", paramLabel = "DAY",
@@ -123,22 +123,22 @@ public final class CaCommand implements FurtherCommand {
             authority.revoke(serials, leastUntil, today);
             return authority.format();
         });
-        Notice notice = Authority.parse(text, file).notice();
-        Files.writeString(out, new Entries().add(Identity.NOTICE, notice.toBytes()).format());
-        say(notice + ", written to " + out);
+        RevocationList revocationList = Authority.parse(text, file).revocationList();
+        Files.writeString(out, new Entries().add(Identity.REVOCATION_LIST, revocationList.toBytes()).format());
+        print(revocationList + ", written to " + out);
         return 0;
     }
 
-    @Command(name = "list", description = "Shows the authority, its last notice and all certificates.")
+    @Command(name = "list", description = "Shows the authority, its last revocation list and all certificates.")
     int list(@Option(names = "--ca", required = true, paramLabel = "FILE", description = FILE) Path file)
             throws IOException {
         Authority authority = Authority.parse(PrivateFile.read(file), file);
-        Notice notice = authority.notice();
-        say("authority " + authority.keys().fingerprint());
-        say(notice);
+        RevocationList revocationList = authority.revocationList();
+        print("authority " + authority.keys().fingerprint());
+        print(revocationList);
         for (Certificate certificate : authority.issued()) {
             long days = ChronoUnit.DAYS.between(LocalDate.now(), certificate.until());
-            say(certificate + ": " + (days < 0 ? "expired" : notice.revokes(certificate) ? "revoked"
+            print(certificate + ": " + (days < 0 ? "expired" : revocationList.revokes(certificate) ? "revoked"
                     : "valid, " + days + " days left"));
         }
         return 0;

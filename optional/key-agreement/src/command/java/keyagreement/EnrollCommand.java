@@ -23,7 +23,8 @@ import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
 /** {@code javino enroll}: has a device certified. */
-@Command(name = "enroll", description = {"Has a device certified by an authority, so that strangers can trust it.",
+@Command(name = "enroll", description = {
+        "Has a device certified by an authority, so that devices without its key can trust it.",
         "First it writes a request. javino ca issue makes a certificate of it, which --certificate then takes in. The "
                 + "device's secret stays in a file that only you can read."})
 public final class EnrollCommand implements FurtherCommand {
@@ -60,15 +61,16 @@ public final class EnrollCommand implements FurtherCommand {
         @Option(names = "--certificate", paramLabel = "FILE", description = "Take in what javino ca issue has written.")
         private Path certificate;
 
-        @Option(names = "--notice", paramLabel = "FILE", description = "Take in what javino ca revoke has written.")
-        private Path notice;
+        @Option(names = "--revocation-list", paramLabel = "FILE",
+                description = "Take in what javino ca revoke has written.")
+        private Path revocationList;
     }
 
     @Override
     public Integer call() throws IOException, JavinoException, InterruptedException {
         if (what.certificate != null) {
             certify(Entries.read(what.certificate));
-        } else if (what.notice != null) {
+        } else if (what.revocationList != null) {
             take();
         } else {
             request(what.request == null ? Path.of(id.toString().replace('/', '-') + ".request") : what.request);
@@ -80,7 +82,7 @@ public final class EnrollCommand implements FurtherCommand {
         return Identity.file(folder, id);
     }
 
-    private void say(String line) {
+    private void print(String line) {
         spec.commandLine().getOut().println(line);
     }
 
@@ -97,7 +99,7 @@ public final class EnrollCommand implements FurtherCommand {
         Entries entries = Entries.parse(PrivateFile.change(file(), this::withRequest), file());
         Request request = Request.decode(entries.get(Request.NAME).orElseThrow());
         Files.writeString(out, new Entries().add(Request.NAME, request.toBytes()).format());
-        say("request " + request.fingerprint() + " of " + id + " written to " + out
+        print("request " + request.fingerprint() + " of " + id + " written to " + out
                 + "; javino ca issue on it, which must name the same number");
     }
 
@@ -121,7 +123,7 @@ public final class EnrollCommand implements FurtherCommand {
         String text = PrivateFile.change(file(), before -> certified(Entries.parse(before, file()), answer).format());
         Identity identity = Identity.of(file(), Entries.parse(text, file()));
         AuthorityKeys keys = AuthorityKeys.decode(answer.get(Identity.AUTHORITY).orElseThrow());
-        say(identity.certificate() + " is in " + file() + "; its authority is " + keys.fingerprint());
+        print(identity.certificate() + " is in " + file() + "; its authority is " + keys.fingerprint());
     }
 
     /**
@@ -142,8 +144,8 @@ public final class EnrollCommand implements FurtherCommand {
                 .add(P256.number(answer.get(Identity.CONTRIBUTION).orElse(Bytes.EMPTY))).mod(P256.ORDER));
         own.set(Identity.SECRET, secret).set(Identity.CERTIFICATE, encoded).remove(REQUEST_SECRET)
                 .remove(Request.NAME);
-        for (Bytes notice : answer.all(Identity.NOTICE)) {
-            Identity.keep(Notice.decode(notice), own);
+        for (Bytes revocationList : answer.all(Identity.REVOCATION_LIST)) {
+            Identity.keep(RevocationList.decode(revocationList), own);
         }
         try {
             Identity.of(file(), own).check(certificate);
@@ -178,9 +180,11 @@ public final class EnrollCommand implements FurtherCommand {
     private void take() throws IOException, JavinoException, InterruptedException {
         Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
                 HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
-        Bytes notice = Entries.read(what.notice).get(Identity.NOTICE).orElseThrow(
-                () -> new JavinoException(what.notice + " has no notice; javino ca revoke writes one"));
-        boolean isNew = identity.take(notice);
-        say(Notice.decode(notice) + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
+        Bytes revocationList = Entries.read(what.revocationList).get(Identity.REVOCATION_LIST).orElseThrow(
+                () -> new JavinoException(
+                        what.revocationList + " has no revocation list; javino ca revoke writes one"));
+        boolean isNew = identity.take(revocationList);
+        print(RevocationList.decode(revocationList)
+                + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
     }
 }

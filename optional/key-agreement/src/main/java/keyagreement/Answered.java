@@ -36,7 +36,7 @@ final class Answered extends Talk {
         shared.count(Event.ANSWERED);
     }
 
-    boolean answers(HostWord first) {
+    boolean answers(KeyAgreementMessage first) {
         return first.kind() == round().first && first.body().equals(message1);
     }
 
@@ -57,7 +57,7 @@ final class Answered extends Talk {
     }
 
     @Override
-    void wasSaid(HostWord word, long now) {
+    void wasSaid(KeyAgreementMessage word, long now) {
         if (word.kind() == round().second) {
             end = now + LIFE_MILLIS;
         }
@@ -73,7 +73,8 @@ final class Answered extends Talk {
     @Override
     void late(long now) {
         if (!due.isEmpty()) {
-            due.forEach(i -> say(HostWord.of(round().second, i, answering.message2()), round().thirdMillis, now));
+            due.forEach(i -> say(KeyAgreementMessage.of(round().second, i, answering.message2()), round().thirdMillis,
+                    now));
             due.clear();
         } else if (end == NEVER || now >= end) {
             shared().count(Event.EXPIRED);
@@ -99,7 +100,7 @@ final class Answered extends Talk {
     }
 
     @Override
-    void heard(HostWord word, long now) {
+    void heard(KeyAgreementMessage word, long now) {
         try {
             Secret secret = answering.finish(word.body());
             Certificate certificate = answering instanceof Responder responder

@@ -18,16 +18,16 @@ import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
 /**
- * An authority with its secrets: it gives certificates and makes notices. It has one key for each of the two. What it
- * has given is in its file, and nowhere else.
+ * An authority with its secrets: it gives certificates and makes revocation lists. It has one key for each of the two.
+ * What it has given is in its file, and nowhere else.
  */
 final class Authority {
 
     private static final String CERTIFICATES = "certificates-secret";
-    private static final String NOTICES = "notices-secret";
+    private static final String REVOCATION_LISTS = "revocation-lists-secret";
     private static final String KEYS = "authority";
     private static final String ISSUED = "issued";
-    private static final String NOTICE = "notice";
+    private static final String REVOCATION_LIST = "revocation-list";
 
     private final Entries entries;
     private final AuthorityKeys keys;
@@ -37,13 +37,13 @@ final class Authority {
         keys = AuthorityKeys.decode(one(KEYS));
     }
 
-    /** A new one, which has made its first notice. */
+    /** A new one, which has made its first revocation list. */
     static Authority create(LocalDate today, SecureRandom random) {
         KeyPair certificates = P256.generate(random);
-        KeyPair notices = P256.generate(random);
-        AuthorityKeys keys = new AuthorityKeys(point(certificates), point(notices));
+        KeyPair revocationLists = P256.generate(random);
+        AuthorityKeys keys = new AuthorityKeys(point(certificates), point(revocationLists));
         Authority authority = new Authority(new Entries().set(CERTIFICATES, number(certificates))
-                .set(NOTICES, number(notices)).set(KEYS, keys.toBytes()));
+                .set(REVOCATION_LISTS, number(revocationLists)).set(KEYS, keys.toBytes()));
         authority.publish(0, today, today, List.of());
         return authority;
     }
@@ -90,9 +90,9 @@ final class Authority {
         }
     }
 
-    Notice notice() {
+    RevocationList revocationList() {
         try {
-            return Notice.decode(one(NOTICE));
+            return RevocationList.decode(one(REVOCATION_LIST));
         } catch (HandshakeException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
         }
@@ -101,16 +101,16 @@ final class Authority {
     /** The certificate of a device that is valid on a day. */
     Optional<Certificate> valid(Address device, LocalDate today) {
         return issued().stream().filter(certificate -> certificate.address().equals(device)
-                && !certificate.until().isBefore(today) && !notice().revokes(certificate)).findFirst();
+                && !certificate.until().isBefore(today) && !revocationList().revokes(certificate)).findFirst();
     }
 
     /**
      * Gives a certificate (SEC 4 section 3.4: the point is R_U + kG, and the contribution r = ek + d).
      *
-     * @return what the device needs: the certificate, its contribution, the keys and the last notice.
+     * @return what the device needs: the certificate, its contribution, the keys and the last revocation list.
      * @throws JavinoException if the device has a valid one, or all serials are given.
      */
-    Entries issue(Request request, LocalDate until, boolean keeper, LocalDate today, SecureRandom random)
+    Entries issue(Request request, LocalDate until, boolean groupKeyServer, LocalDate today, SecureRandom random)
             throws JavinoException {
         Optional<Certificate> before = valid(request.address(), today);
         if (before.isPresent()) {
@@ -123,42 +123,45 @@ final class Authority {
         KeyPair own = P256.generate(random);
         ECPublicKey point = P256.combine(BigInteger.ONE, P256.decompress(request.point()),
                 (ECPublicKey) own.getPublic());
-        Certificate certificate = new Certificate(request.address(), serial, keeper, until, keys.id(),
+        Certificate certificate = new Certificate(request.address(), serial, groupKeyServer, until, keys.id(),
                 P256.compress(point));
         BigInteger contribution = certificate.hash().multiply(P256.number(number(own)))
                 .add(P256.number(one(CERTIFICATES))).mod(P256.ORDER);
         entries.add(ISSUED, certificate.toBytes());
         return new Entries().add(Identity.AUTHORITY, keys.toBytes()).add(Identity.CERTIFICATE, certificate.toBytes())
-                .add(Identity.CONTRIBUTION, P256.bytes(contribution)).add(Identity.NOTICE, one(NOTICE));
+                .add(Identity.CONTRIBUTION, P256.bytes(contribution))
+                .add(Identity.REVOCATION_LIST, one(REVOCATION_LIST));
     }
 
     /**
-     * Makes a new notice. It names again what is revoked and not past.
+     * Makes a new revocation list. It names again what is revoked and not past.
      *
-     * @param today      not before the last notice's day.
-     * @param leastUntil null for the last notice's, or today.
+     * @param today      not before the last revocation list's day.
+     * @param leastUntil null for the last revocation list's, or today.
      * @throws JavinoException if there is no room for so many.
      */
-    Notice revoke(Collection<Integer> revoked, LocalDate leastUntil, LocalDate today) throws JavinoException {
-        Notice last = notice();
+    RevocationList revoke(Collection<Integer> revoked, LocalDate leastUntil, LocalDate today) throws JavinoException {
+        RevocationList last = revocationList();
         if (today.isBefore(last.day())) {
-            throw new JavinoException("the last notice is of " + last.day() + ", and this computer's clock says "
-                    + today + "; set the clock");
+            throw new JavinoException(
+                    "the last revocation list is of " + last.day() + ", and this computer's clock says "
+                            + today + "; set the clock");
         }
         LocalDate least = latest(today, last.leastUntil(), leastUntil);
         TreeSet<Integer> serials = new TreeSet<>(revoked);
         serials.addAll(last.serials());
         issued().stream().filter(certificate -> certificate.until().isBefore(least))
                 .forEach(certificate -> serials.remove(certificate.serial()));
-        if (serials.size() > Notice.MAX_SERIALS) {
-            throw new JavinoException("a notice names up to " + Notice.MAX_SERIALS + " certificates, not "
-                    + serials.size() + "; --least-until revokes all that end before a day");
+        if (serials.size() > RevocationList.MAX_SERIALS) {
+            throw new JavinoException(
+                    "a revocation list names up to " + RevocationList.MAX_SERIALS + " certificates, not "
+                            + serials.size() + "; --least-until revokes all that end before a day");
         }
         if (last.sequence() == 0xFFFF) {
-            throw new JavinoException("all 65536 notices are made; make another authority");
+            throw new JavinoException("all 65536 revocation lists are made; make another authority");
         }
         publish(last.sequence() + 1, today, least, List.copyOf(serials));
-        return notice();
+        return revocationList();
     }
 
     private static LocalDate latest(LocalDate one, LocalDate other, LocalDate perhaps) {
@@ -167,7 +170,7 @@ final class Authority {
     }
 
     private void publish(int sequence, LocalDate day, LocalDate leastUntil, List<Integer> serials) {
-        ECPrivateKey secret = P256.secret(P256.number(one(NOTICES)));
-        entries.set(NOTICE, Notice.sign(keys, secret, sequence, day, leastUntil, serials).toBytes());
+        ECPrivateKey secret = P256.secret(P256.number(one(REVOCATION_LISTS)));
+        entries.set(REVOCATION_LIST, RevocationList.sign(keys, secret, sequence, day, leastUntil, serials).toBytes());
     }
 }

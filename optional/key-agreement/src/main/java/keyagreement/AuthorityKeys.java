@@ -9,9 +9,9 @@ import keyagreement.edhoc.P256;
  * The public keys of an authority.
  *
  * @param certificates the key of certificates, 33 bytes, compressed.
- * @param notices      the key of notices, 33 bytes, compressed.
+ * @param revocationLists      the key of revocation lists, 33 bytes, compressed.
  */
-public record AuthorityKeys(Bytes certificates, Bytes notices) {
+public record AuthorityKeys(Bytes certificates, Bytes revocationLists) {
 
     private static final int LENGTH = 2 * P256.POINT_LENGTH;
 
@@ -23,7 +23,7 @@ public record AuthorityKeys(Bytes certificates, Bytes notices) {
             }
             AuthorityKeys keys = new AuthorityKeys(bytes.slice(0, P256.POINT_LENGTH), bytes.from(P256.POINT_LENGTH));
             P256.decompress(keys.certificates);
-            P256.decompress(keys.notices);
+            P256.decompress(keys.revocationLists);
             return keys;
         } catch (HandshakeException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
@@ -32,10 +32,10 @@ public record AuthorityKeys(Bytes certificates, Bytes notices) {
 
     /** 66 bytes. */
     Bytes toBytes() {
-        return Bytes.join(certificates, notices);
+        return Bytes.join(certificates, revocationLists);
     }
 
-    /** The first byte of {@link #fingerprint}: what certificates and notices call this authority. */
+    /** The first byte of {@link #fingerprint}: what certificates and revocation lists call this authority. */
     public int id() {
         return fingerprint().at(0);
     }

@@ -99,7 +99,7 @@ final class Begun extends Talk {
     }
 
     @Override
-    void heard(HostWord word, long now) {
+    void heard(KeyAgreementMessage word, long now) {
         if (!isOpen()) {
             shared().count(Event.STRAY);
             return;
@@ -134,7 +134,7 @@ final class Begun extends Talk {
     }
 
     @Override
-    void wasSaid(HostWord word, long now) {
+    void wasSaid(KeyAgreementMessage word, long now) {
         if (word.kind() == round().third) {
             thirdSaid = true;
             setDeadline(now + THIRD_KEPT_MILLIS);

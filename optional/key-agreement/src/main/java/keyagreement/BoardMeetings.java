@@ -42,18 +42,18 @@ import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
- * Keys with strangers for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
- * certificate for the board's address, or the agent refuses strangers, it does nothing.
+ * Key agreement for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
+ * certificate for the board's address, or the agent refuses it, it does nothing.
  */
 public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
 
-    /** Messages to the own group that wait for its key, and how long in ms: a keeper needs some seconds. */
+    /** Messages to the own group that wait for its key, and how long in ms: a group key server needs some seconds. */
     private static final int MOST_FOR_GROUP = 8;
     private static final long GROUP_MILLIS = 30_000;
     private static final long NEVER = Long.MAX_VALUE;
@@ -106,7 +106,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         public KeyService of(Diffuser diffuser) {
             return new BoardMeetings(folder(), new WallClock("key agreement of " + diffuser.getAgName()),
                     thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
-                            "a step towards a stranger has failed: " + thrown, thrown));
+                            "a step of key agreement has failed: " + thrown, thrown));
         }
 
         private static Path folder() {
@@ -132,13 +132,13 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
      */
     public static BoardMeetings of(Diffuser diffuser) throws JasonException {
         return diffuser.service(BoardMeetings.class).orElseThrow(() -> new Failure("no_certificate",
-                "another library finds keys for strangers here").toException());
+                "another library agrees on keys here").toException());
     }
 
     // What the agent wants
 
     /**
-     * Welcomes strangers with certificates, or refuses all.
+     * Accepts certified devices, or refuses all.
      *
      * @return completes when it is so; fails with what {@link Failure#of} reads if there is no certificate. Completes
      *         at once where there is no board with an address yet.
@@ -207,7 +207,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         after(Peer.MOST_MILLIS, () -> errand.end(Outcome.UNDELIVERED));
         after(GROUP_MILLIS, () -> {
             if (forGroup.remove(errand)) {
-                errand.fail("no_key", "the board has no key for " + errand.to() + ", and no keeper of the group has"
+                errand.fail("no_key", "the board has no key for " + errand.to() + ", and no group key server has"
                         + " given one within " + GROUP_MILLIS / 1000 + " s");
             }
         });
@@ -260,7 +260,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             }
             sharesGroup = identity.isPresent();
             if (identity.isPresent() && !refuses) {
-                keepsGroup = identity.get().certificate().keeper();
+                keepsGroup = identity.get().certificate().groupKeyServer();
                 Optional<Key> groupKey = keepsGroup ? keptGroupKey() : Optional.empty();
                 meetings = new Meetings(identity.get(), groupKey, this, new SecureRandom());
                 if (keepsGroup) {
@@ -274,14 +274,14 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         }
     }
 
-    /** Forgets all strangers, and has the board forget them. */
+    /** Forgets all certified devices, and has the board forget them. */
     private void close() {
         if (meetings == null) {
             return;
         }
         meetings = null;
         Stream.concat(errands.values().stream(), forGroup.stream()).forEach(errand -> errand.fail("no_key",
-                "the board has no key for " + errand.to() + ", and no strangers are met by it any more"));
+                "the board has no key for " + errand.to() + ", and agrees on keys with nobody any more"));
         errands.clear();
         forGroup.clear();
         given.forEach(host::deleteKey);
@@ -291,7 +291,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     @Override
-    public void word(Address from, Address to, Word word) {
+    public void hostMessage(Address from, Address to, HostMessage word) {
         execute(() -> {
             Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.TrustLevel.PROVISIONED
                     : diffuser.TrustLevel.CERTIFIED);
@@ -346,15 +346,16 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     // What the meetings want done
 
     @Override
-    public void broadcast(Word word) {
+    public void broadcast(HostMessage word) {
         host.transmit(Address.BROADCAST, word).end()
                 .whenComplete((outcome, thrown) -> execute(() -> inMeetings(all -> all.said(millis()))));
     }
 
     @Override
-    public void unicast(Address to, Word word) {
+    public void unicast(Address to, HostMessage word) {
         Transmission transmission = host.transmit(to, word);
-        boolean ofAgent = HostWord.opened(word).filter(read -> read.kind() == HostWord.Kind.CONTENT).isPresent();
+        boolean ofAgent = KeyAgreementMessage.opened(word)
+                .filter(read -> read.kind() == KeyAgreementMessage.Kind.CONTENT).isPresent();
         // Messages to one device go one after the other.
         Optional<Errand> errand = ofAgent
                 ? errands.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();
@@ -393,7 +394,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     private static Throwable noPlace(Address device) {
-        return new Failure("no_place", "the board has no place for the key with the stranger " + device
+        return new Failure("no_place", "the board has no place for the key with the certified device " + device
                 + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more").toException();
     }
 
@@ -461,7 +462,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         host.warn(what);
     }
 
-    // The key of the group, of its keeper
+    // The key of the group, from its server
 
     private Path groupFile() {
         return folder.resolve(self.toString().replace('/', '-') + ".group");

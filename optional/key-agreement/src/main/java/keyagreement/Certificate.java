@@ -18,12 +18,13 @@ import keyagreement.edhoc.P256;
  *
  * @param address   whose it is; a device.
  * @param serial    0…65535; the authority gives each once.
- * @param keeper    whether it gives out the key of its group.
+ * @param groupKeyServer    whether it gives out the key of its group.
  * @param until     the last day on which it is valid; 1970-01-01…2149-06-06.
  * @param authority which authority gave it, 0…255: {@link AuthorityKeys#id}.
  * @param point     33 bytes, compressed (SEC 1 section 2.3.3).
  */
-public record Certificate(Address address, int serial, boolean keeper, LocalDate until, int authority, Bytes point) {
+public record Certificate(Address address, int serial, boolean groupKeyServer, LocalDate until, int authority,
+        Bytes point) {
 
     /** The number of bytes. */
     public static final int LENGTH = 42;
@@ -52,7 +53,8 @@ public record Certificate(Address address, int serial, boolean keeper, LocalDate
 
     /** The 42 bytes. */
     public Bytes toBytes() {
-        return Bytes.join(Bytes.ofNumber(address.value(), 3), Bytes.ofNumber(serial, 2), Bytes.of(keeper ? 1 : 0),
+        return Bytes.join(Bytes.ofNumber(address.value(), 3), Bytes.ofNumber(serial, 2),
+                Bytes.of(groupKeyServer ? 1 : 0),
                 Days.encode(until), Bytes.of(authority), point);
     }
 
@@ -84,6 +86,7 @@ public record Certificate(Address address, int serial, boolean keeper, LocalDate
     /** Such as {@code certificate 3 of SUPO until 2027-11-24}. */
     @Override
     public String toString() {
-        return "certificate " + serial + " of " + address + " until " + until + (keeper ? ", keeper" : "");
+        return "certificate " + serial + " of " + address + " until " + until
+                + (groupKeyServer ? ", group key server" : "");
     }
 }

@@ -2,15 +2,15 @@ package keyagreement;
 
 import java.util.Locale;
 
-/** What became of a message to a stranger. */
+/** What became of a message to a certified device. */
 public enum Ending {
-    /** The stranger's host has taken it. */
+    /** The device's host has taken it. */
     DELIVERED,
     /** There is no proof of that; it may have arrived all the same. */
     UNDELIVERED,
     /** Nobody of that address has proved a certificate that counts here. */
     NO_ANSWER,
-    /** A notice of the authority names the certificate. */
+    /** A revocation list of the authority names the certificate. */
     REVOKED,
     /** The certificate's last day is past. */
     EXPIRED,

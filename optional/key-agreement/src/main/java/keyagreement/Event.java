@@ -32,6 +32,6 @@ public enum Event {
     DUPLICATES,
     /** Messages that were sent again under another key. */
     RESENT,
-    /** Notices taken that are newer than all before. */
-    NOTICES
+    /** Revocation lists taken that are newer than all before. */
+    REVOCATION_LISTS
 }

@@ -20,14 +20,14 @@ import keyagreement.edhoc.P256;
 import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Secret;
 
-/** What a device is to strangers: its certificate and secret, the authorities that it trusts, their last notices. */
+/** What certifies a device: its certificate and secret, the authorities that it trusts, their last revocation lists. */
 public final class Identity {
 
     // Lines of a device's file, and of what an authority answers.
     static final String SECRET = "secret";
     static final String CERTIFICATE = "certificate";
     static final String AUTHORITY = "authority";
-    static final String NOTICE = "notice";
+    static final String REVOCATION_LIST = "revocation-list";
     static final String CONTRIBUTION = "contribution";
 
     private static final int KEY_LABEL = 32768;
@@ -37,7 +37,7 @@ public final class Identity {
     private final ECPrivateKey secret;
     private final Credential credential;
     private final List<AuthorityKeys> authorities = new ArrayList<>();
-    private final List<Notice> notices = new ArrayList<>();
+    private final List<RevocationList> revocationLists = new ArrayList<>();
 
     private Identity(Path file, Entries entries) throws HandshakeException {
         this.file = file;
@@ -48,9 +48,9 @@ public final class Identity {
         if (!P256.publicX(secret).equals(P256.x(credential.key()))) {
             throw new HandshakeException(Reason.NOT_CERTIFIED, "the secret is not that of the certificate");
         }
-        for (Bytes notice : entries.all(NOTICE)) {
-            verified(notice);
-            notices.add(Notice.decode(notice));
+        for (Bytes revocationList : entries.all(REVOCATION_LIST)) {
+            verified(revocationList);
+            revocationLists.add(RevocationList.decode(revocationList));
         }
     }
 
@@ -131,33 +131,34 @@ public final class Identity {
     }
 
     /**
-     * Whether a certificate may be believed now: its authority is trusted, its day not past, and no notice names it. To
-     * be asked again before a renewal.
+     * Whether a certificate may be believed now: its authority is trusted, its day not past, and no revocation list
+     * names it. To be asked again before a renewal.
      */
     public synchronized void check(Certificate other) throws HandshakeException {
         authority(other.authority());
         if (other.until().isBefore(today())) {
             throw new HandshakeException(Reason.EXPIRED, "the " + other + " is past: it is " + today() + " by "
-                    + (today().equals(noticedDay()) ? "the authority's notice" : "this computer's clock"));
+                    + (today().equals(latestListedDay()) ? "the authority's revocation list"
+                            : "this computer's clock"));
         }
-        for (Notice notice : notices) {
-            if (notice.authority() == other.authority() && notice.revokes(other)) {
-                throw new HandshakeException(Reason.REVOKED, "the " + other + " is revoked by " + notice);
+        for (RevocationList revocationList : revocationLists) {
+            if (revocationList.authority() == other.authority() && revocationList.revokes(other)) {
+                throw new HandshakeException(Reason.REVOKED, "the " + other + " is revoked by " + revocationList);
             }
         }
     }
 
     /**
-     * The latest day ever seen in a notice, or that of the clock if that is later. The clock's is not kept: one that
-     * was years ahead once would end all certificates for ever.
+     * The latest day ever seen in a revocation list, or that of the clock if that is later. The clock's is not kept:
+     * one that was years ahead once would end all certificates for ever.
      */
     private LocalDate today() {
         LocalDate clock = LocalDate.now();
-        return clock.isAfter(noticedDay()) ? clock : noticedDay();
+        return clock.isAfter(latestListedDay()) ? clock : latestListedDay();
     }
 
-    private LocalDate noticedDay() {
-        return notices.stream().map(Notice::day).max(LocalDate::compareTo).orElse(LocalDate.EPOCH);
+    private LocalDate latestListedDay() {
+        return revocationLists.stream().map(RevocationList::day).max(LocalDate::compareTo).orElse(LocalDate.EPOCH);
     }
 
     private AuthorityKeys authority(int id) throws HandshakeException {
@@ -169,52 +170,52 @@ public final class Identity {
         return new HandshakeException(Reason.NOT_CERTIFIED, what);
     }
 
-    /** The newest notice of each authority that was trusted, to be handed on. */
-    public synchronized List<Notice> notices() {
-        return List.copyOf(notices);
+    /** The newest revocation list of each authority that was trusted, to be handed on. */
+    public synchronized List<RevocationList> revocationLists() {
+        return List.copyOf(revocationLists);
     }
 
     /**
-     * Takes a notice that came from anybody, and keeps it in the file.
+     * Takes a revocation list that came from anybody, and keeps it in the file.
      *
      * @return whether it is newer than all before.
      * @throws HandshakeException if it is forged or of no trusted authority.
      */
     public synchronized boolean take(Bytes bytes) throws IOException, JavinoException, InterruptedException {
-        Notice notice = verified(bytes);
-        if (!isNewer(notice, notices)) {
+        RevocationList revocationList = verified(bytes);
+        if (!isNewer(revocationList, revocationLists)) {
             return false;
         }
-        PrivateFile.change(file, text -> keep(notice, Entries.parse(text, file)).format());
-        notices.removeIf(each -> each.authority() == notice.authority());
-        notices.add(notice);
+        PrivateFile.change(file, text -> keep(revocationList, Entries.parse(text, file)).format());
+        revocationLists.removeIf(each -> each.authority() == revocationList.authority());
+        revocationLists.add(revocationList);
         return true;
     }
 
-    private Notice verified(Bytes bytes) throws HandshakeException {
-        Notice notice = Notice.decode(bytes);
-        if (!notice.isOf(authority(notice.authority()))) {
-            throw refused("the " + notice + " is not signed by its authority");
+    private RevocationList verified(Bytes bytes) throws HandshakeException {
+        RevocationList revocationList = RevocationList.decode(bytes);
+        if (!revocationList.isOf(authority(revocationList.authority()))) {
+            throw refused("the " + revocationList + " is not signed by its authority");
         }
-        return notice;
+        return revocationList;
     }
 
-    private static boolean isNewer(Notice notice, List<Notice> than) {
-        return than.stream().noneMatch(each -> each.authority() == notice.authority()
-                && each.sequence() >= notice.sequence());
+    private static boolean isNewer(RevocationList revocationList, List<RevocationList> than) {
+        return than.stream().noneMatch(each -> each.authority() == revocationList.authority()
+                && each.sequence() >= revocationList.sequence());
     }
 
-    /** Puts a notice in the place of an older one of its authority. */
-    static Entries keep(Notice notice, Entries entries) throws HandshakeException {
-        List<Notice> kept = new ArrayList<>();
-        for (Bytes bytes : entries.all(NOTICE)) {
-            kept.add(Notice.decode(bytes));
+    /** Puts a revocation list in the place of an older one of its authority. */
+    static Entries keep(RevocationList revocationList, Entries entries) throws HandshakeException {
+        List<RevocationList> kept = new ArrayList<>();
+        for (Bytes bytes : entries.all(REVOCATION_LIST)) {
+            kept.add(RevocationList.decode(bytes));
         }
-        if (isNewer(notice, kept)) {
-            entries.remove(NOTICE);
-            kept.removeIf(each -> each.authority() == notice.authority());
-            kept.forEach(each -> entries.add(NOTICE, each.toBytes()));
-            entries.add(NOTICE, notice.toBytes());
+        if (isNewer(revocationList, kept)) {
+            entries.remove(REVOCATION_LIST);
+            kept.removeIf(each -> each.authority() == revocationList.authority());
+            kept.forEach(each -> entries.add(REVOCATION_LIST, each.toBytes()));
+            entries.add(REVOCATION_LIST, revocationList.toBytes());
         }
         return entries;
     }

@@ -12,12 +12,12 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import keyagreement.edhoc.HandshakeException;
 
 /**
  * How a host comes to a key with hosts that it has never met (SPEC 11.3): handshakes, the messages that wait for them,
- * notices, the keys of groups. It opens nothing and has no thread: it is told what happens, and tells an
+ * revocation lists, the keys of groups. It opens nothing and has no thread: it is told what happens, and tells an
  * {@link Outside} what to do.
  *
  * <p>A caller with a {@link javino.board.Board}
@@ -51,13 +51,13 @@ public final class Meetings {
          * Sends {@code board.transmit(Address.BROADCAST, word)}; when that has ended, however it has,
          * {@link Meetings#said} is called. There is one at a time.
          */
-        void broadcast(Word word);
+        void broadcast(HostMessage word);
 
         /**
          * Sends {@code board.transmit(to, word)}; then {@link Meetings#sent} is called. There is one at a time for each
          * address.
          */
-        void unicast(Address to, Word word);
+        void unicast(Address to, HostMessage word);
 
         /** Calls {@code board.setSessionKey(device, key)}, and then {@link Meetings#keySet}. */
         void setSessionKey(Address device, Key key);
@@ -66,7 +66,7 @@ public final class Meetings {
         void deleteKey(Address device);
 
         /**
-         * Calls {@code board.setKey(group, key)}: it is kept in EEPROM. The keeper also keeps it itself, for
+         * Calls {@code board.setKey(group, key)}: it is kept in EEPROM. The group key server also keeps it itself, for
          * {@link Meetings#Meetings}.
          */
         void setGroupKey(Address group, Key key);
@@ -98,14 +98,14 @@ public final class Meetings {
 
     /**
      * @param identity the device's own.
-     * @param groupKey of a keeper, what {@link Outside#setGroupKey} had it keep last; else nothing.
+     * @param groupKey of a group key server, what {@link Outside#setGroupKey} had it keep last; else nothing.
      * @param random   for keys, nonces and waits.
      */
     public Meetings(Identity identity, Optional<Key> groupKey, Outside outside, SecureRandom random) {
         shared = new Shared(identity, outside, random);
         self = identity.certificate().address();
         groupKey.ifPresent(shared::setGroupKey);
-        if (identity.certificate().keeper() && groupKey.isEmpty()) {
+        if (identity.certificate().groupKeyServer() && groupKey.isEmpty()) {
             makeGroupKey();
         }
     }
@@ -127,7 +127,7 @@ public final class Meetings {
      */
     public Optional<Long> send(Address to, Content content, long now) {
         if (to.kind() != Address.Kind.DEVICE || to.equals(self)) {
-            throw new IllegalArgumentException("a message to a stranger goes to another device, not to " + to);
+            throw new IllegalArgumentException("a message goes to another device, not to " + to);
         }
         long ticket = lastTicket + 1;
         Optional<Peer> peer = peer(to);
@@ -139,11 +139,12 @@ public final class Meetings {
     }
 
     /**
-     * Asks the keeper of the own group for its key, by one broadcast that may be lost; what comes of it is
+     * Asks the group key server of the own group for its key, by one broadcast that may be lost; what comes of it is
      * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
      */
     public void wantGroupKey(long now) {
-        shared.speech().say(new HostWord(HostWord.Kind.GROUP, 0, Bytes.EMPTY), Address.multicast(self.group()), now,
+        shared.speech().say(new KeyAgreementMessage(KeyAgreementMessage.Kind.GROUP, 0, Bytes.EMPTY),
+                Address.multicast(self.group()), now,
                 (then, took) -> {
                 });
     }
@@ -156,12 +157,12 @@ public final class Meetings {
     // What the board tells.
 
     /** A plain word came. */
-    public void heard(Address from, Word word, long now) {
-        Optional<HostWord> read = HostWord.plain(word);
-        Optional<Address> to = HostWord.addressee(word);
+    public void heard(Address from, HostMessage word, long now) {
+        Optional<KeyAgreementMessage> read = KeyAgreementMessage.plain(word);
+        Optional<Address> to = KeyAgreementMessage.addressee(word);
         if (from.equals(self) || read.isEmpty()) {
             shared.count(Event.MALFORMED);
-        } else if (read.get().kind() == HostWord.Kind.GROUP) {
+        } else if (read.get().kind() == KeyAgreementMessage.Kind.GROUP) {
             groupWanted(from, to.orElseThrow(), now);
         } else if (!to.get().equals(self)) {
             shared.count(Event.OVERHEARD);
@@ -171,19 +172,19 @@ public final class Meetings {
         }
     }
 
-    private void heard(Address from, HostWord word, long now) {
+    private void heard(Address from, KeyAgreementMessage word, long now) {
         switch (word.kind()) {
             case MESSAGE_1 -> first(from, word, Talk.Round.FULL, now);
             case RENEWAL_1 -> first(from, word, Talk.Round.RENEWAL, now);
             case MESSAGE_2, RENEWAL_2 -> known(from).ifPresent(peer -> peer.second(word, now));
             case MESSAGE_3, RENEWAL_3 -> known(from).ifPresent(peer -> peer.third(word, now));
             case WANT -> known(from).ifPresent(peer -> peer.wanted(word.body().at(0), now));
-            case GROUP, CONTENT, SEQUENCES, NOTICE, GROUP_KEY ->
-                throw new IllegalArgumentException("not from a stranger: " + word);
+            case GROUP, CONTENT, SEQUENCES, REVOCATION_LIST, GROUP_KEY ->
+                throw new IllegalArgumentException("not without a session key: " + word);
         }
     }
 
-    private void first(Address from, HostWord word, Talk.Round round, long now) {
+    private void first(Address from, KeyAgreementMessage word, Talk.Round round, long now) {
         if (!open) {
             shared.count(Event.LIMITED);
             return;
@@ -223,7 +224,7 @@ public final class Meetings {
     }
 
     private void groupWanted(Address from, Address group, long now) {
-        if (!open || !shared.identity().certificate().keeper() || !group.equals(Address.multicast(self.group()))
+        if (!open || !shared.identity().certificate().groupKeyServer() || !group.equals(Address.multicast(self.group()))
                 || !from.group().equals(self.group())) {
             shared.count(Event.OVERHEARD);
             return;
@@ -240,8 +241,8 @@ public final class Meetings {
     }
 
     /** A word came sealed, in a unicast. */
-    public void received(Address from, Word word, long now) {
-        Optional<HostWord> read = HostWord.opened(word);
+    public void received(Address from, HostMessage word, long now) {
+        Optional<KeyAgreementMessage> read = KeyAgreementMessage.opened(word);
         if (read.isEmpty()) {
             shared.count(Event.MALFORMED);
             return;
@@ -252,18 +253,18 @@ public final class Meetings {
             return;
         }
         switch (read.get().kind()) {
-            case NOTICE -> notice(read.get().body(), now);
+            case REVOCATION_LIST -> revocationList(read.get().body(), now);
             case GROUP_KEY -> groupKey(peer.get(), read.get().body());
             default -> peer.get().opened(read.get(), now);
         }
     }
 
-    private void notice(Bytes notice, long now) {
+    private void revocationList(Bytes revocationList, long now) {
         try {
-            if (shared.identity().take(notice)) {
-                shared.count(Event.NOTICES);
+            if (shared.identity().take(revocationList)) {
+                shared.count(Event.REVOCATION_LISTS);
                 peers.values().forEach(Peer::check);
-                if (shared.identity().certificate().keeper()) {
+                if (shared.identity().certificate().groupKeyServer()) {
                     // Whoever it names has the key of the group.
                     makeGroupKey();
                     List.copyOf(peers.values()).forEach(peer -> peer.giveGroupKey(now));
@@ -272,7 +273,7 @@ public final class Meetings {
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
         } catch (IOException | JavinoException e) {
-            shared.outside().warn("a notice of the authority could not be kept: " + e.getMessage());
+            shared.outside().warn("a revocation list of the authority could not be kept: " + e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -285,7 +286,7 @@ public final class Meetings {
     }
 
     private void groupKey(Peer from, Bytes key) {
-        if (from.isKeeper()) {
+        if (from.isGroupKeyServer()) {
             shared.outside().setGroupKey(Address.multicast(self.group()), Key.of(key));
         } else {
             shared.count(Event.REFUSED);

@@ -30,8 +30,8 @@ final class Peer {
     private static final int ID_LENGTH = 3;
     /** Agreements for one message: then it fails. */
     private static final int MOST_AGREEMENTS = 3;
-    /** Who began has said what notices it has, if it has any; the other waits for that. */
-    private static final long NOTICES_MILLIS = 3000;
+    /** Who began has said what revocation lists it has, if it has any; the other waits for that. */
+    private static final long REVOCATION_LISTS_MILLIS = 3000;
     private static final int SEQUENCE_LENGTH = 2;
     /** What the board tells so soon after it has got a key may be older than that. */
     private static final long LATE_MILLIS = 1000;
@@ -65,8 +65,8 @@ final class Peer {
     private final Deque<Integer> ids = new ArrayDeque<>();
 
     private final Map<Integer, Integer> sequences = new LinkedHashMap<>();
-    private long noticesDue = Talk.NEVER;
-    private boolean noticesSaid;
+    private long revocationListsDue = Talk.NEVER;
+    private boolean revocationListsSaid;
     private Key groupKeyGiven;
 
     /** A message for the peer; of an agent's if it has a ticket. */
@@ -75,12 +75,12 @@ final class Peer {
         private static final long NO_TICKET = -1;
 
         private final long ticket;
-        private final HostWord word;
+        private final KeyAgreementMessage word;
         private final long end;
         private int agreements;
         private boolean over;
 
-        Mail(long ticket, HostWord word, long now) {
+        Mail(long ticket, KeyAgreementMessage word, long now) {
             this.ticket = ticket;
             this.word = word;
             end = now + MOST_MILLIS;
@@ -141,14 +141,14 @@ final class Peer {
     long next() {
         LongStream ofMails = Stream.of(underWay, waiting.peek()).filter(Objects::nonNull).mapToLong(Mail::deadline);
         return LongStream.concat(talks().stream().mapToLong(Talk::deadline), ofMails)
-                .reduce(noticesDue, Math::min);
+                .reduce(revocationListsDue, Math::min);
     }
 
     void tick(long now) {
         talks().stream().filter(talk -> now >= talk.deadline()).forEach(talk -> talk.late(now));
-        if (now >= noticesDue) {
-            noticesDue = Talk.NEVER;
-            sayNotices(now);
+        if (now >= revocationListsDue) {
+            revocationListsDue = Talk.NEVER;
+            sayRevocationLists(now);
         }
         while (isWaiting() && now >= waiting.peek().deadline()) {
             end(waiting.poll(), session != Session.NONE ? Ending.UNDELIVERED
@@ -173,7 +173,7 @@ final class Peer {
         }
         Bytes id = Bytes.ofNumber(shared.nextId(), ID_LENGTH);
         waiting.add(new Mail(ticket,
-                HostWord.sealed(HostWord.Kind.CONTENT, Bytes.join(id, content.encode())), now));
+                KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.CONTENT, Bytes.join(id, content.encode())), now));
         advance(now);
         return true;
     }
@@ -227,7 +227,7 @@ final class Peer {
     }
 
     /** A message 1. */
-    void first(HostWord word, Talk.Round round, long now) {
+    void first(KeyAgreementMessage word, Talk.Round round, long now) {
         Optional<Answered> same = answered().filter(run -> run.answers(word)).findAny();
         if (same.isPresent()) {
             same.get().answer(now);
@@ -254,9 +254,11 @@ final class Peer {
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
             if (round == Talk.Round.RENEWAL && shared.hints().take(now)) {
-                shared.speech().say(new HostWord(HostWord.Kind.WANT, 0, Bytes.of(HostWord.Kind.MESSAGE_1.first(0))),
-                        address, now, (then, took) -> {
-                        });
+                shared.speech()
+                        .say(new KeyAgreementMessage(KeyAgreementMessage.Kind.WANT, 0,
+                                Bytes.of(KeyAgreementMessage.Kind.MESSAGE_1.first(0))),
+                                address, now, (then, took) -> {
+                                });
             }
         }
     }
@@ -266,16 +268,16 @@ final class Peer {
     }
 
     /** A part of a message 2. */
-    void second(HostWord word, long now) {
+    void second(KeyAgreementMessage word, long now) {
         pass(Stream.ofNullable(begun), word, now);
     }
 
     /** A message 3. */
-    void third(HostWord word, long now) {
+    void third(KeyAgreementMessage word, long now) {
         pass(answered(), word, now);
     }
 
-    private void pass(Stream<? extends Talk> runs, HostWord word, long now) {
+    private void pass(Stream<? extends Talk> runs, KeyAgreementMessage word, long now) {
         List<? extends Talk> fitting = runs.filter(talk -> setting == null
                 && (word.kind() == talk.round().second || word.kind() == talk.round().third)).toList();
         if (fitting.isEmpty()) {
@@ -287,7 +289,7 @@ final class Peer {
 
     /** The other side lacks a fragment; or it lacks what it would need for a renewal. */
     void wanted(int first, long now) {
-        if (first == HostWord.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
+        if (first == KeyAgreementMessage.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
                 && begun.round() == Talk.Round.RENEWAL) {
             beginFull(now);
         } else if (talks().stream().filter(talk -> talk.wanted(first, now)).toList().isEmpty()) {
@@ -341,7 +343,7 @@ final class Peer {
         keysSet++;
         keySetAt = now;
         session = talk == begun ? Session.UNPROVEN : Session.PROVEN;
-        noticesSaid = false;
+        revocationListsSaid = false;
         shared.outside().met(address, certificate);
         boolean initiator = talk == begun;
         talk.keyIsSet(now);
@@ -460,7 +462,7 @@ final class Peer {
     }
 
     /** A sealed word of the peer. */
-    void opened(HostWord word, long now) {
+    void opened(KeyAgreementMessage word, long now) {
         if (session != Session.NONE) {
             prove();
         }
@@ -498,14 +500,14 @@ final class Peer {
     private void handOn(boolean initiator, long now) {
         giveGroupKey(now);
         if (initiator) {
-            noticesDue = Talk.NEVER;
-            sayNotices(now);
+            revocationListsDue = Talk.NEVER;
+            sayRevocationLists(now);
         } else {
-            noticesDue = now + NOTICES_MILLIS;
+            revocationListsDue = now + REVOCATION_LISTS_MILLIS;
         }
     }
 
-    private void hand(HostWord word, long now) {
+    private void hand(KeyAgreementMessage word, long now) {
         if (waiting.size() < 2 * MOST_WAITING) {
             waiting.add(new Mail(Mail.NO_TICKET, word, now));
             advance(now);
@@ -514,14 +516,14 @@ final class Peer {
         }
     }
 
-    /** Gives a member of the own group the group's key, if this host is its keeper. */
+    /** Gives a member of the own group the group's key, if this host is its group key server. */
     void giveGroupKey(long now) {
         Optional<Key> key = shared.groupKey();
         Certificate own = shared.identity().certificate();
-        if (own.keeper() && key.isPresent() && !key.get().equals(groupKeyGiven)
+        if (own.groupKeyServer() && key.isPresent() && !key.get().equals(groupKeyGiven)
                 && address.group().equals(own.address().group()) && session != Session.NONE) {
             groupKeyGiven = key.get();
-            hand(HostWord.sealed(HostWord.Kind.GROUP_KEY, key.get().bytes()), now);
+            hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.GROUP_KEY, key.get().bytes()), now);
         }
     }
 
@@ -531,26 +533,27 @@ final class Peer {
     }
 
     /** Whether the peer may give the key of this host's group. */
-    boolean isKeeper() {
-        return certificate != null && certificate.keeper()
+    boolean isGroupKeyServer() {
+        return certificate != null && certificate.groupKeyServer()
                 && address.group().equals(shared.identity().certificate().address().group());
     }
 
     private Map<Integer, Integer> ownSequences() {
         Map<Integer, Integer> own = new LinkedHashMap<>();
-        shared.identity().notices().forEach(notice -> own.put(notice.authority(), notice.sequence()));
+        shared.identity().revocationLists()
+                .forEach(revocationList -> own.put(revocationList.authority(), revocationList.sequence()));
         return own;
     }
 
-    private void sayNotices(long now) {
+    private void sayRevocationLists(long now) {
         Map<Integer, Integer> own = ownSequences();
-        if (session != Session.NONE && !noticesSaid && !own.equals(sequences)) {
-            noticesSaid = true;
+        if (session != Session.NONE && !revocationListsSaid && !own.equals(sequences)) {
+            revocationListsSaid = true;
             Bytes body = own.entrySet().stream()
                     .map(entry -> Bytes.join(Bytes.of(entry.getKey()),
                             Bytes.ofNumber(entry.getValue(), SEQUENCE_LENGTH)))
                     .reduce(Bytes.EMPTY, Bytes::join);
-            hand(HostWord.sealed(HostWord.Kind.SEQUENCES, body), now);
+            hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.SEQUENCES, body), now);
         }
     }
 
@@ -560,25 +563,26 @@ final class Peer {
             shared.count(Event.MALFORMED);
             return;
         }
-        noticesDue = Talk.NEVER;
+        revocationListsDue = Talk.NEVER;
         sequences.clear();
         for (int at = 0; at < body.length(); at += length) {
             sequences.put(body.at(at), (int) body.number(at + 1, at + length));
         }
         Map<Integer, Integer> own = ownSequences();
-        for (Notice notice : shared.identity().notices()) {
-            if (notice.sequence() > sequences.getOrDefault(notice.authority(), 0)) {
-                sequences.put(notice.authority(), notice.sequence());
-                hand(HostWord.sealed(HostWord.Kind.NOTICE, notice.toBytes()), now);
+        for (RevocationList revocationList : shared.identity().revocationLists()) {
+            if (revocationList.sequence() > sequences.getOrDefault(revocationList.authority(), 0)) {
+                sequences.put(revocationList.authority(), revocationList.sequence());
+                hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.REVOCATION_LIST, revocationList.toBytes()),
+                        now);
             }
         }
         if (sequences.entrySet().stream()
                 .anyMatch(entry -> entry.getValue() > own.getOrDefault(entry.getKey(), 0))) {
-            sayNotices(now);
+            sayRevocationLists(now);
         }
     }
 
-    /** A notice has come: whoever is not valid any more is forgotten. */
+    /** A revocation list has come: whoever is not valid any more is forgotten. */
     void check() {
         if (certificate == null) {
             return;

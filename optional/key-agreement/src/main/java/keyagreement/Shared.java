@@ -67,7 +67,7 @@ final class Shared {
         return answers;
     }
 
-    /** For all else that a stranger can make this host say. */
+    /** For all else that anybody can make this host say. */
     Sparingly hints() {
         return hints;
     }
@@ -77,7 +77,7 @@ final class Shared {
         return ++lastId;
     }
 
-    /** The key of the own group, if this host is its keeper. */
+    /** The key of the own group, if this host is its group key server. */
     Optional<Key> groupKey() {
         return Optional.ofNullable(groupKey);
     }

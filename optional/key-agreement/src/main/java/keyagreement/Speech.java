@@ -3,7 +3,7 @@ package keyagreement;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import javino.protocol.Address;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /** What waits to be broadcast: the board gets one at a time, so that it is known how long each took. */
 final class Speech {
@@ -21,7 +21,7 @@ final class Speech {
         void at(long now, long took);
     }
 
-    private record Line(Word word, long asked, Sent sent) {
+    private record Line(HostMessage word, long asked, Sent sent) {
     }
 
     Speech(Shared shared) {
@@ -29,7 +29,7 @@ final class Speech {
     }
 
     /** Says it, unless it waits already or too many do; tells whether. */
-    boolean say(HostWord word, Address to, long now, Sent sent) {
+    boolean say(KeyAgreementMessage word, Address to, long now, Sent sent) {
         Line line = new Line(word.to(to), now, sent);
         if (waiting.size() == MOST || waiting.stream().anyMatch(other -> other.word.equals(line.word))) {
             shared.count(Event.LIMITED);

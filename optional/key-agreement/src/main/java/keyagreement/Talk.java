@@ -25,17 +25,20 @@ abstract class Talk {
     /** The two ways to agree on a key. */
     enum Round {
         /** By certificates. */
-        FULL(HostWord.Kind.MESSAGE_1, HostWord.Kind.MESSAGE_2, HostWord.Kind.MESSAGE_3, 1200, 1400),
+        FULL(KeyAgreementMessage.Kind.MESSAGE_1, KeyAgreementMessage.Kind.MESSAGE_2, KeyAgreementMessage.Kind.MESSAGE_3,
+                1200, 1400),
         /** By what both have kept. */
-        RENEWAL(HostWord.Kind.RENEWAL_1, HostWord.Kind.RENEWAL_2, HostWord.Kind.RENEWAL_3, 800, 1000);
+        RENEWAL(KeyAgreementMessage.Kind.RENEWAL_1, KeyAgreementMessage.Kind.RENEWAL_2,
+                KeyAgreementMessage.Kind.RENEWAL_3, 800, 1000);
 
-        final HostWord.Kind first;
-        final HostWord.Kind second;
-        final HostWord.Kind third;
+        final KeyAgreementMessage.Kind first;
+        final KeyAgreementMessage.Kind second;
+        final KeyAgreementMessage.Kind third;
         final long secondMillis;
         final long thirdMillis;
 
-        Round(HostWord.Kind first, HostWord.Kind second, HostWord.Kind third, long secondMillis, long thirdMillis) {
+        Round(KeyAgreementMessage.Kind first, KeyAgreementMessage.Kind second, KeyAgreementMessage.Kind third,
+                long secondMillis, long thirdMillis) {
             this.first = first;
             this.second = second;
             this.third = third;
@@ -93,7 +96,7 @@ abstract class Talk {
      * Says a word, and waits for an answer: so long from the end on, with a random part so that two do not collide
      * again, and longer where it had to wait for the air itself.
      */
-    void say(HostWord word, long wait, long now) {
+    void say(KeyAgreementMessage word, long wait, long now) {
         if (!mayBeSaid(word.first(), now)) {
             shared.count(Event.LIMITED);
             deadline = Math.max(deadline, now + AGAIN_MILLIS);
@@ -126,26 +129,26 @@ abstract class Talk {
     }
 
     /** The word has been on the air. */
-    void wasSaid(HostWord word, long now) {
+    void wasSaid(KeyAgreementMessage word, long now) {
     }
 
     /** Says all fragments of a message. */
-    void sayAll(HostWord.Kind kind, Bytes message, long wait, long now) {
+    void sayAll(KeyAgreementMessage.Kind kind, Bytes message, long wait, long now) {
         for (int i = 0; i < kind.fragments(); i++) {
-            say(HostWord.of(kind, i, message), wait, now);
+            say(KeyAgreementMessage.of(kind, i, message), wait, now);
         }
     }
 
     /** Asks for a fragment. */
-    void want(HostWord.Kind kind, int fragment, long wait, long now) {
-        say(new HostWord(HostWord.Kind.WANT, 0, Bytes.of(kind.first(fragment))), wait, now);
+    void want(KeyAgreementMessage.Kind kind, int fragment, long wait, long now) {
+        say(new KeyAgreementMessage(KeyAgreementMessage.Kind.WANT, 0, Bytes.of(kind.first(fragment))), wait, now);
     }
 
     /** The other side lacks a fragment. Tells whether there is one. */
     abstract boolean wanted(int first, long now);
 
     /** The next message of the other side, or a part of it; of the right round. */
-    abstract void heard(HostWord word, long now);
+    abstract void heard(KeyAgreementMessage word, long now);
 
     /** The deadline is over. */
     abstract void late(long now);

@@ -22,7 +22,7 @@ import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,7 +93,7 @@ class BoardMeetingsTest {
         }
 
         @Override
-        public Transmission transmit(Address to, Word word) {
+        public Transmission transmit(Address to, HostMessage word) {
             return transmission(to);
         }
 
@@ -135,13 +135,13 @@ class BoardMeetingsTest {
 
     @BeforeEach
     void start() throws Exception {
-        new Town(folder).certified("BUSB");
+        new TestAuthority(folder).certified("BUSB");
         meetings = new BoardMeetings(folder, time, failures::add);
         meetings.online(board, Address.parse("BUSB"), 1, List.of());
         time.run(1);
     }
 
-    private List<Transmission> say(Address to, int count) {
+    private List<Transmission> send(Address to, int count) {
         List<Transmission> said = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             said.add(meetings.transmit(board, to, CONTENT));
@@ -174,26 +174,26 @@ class BoardMeetingsTest {
 
     @Test
     void messages_theAirIsNeverFree_endWithinAMinute() {
-        List<Transmission> said = say(BUSA, 20);
-        said.addAll(say(GROUP, 20));
+        List<Transmission> said = send(BUSA, 20);
+        said.addAll(send(GROUP, 20));
         assertFalse(said.get(0).end().isDone());
         assertEnded(said);
     }
 
     @Test
     void messages_theBoardGoesOff_endWithinAMinute() {
-        List<Transmission> said = say(BUSA, 3);
-        said.addAll(say(GROUP, 3));
+        List<Transmission> said = send(BUSA, 3);
+        said.addAll(send(GROUP, 3));
         board.off = true;
-        said.addAll(say(BUSA, 3));
+        said.addAll(send(BUSA, 3));
         assertEnded(said);
-        assertEnded(say(BUSA, 3));
+        assertEnded(send(BUSA, 3));
     }
 
     @Test
     void messages_anotherBoardTakesItsPlace_endAtOnce() {
-        List<Transmission> said = say(BUSA, 3);
-        said.addAll(say(GROUP, 3));
+        List<Transmission> said = send(BUSA, 3);
+        said.addAll(send(GROUP, 3));
         meetings.online(new FalseBoard(), Address.parse("BUSB"), 1, List.of());
         time.run(1);
         assertTrue(said.stream().allMatch(each -> each.end().isCompletedExceptionally()));
@@ -201,7 +201,7 @@ class BoardMeetingsTest {
 
     @Test
     void groupMessage_theKeyComesAndTheAirIsNeverFree_isUndelivered() {
-        Transmission said = say(GROUP, 1).get(0);
+        Transmission said = send(GROUP, 1).get(0);
         board.groupKeys = () -> CompletableFuture.completedFuture(null);
         meetings.setGroupKey(GROUP, Key.ofHex("00112233445566778899aabbccddeeff"));
         time.run(MINUTE / 2);
@@ -214,7 +214,7 @@ class BoardMeetingsTest {
     /** As long as anything else comes, too. */
     @Test
     void messages_whileSealedFramesWithoutAKeyCome_endWithinAMinute() {
-        List<Transmission> said = say(BUSA, 3);
+        List<Transmission> said = send(BUSA, 3);
         for (int i = 0; i < MINUTE / 300; i++) {
             meetings.noKey(new PollReply.NoKey(Address.parse("BUSB"), BUSA));
             time.run(300);

@@ -37,7 +37,7 @@ class CertificateTest {
         Bytes bytes = Bytes.ofHex("4943ce" + "1234" + "01" + "529a" + "ab" + POINT);
         assertEquals(bytes, certificate.toBytes());
         assertEquals(certificate, Certificate.decode(bytes));
-        assertEquals("certificate 4660 of SUPO until 2027-11-24, keeper", certificate.toString());
+        assertEquals("certificate 4660 of SUPO until 2027-11-24, group key server", certificate.toString());
     }
 
     @ParameterizedTest
@@ -49,8 +49,8 @@ class CertificateTest {
 
     @Test
     void credential_isAClaimsSetWithTheReconstructedKey() throws HandshakeException {
-        Authority authority = Authority.create(Town.TODAY, RANDOM);
-        Certificate certificate = new Certificate(SUPO, 7, false, Town.TODAY, authority.keys().id(),
+        Authority authority = Authority.create(TestAuthority.TODAY, RANDOM);
+        Certificate certificate = new Certificate(SUPO, 7, false, TestAuthority.TODAY, authority.keys().id(),
                 Bytes.ofHex(POINT));
         ECPublicKey key = certificate.key(authority.keys());
         assertEquals("a2" + "0264" + "5355504f" + "08a101a5" + "0102" + "02582a" + certificate.toBytes() + "2001"
@@ -63,13 +63,13 @@ class CertificateTest {
     @Test
     void key_ofAnIssuedCertificate_isThatOfTheRequestsSecret() throws Exception {
         for (int i = 0; i < 20; i++) {
-            Authority authority = Authority.create(Town.TODAY, RANDOM);
+            Authority authority = Authority.create(TestAuthority.TODAY, RANDOM);
             KeyPair own = P256.generate(RANDOM);
             Request request = new Request(SUPO, P256.compress((ECPublicKey) own.getPublic()));
-            Entries answer = authority.issue(request, Town.TODAY, i % 2 == 0, Town.TODAY, RANDOM);
+            Entries answer = authority.issue(request, TestAuthority.TODAY, i % 2 == 0, TestAuthority.TODAY, RANDOM);
             Bytes encoded = answer.get("certificate").orElseThrow();
             Certificate certificate = Certificate.decode(encoded);
-            assertEquals(i % 2 == 0, certificate.keeper());
+            assertEquals(i % 2 == 0, certificate.groupKeyServer());
             MessageDigest sha = MessageDigest.getInstance("SHA-256");
             sha.update("javino-cert-1".getBytes());
             BigInteger e = new BigInteger(1, sha.digest(encoded.toArray())).mod(G.getCurve().getOrder());
@@ -92,9 +92,9 @@ class CertificateTest {
 
     @Test
     void key_ofAChangedCertificate_isAnother() throws JavinoException {
-        Authority authority = Authority.create(Town.TODAY, RANDOM);
+        Authority authority = Authority.create(TestAuthority.TODAY, RANDOM);
         Request request = new Request(SUPO, P256.compress((ECPublicKey) P256.generate(RANDOM).getPublic()));
-        Entries answer = authority.issue(request, Town.TODAY, false, Town.TODAY, RANDOM);
+        Entries answer = authority.issue(request, TestAuthority.TODAY, false, TestAuthority.TODAY, RANDOM);
         Bytes encoded = answer.get("certificate").orElseThrow();
         ECPublicKey key = Certificate.decode(encoded).key(authority.keys());
         for (int bit = 0; bit < 8 * Certificate.LENGTH; bit++) {

@@ -36,24 +36,24 @@ class ForgedRunsTest {
     static Path folder;
     private static List<Identity> identities;
 
-    private World world;
-    private World.Host roma;
-    private World.Host supo;
+    private Simulation simulation;
+    private Simulation.Host roma;
+    private Simulation.Host supo;
 
     @BeforeAll
     static void certify() throws IOException, JavinoException {
-        Town town = new Town(folder);
-        identities = List.of(town.certified("ROMA"), town.certified("SUPO"), town.certified("SUBB"));
+        TestAuthority authority = new TestAuthority(folder);
+        identities = List.of(authority.certified("ROMA"), authority.certified("SUPO"), authority.certified("SUBB"));
     }
 
     private void start(long seed) {
-        world = new World(seed);
-        roma = world.add(identities.get(0));
-        supo = world.add(identities.get(1));
+        simulation = new Simulation(seed);
+        roma = simulation.add(identities.get(0));
+        supo = simulation.add(identities.get(1));
     }
 
     private Forger forger() {
-        return new Forger(world, identities.get(2), List.of(roma.address, supo.address));
+        return new Forger(simulation, identities.get(2), List.of(roma.address, supo.address));
     }
 
     /** What the attacker says in each device's name to the other, and which share of the air he takes for it. */
@@ -81,14 +81,14 @@ class ForgedRunsTest {
         List<String> late = new ArrayList<>();
         for (int seed = from; seed < to; seed++) {
             start(seed);
-            forger().say(kinds.split(" "), share, 4 * MINUTE);
-            world.run(world.random.nextInt((int) MINUTE / 2));
+            forger().send(kinds.split(" "), share, 4 * MINUTE);
+            simulation.run(simulation.random.nextInt((int) MINUTE / 2));
             late.addAll(late("seed " + seed, roma, supo));
         }
         assertTrue(late.size() <= (share > SHARES[1] ? (to - from) / 25 : 0), late::toString);
     }
 
-    private void assertArrives(String what, World.Host one, World.Host other) {
+    private void assertArrives(String what, Simulation.Host one, Simulation.Host other) {
         assertEquals(List.of(), late(what, one, other));
     }
 
@@ -97,30 +97,30 @@ class ForgedRunsTest {
      *
      * @return the pairs of which none was.
      */
-    private List<String> late(String what, World.Host one, World.Host other) {
+    private List<String> late(String what, Simulation.Host one, Simulation.Host other) {
         List<String> late = new ArrayList<>();
-        for (World.Letter letter : List.of(one.send(other.address), other.send(one.address))) {
-            World.Letter last = letter;
+        for (Simulation.Letter letter : List.of(one.send(other.address), other.send(one.address))) {
+            Simulation.Letter last = letter;
             List<String> ends = new ArrayList<>();
             for (int more = 2; !isDelivered(what, last, ends) && more > 0; more--) {
-                last = world.host(letter.from).send(letter.to);
+                last = simulation.host(letter.from).send(letter.to);
             }
             if (!last.isDelivered()) {
                 late.add(what + ", " + letter.from + ": " + ends);
             }
         }
-        assertEquals(List.of(), world.wrong);
+        assertEquals(List.of(), simulation.wrong);
         return late;
     }
 
-    private boolean isDelivered(String what, World.Letter letter, List<String> ends) {
-        world.runUntilEnd(letter, 2 * MINUTE);
+    private boolean isDelivered(String what, Simulation.Letter letter, List<String> ends) {
+        simulation.runUntilEnd(letter, 2 * MINUTE);
         assertInTime(what, letter);
         ends.add(letter.end.toString());
         return letter.isDelivered();
     }
 
-    private static void assertInTime(String what, World.Letter letter) {
+    private static void assertInTime(String what, Simulation.Letter letter) {
         assertTrue(letter.end.isPresent() && letter.endedAt - letter.at <= Peer.MOST_MILLIS, () -> what + ": "
                 + letter.from + " learned " + letter.end + " after " + (letter.endedAt - letter.at));
     }
@@ -128,43 +128,45 @@ class ForgedRunsTest {
     /** Attackers, damage, copies, kills, resets, boards that say nothing, and agents that never stop to send. */
     private void storm(long seed) {
         start(seed);
-        world.add(identities.get(2));
-        List<World.Host> hosts = List.copyOf(world.hosts());
-        world.air.errors = world.random.nextInt(3) * 1e-3;
-        world.twice = world.random.nextInt(3) * 0.2;
-        world.late = world.random.nextInt(3) * 0.1;
+        simulation.add(identities.get(2));
+        List<Simulation.Host> hosts = List.copyOf(simulation.hosts());
+        simulation.air.errors = simulation.random.nextInt(3) * 1e-3;
+        simulation.twice = simulation.random.nextInt(3) * 0.2;
+        simulation.late = simulation.random.nextInt(3) * 0.1;
         List<String> kinds = new ArrayList<>(FORGED);
-        Collections.shuffle(kinds, world.random);
-        forger().say(kinds.subList(0, 1 + world.random.nextInt(3)).toArray(String[]::new), SHARES[world.random
-                .nextInt(SHARES.length)], STORM_MILLIS);
-        List<World.Letter> letters = new ArrayList<>();
-        int period = 500 + world.random.nextInt(8000);
-        for (long at = 0; at < STORM_MILLIS; at += world.random.nextInt(2 * period)) {
-            world.after(at, () -> {
-                World.Host from = hosts.get(world.random.nextInt(hosts.size()));
-                World.Host to = hosts.get(world.random.nextInt(hosts.size()));
+        Collections.shuffle(kinds, simulation.random);
+        forger().send(kinds.subList(0, 1 + simulation.random.nextInt(3)).toArray(String[]::new),
+                SHARES[simulation.random
+                        .nextInt(SHARES.length)],
+                STORM_MILLIS);
+        List<Simulation.Letter> letters = new ArrayList<>();
+        int period = 500 + simulation.random.nextInt(8000);
+        for (long at = 0; at < STORM_MILLIS; at += simulation.random.nextInt(2 * period)) {
+            simulation.after(at, () -> {
+                Simulation.Host from = hosts.get(simulation.random.nextInt(hosts.size()));
+                Simulation.Host to = hosts.get(simulation.random.nextInt(hosts.size()));
                 if (from != to && from.on) {
                     letters.add(from.send(to.address));
                 }
             });
         }
-        for (int i = world.random.nextInt(5); i > 0; i--) {
-            world.after(world.random.nextLong(STORM_MILLIS), () -> {
-                World.Host victim = hosts.get(world.random.nextInt(hosts.size()));
-                switch (world.random.nextInt(3)) {
+        for (int i = simulation.random.nextInt(5); i > 0; i--) {
+            simulation.after(simulation.random.nextLong(STORM_MILLIS), () -> {
+                Simulation.Host victim = hosts.get(simulation.random.nextInt(hosts.size()));
+                switch (simulation.random.nextInt(3)) {
                     case 0 -> victim.kill();
                     case 1 -> victim.board.reset();
                     default -> victim.board.lose();
                 }
             });
         }
-        world.run(STORM_MILLIS + Peer.MOST_MILLIS);
-        letters.removeIf(letter -> letter.isRefused || world.host(letter.from).killedAt >= letter.at);
-        for (World.Letter letter : letters) {
+        simulation.run(STORM_MILLIS + Peer.MOST_MILLIS);
+        letters.removeIf(letter -> letter.isRefused || simulation.host(letter.from).killedAt >= letter.at);
+        for (Simulation.Letter letter : letters) {
             assertInTime("seed " + seed, letter);
             assertTrue(ENDINGS.contains(letter.end.orElseThrow()), () -> "seed " + seed + ": " + letter.end);
         }
-        assertEquals(List.of(), world.wrong, () -> "seed " + seed);
+        assertEquals(List.of(), simulation.wrong, () -> "seed " + seed);
     }
 
     @Test

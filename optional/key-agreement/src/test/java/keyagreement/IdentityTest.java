@@ -35,15 +35,15 @@ class IdentityTest {
     @TempDir
     private Path elsewhere;
 
-    private Town town;
+    private TestAuthority authority;
     private Identity supo;
     private Identity roma;
 
     @BeforeEach
     void certify() throws IOException, JavinoException {
-        town = new Town(folder);
-        supo = town.certified("SUPO");
-        roma = town.certified("ROMA");
+        authority = new TestAuthority(folder);
+        supo = authority.certified("SUPO");
+        roma = authority.certified("ROMA");
     }
 
     private static Address address(Identity identity) {
@@ -72,23 +72,23 @@ class IdentityTest {
     }
 
     @Test
-    void strangers_withCertificatesOfOneAuthority_agreeOnAKeyThatIsNewEachTime() throws HandshakeException {
+    void devices_withCertificatesOfOneAuthority_agreeOnAKeyThatIsNewEachTime() throws HandshakeException {
         Key key = agree(supo, roma);
         assertNotEquals(key, agree(supo, roma));
         assertNotEquals(key, agree(roma, supo));
     }
 
     @Test
-    void stranger_ofAnotherAuthority_isRefused() throws IOException, JavinoException {
-        Identity other = new Town(elsewhere).certified("BUSA");
+    void device_ofAnotherAuthority_isRefused() throws IOException, JavinoException {
+        Identity other = new TestAuthority(elsewhere).certified("BUSA");
         assertTrue(refused(Reason.NOT_CERTIFIED, supo, other).contains("is not trusted here"));
         assertTrue(refused(Reason.NOT_CERTIFIED, other, supo).contains("is not trusted here"));
     }
 
     /** Who claims the right authority's number has a certificate of it, or none that anybody has the secret of. */
     @Test
-    void stranger_withAForgedCertificate_isRefused() throws IOException, JavinoException {
-        Identity busa = town.certified("BUSA");
+    void device_withAForgedCertificate_isRefused() throws IOException, JavinoException {
+        Identity busa = authority.certified("BUSA");
         Path file = Identity.file(folder, address(busa));
         Entries forged = Entries.parse(Files.readString(file), file);
         byte[] bytes = busa.certificate().toBytes().toArray();
@@ -98,8 +98,8 @@ class IdentityTest {
     }
 
     @Test
-    void stranger_withAnotherAddress_isRefused() throws IOException, JavinoException {
-        Identity busa = town.certified("BUSA");
+    void device_withAnotherAddress_isRefused() throws IOException, JavinoException {
+        Identity busa = authority.certified("BUSA");
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
         Responder impostor = new Responder(busa.with(address(supo)), initiator.message1(), RANDOM);
         assertThrows(HandshakeException.class, () -> initiator.message3(impostor.message2()));
@@ -112,59 +112,60 @@ class IdentityTest {
 
     /** A twin, or this device's own messages come back. */
     @Test
-    void stranger_withTheOwnAddress_isRefused() {
+    void device_withTheOwnAddress_isRefused() {
         assertTrue(refused(Reason.NOT_CERTIFIED, supo, supo).contains("own address"));
     }
 
     @Test
-    void stranger_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
-        Notice notice = town.revoke(roma);
+    void device_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
+        RevocationList revocationList = authority.revoke(roma);
         agree(supo, roma);
-        assertTrue(supo.take(notice.toBytes()));
-        assertTrue(refused(Reason.REVOKED, supo, roma).contains("notice 1"));
+        assertTrue(supo.take(revocationList.toBytes()));
+        assertTrue(refused(Reason.REVOKED, supo, roma).contains("revocation list 1"));
         refused(Reason.REVOKED, roma, supo);
-        assertFalse(supo.take(notice.toBytes()), "it is known");
+        assertFalse(supo.take(revocationList.toBytes()), "it is known");
         Identity again = Identity.read(folder, address(supo)).orElseThrow();
-        assertEquals(List.of(notice), again.notices());
+        assertEquals(List.of(revocationList), again.revocationLists());
         refused(Reason.REVOKED, again, roma);
         assertThrows(HandshakeException.class, () -> again.check(roma.certificate()));
-        agree(supo, town.certified("ROMA"));
+        agree(supo, authority.certified("ROMA"));
     }
 
     @Test
-    void stranger_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
-        Identity busa = town.certified("BUSA", Town.TODAY);
+    void device_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
+        Identity busa = authority.certified("BUSA", TestAuthority.TODAY);
         agree(supo, busa);
-        supo.take(town.authority.revoke(List.of(), null, Town.TODAY.plusDays(1)).toBytes());
-        assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's notice"));
+        supo.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
+        assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's revocation list"));
         refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);
         agree(supo, roma);
     }
 
     @Test
-    void stranger_whoseDayIsBeforeTheLeast_isRefused() throws Exception {
-        supo.take(town.authority.revoke(List.of(), Town.TODAY.plusDays(101), Town.TODAY).toBytes());
+    void device_whoseDayIsBeforeTheLeast_isRefused() throws Exception {
+        supo.take(authority.authority.revoke(List.of(), TestAuthority.TODAY.plusDays(101), TestAuthority.TODAY)
+                .toBytes());
         refused(Reason.REVOKED, supo, roma);
     }
 
     @Test
-    void notice_thatIsForgedOlderOrOfAStranger_isNotTaken() throws Exception {
-        Notice first = town.revoke();
-        Notice second = town.revoke(roma);
+    void revocationList_thatIsForgedOlderOrOfAnotherAuthority_isNotTaken() throws Exception {
+        RevocationList first = authority.revoke();
+        RevocationList second = authority.revoke(roma);
         assertTrue(supo.take(second.toBytes()));
         assertFalse(supo.take(first.toBytes()));
-        byte[] forged = town.revoke().toBytes().toArray();
+        byte[] forged = authority.revoke().toBytes().toArray();
         forged[2]++;
         assertThrows(HandshakeException.class, () -> supo.take(Bytes.copyOf(forged)));
-        Notice foreign = new Town(elsewhere).revoke();
+        RevocationList foreign = new TestAuthority(elsewhere).revoke();
         assertThrows(HandshakeException.class, () -> supo.take(foreign.toBytes()));
-        assertEquals(List.of(second), supo.notices());
+        assertEquals(List.of(second), supo.revocationLists());
     }
 
     /** Another could have its certificate reported as expired by sending a copy of it. */
     @Test
-    void stranger_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
-        supo.take(town.revoke(roma).toBytes());
+    void device_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
+        supo.take(authority.revoke(roma).toBytes());
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
         Bytes message2 = new Responder(roma.with(address(supo)), initiator.message1(), RANDOM).message2();
         byte[] changed = message2.toArray();

@@ -19,7 +19,7 @@ import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -38,23 +38,23 @@ class MeetingsTest {
     @TempDir
     Path elsewhere;
 
-    private World world = new World(1);
+    private Simulation simulation = new Simulation(1);
 
     @BeforeAll
     static void certify() throws IOException, JavinoException {
-        Town town = new Town(folder);
-        romaIdentity = town.certified("ROMA");
-        supoIdentity = town.certified("SUPO");
+        TestAuthority authority = new TestAuthority(folder);
+        romaIdentity = authority.certified("ROMA");
+        supoIdentity = authority.certified("SUPO");
     }
 
     @AfterEach
     void nothingIsWrong() {
-        assertEquals(List.of(), world.wrong);
+        assertEquals(List.of(), simulation.wrong);
     }
 
-    private Optional<Ending> end(World.Host from, World.Host to) {
-        World.Letter letter = from.send(to.address);
-        world.runUntilEnd(letter, 2 * MINUTE);
+    private Optional<Ending> end(Simulation.Host from, Simulation.Host to) {
+        Simulation.Letter letter = from.send(to.address);
+        simulation.runUntilEnd(letter, 2 * MINUTE);
         return letter.end;
     }
 
@@ -63,29 +63,29 @@ class MeetingsTest {
         return sorted[sorted.length / 2];
     }
 
-    private static long count(World.Host host, Event event) {
+    private static long count(Simulation.Host host, Event event) {
         return host.meetings.events().getOrDefault(event, 0L);
     }
 
     /** How long the first message takes, and the first one after the sender's board was reset. */
     private long[] times(long seed) {
-        world = new World(seed);
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
-        World.Letter first = roma.send(supo.address);
-        world.runUntilEnd(first, MINUTE);
-        world.run(MINUTE);
+        simulation = new Simulation(seed);
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
+        Simulation.Letter first = roma.send(supo.address);
+        simulation.runUntilEnd(first, MINUTE);
+        simulation.run(MINUTE);
         roma.board.reset();
-        world.run(MINUTE);
-        World.Letter second = roma.send(supo.address);
-        world.runUntilEnd(second, MINUTE);
+        simulation.run(MINUTE);
+        Simulation.Letter second = roma.send(supo.address);
+        simulation.runUntilEnd(second, MINUTE);
         assertTrue(first.isDelivered() && second.isDelivered());
         nothingIsWrong();
         return new long[] {first.endedAt - first.at, second.endedAt - second.at};
     }
 
     @Test
-    void send_toAStrangerAndAgainAfterAReset_isDeliveredInTime() {
+    void send_toACertifiedDeviceAndAgainAfterAReset_isDeliveredInTime() {
         List<long[]> times = LongStream.range(0, 15).mapToObj(this::times).toList();
 
         long first = median(times.stream().mapToLong(each -> each[0]));
@@ -96,12 +96,12 @@ class MeetingsTest {
 
     @Test
     void send_bothAtOnce_oneHandshakeGivesTheKey() {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
-        List<World.Letter> letters = List.of(roma.send(supo.address), supo.send(roma.address));
-        letters.forEach(letter -> world.runUntilEnd(letter, MINUTE));
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
+        List<Simulation.Letter> letters = List.of(roma.send(supo.address), supo.send(roma.address));
+        letters.forEach(letter -> simulation.runUntilEnd(letter, MINUTE));
 
-        assertTrue(letters.stream().allMatch(World.Letter::isDelivered));
+        assertTrue(letters.stream().allMatch(Simulation.Letter::isDelivered));
         assertEquals(1, roma.keysSet());
         assertEquals(1, supo.keysSet());
         assertEquals(1, count(supo, Event.ANSWERED), "ROMA is the lower address");
@@ -112,25 +112,25 @@ class MeetingsTest {
     void answer_saidAgain_waitsForARandomTime() {
         Set<Long> waits = new HashSet<>();
         for (int seed = 0; seed < 20; seed++) {
-            world = new World(seed);
-            World.Host roma = world.add(romaIdentity);
-            World.Host supo = world.add(supoIdentity);
-            List<Air.Packet> packets = new ArrayList<>();
-            world.listener = packets::add;
+            simulation = new Simulation(seed);
+            Simulation.Host roma = simulation.add(romaIdentity);
+            Simulation.Host supo = simulation.add(supoIdentity);
+            List<SimulatedChannel.Packet> packets = new ArrayList<>();
+            simulation.listener = packets::add;
             roma.send(supo.address);
             for (int i = 0; i < 100 && count(supo, Event.ANSWERED) == 0; i++) {
-                world.run(MINUTE / 600);
+                simulation.run(MINUTE / 600);
             }
             roma.on = false;
-            Word message1 = new Word(packets.get(0).message);
-            world.run(MINUTE / 40);
+            HostMessage message1 = new HostMessage(packets.get(0).message);
+            simulation.run(MINUTE / 40);
             long answers = packets.stream().filter(packet -> packet.from.equals(supo.address)).count();
-            supo.meetings.heard(roma.address, message1, world.millis());
-            long wait = supo.meetings.next() - world.millis();
+            supo.meetings.heard(roma.address, message1, simulation.millis());
+            long wait = supo.meetings.next() - simulation.millis();
             assertTrue(wait >= 0 && wait < Answered.SPREAD_MILLIS, () -> "it waits for " + wait + " ms");
             waits.add(wait);
             supo.within(() -> {});
-            world.run(MINUTE / 40);
+            simulation.run(MINUTE / 40);
             assertEquals(2 * answers, packets.stream().filter(packet -> packet.from.equals(supo.address)).count());
         }
         assertTrue(waits.size() > 10, "waits: " + waits);
@@ -138,12 +138,12 @@ class MeetingsTest {
 
     @Test
     void send_theOtherBoardWasReset_itsHostAgreesAndTheMessageGoesAgain() {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
-        world.run(MINUTE);
+        simulation.run(MINUTE);
         supo.board.reset();
-        world.run(MINUTE);
+        simulation.run(MINUTE);
 
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         assertEquals(1, count(supo, Event.RENEWALS_BEGUN));
@@ -152,12 +152,12 @@ class MeetingsTest {
 
     @Test
     void send_theOtherHostHasForgotten_agreesByCertificates() {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         supo.kill();
         roma.board.reset();
-        world.run(MINUTE);
+        simulation.run(MINUTE);
 
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         assertEquals(1, count(roma, Event.RENEWALS_BEGUN));
@@ -166,8 +166,8 @@ class MeetingsTest {
 
     @Test
     void send_nobodyThere_endsWithNoAnswer() {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
         supo.on = false;
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, supo));
         assertFalse(roma.meetings.isSecure(supo.address));
@@ -175,8 +175,8 @@ class MeetingsTest {
 
     @Test
     void send_toWhoTakesPartInNone_endsWithNoAnswer() {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
         supo.meetings.setOpen(false);
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, supo));
         assertEquals(0, count(supo, Event.ANSWERED));
@@ -184,7 +184,7 @@ class MeetingsTest {
 
     @Test
     void send_moreThanWait_isRefused() {
-        World.Host roma = world.add(romaIdentity);
+        Simulation.Host roma = simulation.add(romaIdentity);
         Content content = new Content(Performative.TELL, "x");
         for (int i = 0; i < Peer.MOST_WAITING; i++) {
             assertTrue(roma.meetings.send(supoIdentity.certificate().address(), content, 0).isPresent());
@@ -195,12 +195,12 @@ class MeetingsTest {
     }
 
     @Test
-    void send_tooManyStrangers_isRefusedAndWhoWasMetIsNotForgotten() {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
+    void send_tooManyDevices_isRefusedAndWhoWasMetIsNotForgotten() {
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         for (int i = 0; i < Meetings.MOST_UNKNOWN; i++) {
-            assertTrue(roma.meetings.send(new Address(i), new Content(Performative.TELL, "x"), world.millis())
+            assertTrue(roma.meetings.send(new Address(i), new Content(Performative.TELL, "x"), simulation.millis())
                     .isPresent());
         }
         assertEquals(Optional.empty(), roma.meetings.send(new Address(99), new Content(Performative.TELL, "x"), 0));
@@ -209,28 +209,28 @@ class MeetingsTest {
 
     @Test
     void send_toOneOfAForeignAuthority_endsAsIfNobodyWereThere() throws Exception {
-        World.Host roma = world.add(romaIdentity);
-        World.Host busa = world.add(new Town(elsewhere).certified("BUSA"));
+        Simulation.Host roma = simulation.add(romaIdentity);
+        Simulation.Host busa = simulation.add(new TestAuthority(elsewhere).certified("BUSA"));
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, busa));
         assertEquals(Optional.of(Ending.NO_ANSWER), end(busa, roma));
         assertEquals(0, roma.keysSet() + busa.keysSet());
     }
 
     @Test
-    void notice_oneHostHasIt_isHandedOnAndTheRevokedIsRefused() throws Exception {
-        Town town = new Town(elsewhere);
-        Identity busa = town.certified("BUSA");
-        Identity busb = town.certified("BUSB");
-        Identity lost = town.certified("LOST");
-        World.Host a = world.add(busa);
-        World.Host b = world.add(busb);
-        World.Host c = world.add(lost);
+    void revocationList_oneHostHasIt_isHandedOnAndTheRevokedIsRefused() throws Exception {
+        TestAuthority authority = new TestAuthority(elsewhere);
+        Identity busa = authority.certified("BUSA");
+        Identity busb = authority.certified("BUSB");
+        Identity lost = authority.certified("LOST");
+        Simulation.Host a = simulation.add(busa);
+        Simulation.Host b = simulation.add(busb);
+        Simulation.Host c = simulation.add(lost);
         assertEquals(Optional.of(Ending.DELIVERED), end(b, c));
-        busa.take(town.revoke(lost).toBytes());
+        busa.take(authority.revoke(lost).toBytes());
 
-        assertEquals(Optional.of(Ending.DELIVERED), end(b, a), "the notice is of who did not begin");
-        world.run(MINUTE);
-        assertEquals(busa.notices(), busb.notices());
+        assertEquals(Optional.of(Ending.DELIVERED), end(b, a), "the revocation list is of who did not begin");
+        simulation.run(MINUTE);
+        assertEquals(busa.revocationLists(), busb.revocationLists());
         assertFalse(b.board.keys.containsKey(c.address), "the key is deleted");
         assertEquals(Optional.of(Ending.REVOKED), end(b, c));
         assertEquals(Optional.of(Ending.REVOKED), end(a, c));
@@ -240,66 +240,67 @@ class MeetingsTest {
 
     @Test
     void send_certificateIsPast_isExpired() throws Exception {
-        Town town = new Town(elsewhere);
-        Identity busa = town.certified("BUSA");
-        World.Host past = world.add(town.certified("PAST", Town.TODAY));
-        busa.take(town.authority.revoke(List.of(), null, Town.TODAY.plusDays(1)).toBytes());
-        assertEquals(Optional.of(Ending.EXPIRED), end(world.add(busa), past));
+        TestAuthority authority = new TestAuthority(elsewhere);
+        Identity busa = authority.certified("BUSA");
+        Simulation.Host past = simulation.add(authority.certified("PAST", TestAuthority.TODAY));
+        busa.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
+        assertEquals(Optional.of(Ending.EXPIRED), end(simulation.add(busa), past));
     }
 
     @Test
-    void groupKey_memberAsks_comesFromTheKeeperAndAnewWithEachNotice() throws Exception {
-        Town town = new Town(elsewhere);
-        Identity keeper = town.keeper("BUKE");
-        World.Host buke = world.add(keeper);
-        World.Host busa = world.add(town.certified("BUSA"));
-        World.Host roma = world.add(town.certified("ROMA"));
-        busa.within(() -> busa.meetings.wantGroupKey(world.millis()));
-        world.run(2000);
-        roma.within(() -> roma.meetings.wantGroupKey(world.millis()));
+    void groupKey_memberAsks_comesFromTheGroupKeyServerAndAnewWithEachRevocationList() throws Exception {
+        TestAuthority authority = new TestAuthority(elsewhere);
+        Identity groupKeyServer = authority.groupKeyServer("BUKE");
+        Simulation.Host buke = simulation.add(groupKeyServer);
+        Simulation.Host busa = simulation.add(authority.certified("BUSA"));
+        Simulation.Host roma = simulation.add(authority.certified("ROMA"));
+        busa.within(() -> busa.meetings.wantGroupKey(simulation.millis()));
+        simulation.run(2000);
+        roma.within(() -> roma.meetings.wantGroupKey(simulation.millis()));
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, buke));
-        world.run(MINUTE);
+        simulation.run(MINUTE);
         Optional<Key> first = buke.groupKey();
         assertEquals(first, busa.groupKey());
         assertEquals(Optional.empty(), roma.groupKey(), "ROMA is of another group");
 
-        roma.identity().take(town.revoke(town.certified("LOST")).toBytes());
+        roma.identity().take(authority.revoke(authority.certified("LOST")).toBytes());
         roma.board.reset();
-        world.run(MINUTE);
+        simulation.run(MINUTE);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, buke));
-        world.run(MINUTE);
+        simulation.run(MINUTE);
         assertNotEquals(first, buke.groupKey());
         assertEquals(buke.groupKey(), busa.groupKey());
 
         buke.kill();
-        world.run(MINUTE);
-        assertEquals(buke.groupKey(), busa.groupKey(), "a keeper that starts again keeps the key");
+        simulation.run(MINUTE);
+        assertEquals(buke.groupKey(), busa.groupKey(), "a group key server that starts again keeps the key");
     }
 
     @Test
-    void groupKey_fromWhoIsNoKeeper_isRefused() throws Exception {
-        Town town = new Town(elsewhere);
-        World.Host busa = world.add(town.certified("BUSA"));
-        World.Host busb = world.add(town.certified("BUSB"));
+    void groupKey_fromWhoIsNoGroupKeyServer_isRefused() throws Exception {
+        TestAuthority authority = new TestAuthority(elsewhere);
+        Simulation.Host busa = simulation.add(authority.certified("BUSA"));
+        Simulation.Host busb = simulation.add(authority.certified("BUSB"));
         assertEquals(Optional.of(Ending.DELIVERED), end(busa, busb));
         busa.meetings.received(busb.address,
-                HostWord.sealed(HostWord.Kind.GROUP_KEY, World.anyKey(world.random).bytes())
+                KeyAgreementMessage
+                        .sealed(KeyAgreementMessage.Kind.GROUP_KEY, Simulation.anyKey(simulation.random).bytes())
                         .sealed(),
-                world.millis());
+                simulation.millis());
         assertEquals(Optional.empty(), busa.groupKey());
         assertEquals(1, count(busa, Event.REFUSED));
     }
 
     @Test
     void eightPairs_atOnce_noneStarves() throws Exception {
-        Town town = new Town(elsewhere);
-        List<World.Letter> letters = new ArrayList<>();
+        TestAuthority authority = new TestAuthority(elsewhere);
+        List<Simulation.Letter> letters = new ArrayList<>();
         for (char pair = 'A'; pair <= 'H'; pair++) {
-            World.Host from = world.add(town.certified("BU" + pair + "A"));
-            letters.add(from.send(world.add(town.certified("BU" + pair + "B")).address));
+            Simulation.Host from = simulation.add(authority.certified("BU" + pair + "A"));
+            letters.add(from.send(simulation.add(authority.certified("BU" + pair + "B")).address));
         }
-        letters.forEach(letter -> world.runUntilEnd(letter, 2 * MINUTE));
-        assertTrue(letters.stream().allMatch(World.Letter::isDelivered));
+        letters.forEach(letter -> simulation.runUntilEnd(letter, 2 * MINUTE));
+        assertTrue(letters.stream().allMatch(Simulation.Letter::isDelivered));
     }
 
     @Test

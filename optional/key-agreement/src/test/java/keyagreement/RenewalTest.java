@@ -29,9 +29,9 @@ class RenewalTest {
 
     @BeforeEach
     void meet() throws Exception {
-        Town town = new Town(folder);
-        Identity roma = town.certified("ROMA");
-        Initiator initiator = new Initiator(town.certified("SUPO").with(ROMA), RANDOM);
+        TestAuthority authority = new TestAuthority(folder);
+        Identity roma = authority.certified("ROMA");
+        Initiator initiator = new Initiator(authority.certified("SUPO").with(ROMA), RANDOM);
         Responder responder = new Responder(roma.with(SUPO), initiator.message1(), RANDOM);
         kept = responder.finish(initiator.message3(responder.message2()));
     }

@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import keyagreement.edhoc.HandshakeException;
@@ -30,16 +30,16 @@ class VectorsTest {
         return vectors("certificates");
     }
 
-    static List<JsonObject> notices() throws IOException {
-        return vectors("notices");
+    static List<JsonObject> revocationLists() throws IOException {
+        return vectors("revocationLists");
     }
 
     static List<JsonObject> renewals() throws IOException {
         return vectors("renewals");
     }
 
-    static List<JsonObject> words() throws IOException {
-        return vectors("words");
+    static List<JsonObject> hostMessages() throws IOException {
+        return vectors("hostMessages");
     }
 
     private static List<JsonObject> vectors(String list) throws IOException {
@@ -74,7 +74,7 @@ class VectorsTest {
         AuthorityKeys keys = AuthorityKeys.decode(bytes(vector, "authority"));
         Certificate certificate = Certificate.decode(bytes(vector, "certificate"));
         assertEquals(new Certificate(address(vector, "address"), vector.get("serial").getAsInt(),
-                vector.get("keeper").getAsBoolean(), day(vector, "until"), keys.id(), certificate.point()),
+                vector.get("groupKeyServer").getAsBoolean(), day(vector, "until"), keys.id(), certificate.point()),
                 certificate);
         assertEquals(bytes(vector, "certificate"), certificate.toBytes());
         assertEquals(bytes(vector, "publicKey"), P256.compress(certificate.key(keys)));
@@ -95,16 +95,16 @@ class VectorsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("notices")
-    void notice_isReadWrittenAndSigned(JsonObject vector) throws HandshakeException {
+    @MethodSource("revocationLists")
+    void revocationList_isReadWrittenAndSigned(JsonObject vector) throws HandshakeException {
         AuthorityKeys keys = AuthorityKeys.decode(bytes(vector, "authority"));
-        Notice notice = Notice.decode(bytes(vector, "notice"));
-        assertEquals(bytes(vector, "notice"), notice.toBytes());
-        assertEquals(vector.get("sequence").getAsInt(), notice.sequence());
-        assertEquals(day(vector, "day"), notice.day());
-        assertEquals(day(vector, "leastUntil"), notice.leastUntil());
-        assertEquals(all(vector, "serials").stream().map(JsonElement::getAsInt).toList(), notice.serials());
-        assertTrue(notice.isOf(keys));
+        RevocationList revocationList = RevocationList.decode(bytes(vector, "revocationList"));
+        assertEquals(bytes(vector, "revocationList"), revocationList.toBytes());
+        assertEquals(vector.get("sequence").getAsInt(), revocationList.sequence());
+        assertEquals(day(vector, "day"), revocationList.day());
+        assertEquals(day(vector, "leastUntil"), revocationList.leastUntil());
+        assertEquals(all(vector, "serials").stream().map(JsonElement::getAsInt).toList(), revocationList.serials());
+        assertTrue(revocationList.isOf(keys));
     }
 
     @ParameterizedTest
@@ -129,16 +129,18 @@ class VectorsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("words")
+    @MethodSource("hostMessages")
     void word_isReadAndWritten(JsonObject vector) {
-        Word word = new Word(bytes(vector, "word"));
+        HostMessage word = new HostMessage(bytes(vector, "hostMessage"));
         boolean isPlain = !vector.get("to").isJsonNull();
-        HostWord read = (isPlain ? HostWord.plain(word) : HostWord.opened(word)).orElseThrow();
-        assertEquals(new HostWord(HostWord.Kind.valueOf(text(vector, "kind")), vector.get("fragment").getAsInt(),
+        KeyAgreementMessage read =
+                (isPlain ? KeyAgreementMessage.plain(word) : KeyAgreementMessage.opened(word)).orElseThrow();
+        assertEquals(new KeyAgreementMessage(KeyAgreementMessage.Kind.valueOf(text(vector, "kind")),
+                vector.get("fragment").getAsInt(),
                 bytes(vector, "body")), read);
         assertEquals(word, isPlain ? read.to(address(vector, "to")) : read.sealed());
-        assertTrue((isPlain ? HostWord.opened(word) : HostWord.plain(word)).isEmpty());
+        assertTrue((isPlain ? KeyAgreementMessage.opened(word) : KeyAgreementMessage.plain(word)).isEmpty());
         Bytes cut = word.bytes().slice(0, word.bytes().length() - 1);
-        assertTrue(!isPlain || cut.length() == 0 || HostWord.plain(new Word(cut)).isEmpty());
+        assertTrue(!isPlain || cut.length() == 0 || KeyAgreementMessage.plain(new HostMessage(cut)).isEmpty());
     }
 }

@@ -99,7 +99,7 @@ final class BoardSource implements Source, BoardListener {
 
     @Override
     public void message(ReceivedMessage message) {
-        tell("message", "from", message.from().toString(), "to", message.to().toString(), "force",
+        tell("message", "from", message.from().toString(), "to", message.to().toString(), "performative",
                 message.content().performative().toString(), "text", message.content().term());
     }
 

@@ -68,7 +68,7 @@ class BoardSourceTest {
             TraceEvent message = await("message", event -> true);
             assertEquals("SUPO ROMA tell <script>",
                     String.join(" ", message.text("from"), message.text("to"),
-                            message.text("force"), message.text("text")));
+                            message.text("performative"), message.text("text")));
             assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).json("counters").toString());
             assertEquals(List.of("act"), source.controls());
         }

@@ -29,7 +29,7 @@ class RightsTest {
     enum Who {
         ANYBODY("////", TrustLevel.PROVISIONED), GROUP("//CA", TrustLevel.PROVISIONED),
         OPEN_GROUP("//CA", TrustLevel.CERTIFIED),
-        PARTNER("CAFE", TrustLevel.PROVISIONED), STRANGER("CAFE", TrustLevel.CERTIFIED), GUEST(null, TrustLevel.NONE);
+        PARTNER("CAFE", TrustLevel.PROVISIONED), CERTIFIED("CAFE", TrustLevel.CERTIFIED), GUEST(null, TrustLevel.NONE);
 
         final String to;
         final TrustLevel peer;
@@ -40,7 +40,7 @@ class RightsTest {
         }
 
         boolean isAlone() {
-            return this == PARTNER || this == STRANGER;
+            return this == PARTNER || this == CERTIFIED;
         }
     }
 
@@ -150,7 +150,7 @@ class RightsTest {
             return switch (who) {
                 case ANYBODY -> new String[] {"cast(broadcast"};
                 case PARTNER -> new String[] {"cast(unicast", "peer(provisioned"};
-                case STRANGER -> new String[] {"cast(unicast", "peer(certified"};
+                case CERTIFIED -> new String[] {"cast(unicast", "peer(certified"};
                 default -> new String[0];
             };
         }
@@ -173,8 +173,8 @@ class RightsTest {
                 default -> true;
             };
             Set<Effect> effects = what.effects;
-            if (what == Try.ASK_ONE_TO_ACT && who == Who.STRANGER) {
-                // Its plan for strangers says no.
+            if (what == Try.ASK_ONE_TO_ACT && who == Who.CERTIFIED) {
+                // Its plan for certified devices says no.
                 effects = Set.of(Effect.ACTED_AS_ASKED);
             } else if (who == Who.ANYBODY && (what == Try.ACHIEVE_ASKED || what == Try.ACHIEVE_RISKY)) {
                 effects = Set.of(Effect.ACTED_AS_ASKED);
@@ -238,7 +238,7 @@ class RightsTest {
     private static final Map<Who, Set<Right>> RIGHTS = Map.of(
             Who.ANYBODY, Set.of(Right.TELL, Right.COMMAND_WHERE_ASKED, Right.STOP_ITS_OWN),
             Who.GROUP, ALL, Who.PARTNER, ALL,
-            Who.OPEN_GROUP, ALL_BUT_TEACHING, Who.STRANGER, ALL_BUT_TEACHING,
+            Who.OPEN_GROUP, ALL_BUT_TEACHING, Who.CERTIFIED, ALL_BUT_TEACHING,
             Who.GUEST, Set.of(Right.TELL, Right.READ));
 
     private static List<Cell> cells() {
@@ -344,11 +344,11 @@ class RightsTest {
         check(chosen());
     }
 
-    /** A plan can refuse whatever comes of a stranger, also what makes no goal of the agent's own. */
+    /** A plan can refuse whatever comes of a certified device, also what makes no goal of the agent's own. */
     @Test
-    void strangers_arePlansToRefuse() {
+    void certifiedDevices_arePlansToRefuse() {
         List<Cell> cells = Stream.of(Try.UNTELL_GUARDED, Try.ASK_GUARDED, Try.TELL_HOW).flatMap(
-                what -> Stream.of(Who.PARTNER, Who.STRANGER).map(who -> new Cell(who, what, Asked.NOTHING, Of.NOBODY,
+                what -> Stream.of(Who.PARTNER, Who.CERTIFIED).map(who -> new Cell(who, what, Asked.NOTHING, Of.NOBODY,
                         false)))
                 .toList();
         for (Cell cell : cells) {
@@ -357,7 +357,7 @@ class RightsTest {
                 victim.radio("SUPO", Victim.SELF, cell.who.peer, "tell", null, "guarded(1)");
                 victim.settle();
                 Set<Effect> refused = Set.of(Effect.ACTED_AS_ASKED);
-                assertEquals(cell.who == Who.STRANGER ? refused : cell.what.effects, tried(victim, cell),
+                assertEquals(cell.who == Who.CERTIFIED ? refused : cell.what.effects, tried(victim, cell),
                         cell::toString);
             } finally {
                 victim.close();

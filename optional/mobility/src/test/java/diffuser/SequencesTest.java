@@ -88,7 +88,7 @@ class SequencesTest {
                 Try.TELL_HOW, Try.TELL_HOW_AS_TEXT, Try.TELL_HOW_WITH_A_LABEL, Try.SORRY);
         return Arbitraries.frequencyOf(
                 Tuple.of(4, step(Kind.ASK, Arbitraries.of(Who.PARTNER), Arbitraries.of(Try.TELL), 0, 0)),
-                Tuple.of(6, step(Kind.ACT, Arbitraries.of(Who.PARTNER, Who.STRANGER, Who.GUEST), answers, 1, 2)),
+                Tuple.of(6, step(Kind.ACT, Arbitraries.of(Who.PARTNER, Who.CERTIFIED, Who.GUEST), answers, 1, 2)),
                 Tuple.of(6, step(Kind.ACT, Arbitraries.of(Who.class), Arbitraries.of(Try.class), 0, 2)),
                 Tuple.of(1, step(Kind.SLEEP, Arbitraries.of(Who.PARTNER), Arbitraries.of(Try.TELL), 0, 0)),
                 Tuple.of(1, step(Kind.WAKE, Arbitraries.of(Who.PARTNER), Arbitraries.of(Try.TELL), 0, 0)));

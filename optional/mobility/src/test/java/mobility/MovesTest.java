@@ -38,25 +38,25 @@ class MovesTest {
 
     @TempDir
     Path folder;
-    private World world;
-    private World.Side station;
-    private World.Side bus;
+    private Simulation simulation;
+    private Simulation.Side station;
+    private Simulation.Side bus;
 
     @BeforeEach
     void start() throws IOException {
-        world = new World(1, folder);
-        station = world.side(World.STATION);
-        bus = world.side(World.BUS);
+        simulation = new Simulation(1, folder);
+        station = simulation.side(Simulation.STATION);
+        bus = simulation.side(Simulation.BUS);
         station.awake.put(AGENT, TEXTS);
         station.start();
         bus.start();
     }
 
     private CompletableFuture<String> move() {
-        return station.depart(AGENT, Protocol.MUTUALISM, World.BUS);
+        return station.depart(AGENT, Protocol.MUTUALISM, Simulation.BUS);
     }
 
-    private void assertOnlyAt(World.Side here, World.Side other) {
+    private void assertOnlyAt(Simulation.Side here, Simulation.Side other) {
         assertEquals(TEXTS, here.awake.get(AGENT), () -> station.told + " " + bus.told);
         assertEquals(Set.of(), other.awake.keySet());
     }
@@ -64,7 +64,7 @@ class MovesTest {
     @Test
     void depart_otherSideAdmits_isAwakeThereAlone() {
         CompletableFuture<String> end = move();
-        world.runUntil(30_000);
+        simulation.runUntil(30_000);
         assertEquals(AGENT, end.join());
         assertOnlyAt(bus, station);
         assertEquals(1, station.moves.count(Moves.Count.LEFT));
@@ -75,7 +75,7 @@ class MovesTest {
     void depart_boardWillNeverSend_failsAtOnceWithItsWords() {
         station.unsent = Optional.of(new Failure("no_key", "the board has no key for ROMA"));
         CompletableFuture<String> end = move();
-        world.runUntil(1_000);
+        simulation.runUntil(1_000);
         CompletionException thrown = assertThrows(CompletionException.class, end::join);
         assertEquals(new Failure("no_key", "inspector has stayed: this board will not send to SUBB, no_key"),
                 Failure.of(thrown));
@@ -87,9 +87,9 @@ class MovesTest {
     void depart_boardIsBackSoon_goesAllTheSame() {
         station.unsent = Optional.of(new Failure("port_off", "the board is away"));
         CompletableFuture<String> end = move();
-        world.runUntil(10_000);
+        simulation.runUntil(10_000);
         station.unsent = Optional.empty();
-        world.runUntil(50_000);
+        simulation.runUntil(50_000);
         assertEquals(AGENT, end.join());
         assertOnlyAt(bus, station);
     }
@@ -98,7 +98,7 @@ class MovesTest {
     void depart_otherSideRefuses_staysAndSaysWhy() {
         bus.admits = false;
         CompletableFuture<String> end = move();
-        world.runUntil(30_000);
+        simulation.runUntil(30_000);
         assertEquals(List.of("stayed refused"), station.told);
         assertTrue(end.isCompletedExceptionally());
         assertOnlyAt(station, bus);
@@ -106,11 +106,11 @@ class MovesTest {
 
     @Test
     void depart_nobodyThere_staysAfterPatience() {
-        world.contact = false;
+        simulation.contact = false;
         move();
-        world.runUntil(Moves.PATIENCE_MILLIS - 1);
-        assertEquals(0, world.awake(AGENT));
-        world.runUntil(Moves.PATIENCE_MILLIS + 1);
+        simulation.runUntil(Moves.PATIENCE_MILLIS - 1);
+        assertEquals(0, simulation.awake(AGENT));
+        simulation.runUntil(Moves.PATIENCE_MILLIS + 1);
         assertEquals(List.of("stayed undelivered"), station.told);
         assertOnlyAt(station, bus);
     }
@@ -118,35 +118,35 @@ class MovesTest {
     @Test
     void depart_contactLostBeforeGo_staysAndOtherSideForgets() {
         move();
-        while (bus.moves.count(Moves.Count.CAME) == 0 && world.millis() < 60_000 && world.messages < 6) {
-            world.runUntil(world.millis() + 1);
+        while (bus.moves.count(Moves.Count.CAME) == 0 && simulation.millis() < 60_000 && simulation.messages < 6) {
+            simulation.runUntil(simulation.millis() + 1);
         }
-        world.contact = false;
-        world.runUntil(200_000);
-        world.contact = true;
-        world.runUntil(400_000);
-        assertEquals(1, world.awake(AGENT));
+        simulation.contact = false;
+        simulation.runUntil(200_000);
+        simulation.contact = true;
+        simulation.runUntil(400_000);
+        assertEquals(1, simulation.awake(AGENT));
     }
 
     @Test
     void depart_clone_isAwakeOnBothSides() {
-        CompletableFuture<String> end = station.depart(AGENT, Protocol.CLONING, World.BUS);
-        world.runUntil(30_000);
+        CompletableFuture<String> end = station.depart(AGENT, Protocol.CLONING, Simulation.BUS);
+        simulation.runUntil(30_000);
         assertEquals(AGENT, end.join());
-        assertEquals(2, world.awake(AGENT));
+        assertEquals(2, simulation.awake(AGENT));
         assertEquals(List.of(), station.open());
     }
 
     @Test
     void depart_secondVisit_takesLessThanHalfTheAir() {
         move();
-        world.runUntil(30_000);
-        long first = world.bits;
-        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
-        world.runUntil(60_000);
+        simulation.runUntil(30_000);
+        long first = simulation.bits;
+        bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
+        simulation.runUntil(60_000);
         assertOnlyAt(station, bus);
         // Its texts are there already.
-        assertTrue(world.bits - first < first, world.bits + " bits, of which " + first + " on the first way");
+        assertTrue(simulation.bits - first < first, simulation.bits + " bits, of which " + first + " on the first way");
     }
 
     @Test
@@ -154,24 +154,24 @@ class MovesTest {
         List<Bytes> texts = List.of(Bytes.copyOf(new byte[70_000]), Bytes.ofText("b"));
         station.awake.put(AGENT, texts);
         move();
-        world.runUntil(60_000);
+        simulation.runUntil(60_000);
         assertEquals(List.of("stayed too_large"), station.told);
     }
 
     @Test
     void depart_nameThatIsAnAddress_isRefused() {
         station.awake.put("anna", TEXTS);
-        station.depart("anna", Protocol.MUTUALISM, World.BUS);
-        world.runUntil(60_000);
+        station.depart("anna", Protocol.MUTUALISM, Simulation.BUS);
+        simulation.runUntil(60_000);
         assertEquals(List.of("stayed bad_name"), station.told);
     }
 
     @Test
     void depart_shortMessagesPassAndLongOnesDoNot_endsAfterPatience() {
-        world.longest = 100;
+        simulation.longest = 100;
         station.awake.put(AGENT, List.of(much(), Bytes.ofText("b")));
         move();
-        world.runUntil(200_000);
+        simulation.runUntil(200_000);
         assertEquals(List.of("stayed undelivered"), station.told);
         assertEquals(Set.of(), bus.awake.keySet());
     }
@@ -181,10 +181,10 @@ class MovesTest {
         move();
         until(() -> isIn(bus, Move.State.READY));
         bus.broken.add("write");
-        world.runUntil(world.millis() + 100_000);
-        assertEquals(0, world.awake(AGENT));
+        simulation.runUntil(simulation.millis() + 100_000);
+        assertEquals(0, simulation.awake(AGENT));
         bus.broken.clear();
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertOnlyAt(bus, station);
         assertEquals(List.of(), station.open());
     }
@@ -193,10 +193,10 @@ class MovesTest {
     void depart_receiverCannotMakeIt_livesThereWhenItCan() {
         bus.crowded = true;
         CompletableFuture<String> end = move();
-        world.runUntil(100_000);
+        simulation.runUntil(100_000);
         assertFalse(end.isDone(), "it is awake nowhere");
         bus.crowded = false;
-        world.runUntil(200_000);
+        simulation.runUntil(200_000);
         assertOnlyAt(bus, station);
         assertEquals(AGENT, end.join());
     }
@@ -205,7 +205,7 @@ class MovesTest {
     void depart_receiversDiskFull_isRefused() {
         bus.broken.add("write");
         move();
-        world.runUntil(30_000);
+        simulation.runUntil(30_000);
         assertEquals("stayed disk", station.told.get(0));
         assertOnlyAt(station, bus);
     }
@@ -215,10 +215,10 @@ class MovesTest {
         move();
         until(() -> isIn(bus, Move.State.READY));
         station.broken.add("write");
-        world.runUntil(world.millis() + 20_000);
-        assertEquals(0, world.awake(AGENT));
+        simulation.runUntil(simulation.millis() + 20_000);
+        assertEquals(0, simulation.awake(AGENT));
         station.broken.clear();
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertOnlyAt(bus, station);
     }
 
@@ -227,7 +227,7 @@ class MovesTest {
         move();
         until(() -> isIn(bus, Move.State.READY));
         station.broken.add("write");
-        world.runUntil(200_000);
+        simulation.runUntil(200_000);
         assertOnlyAt(station, bus);
         assertEquals(List.of(), bus.open());
     }
@@ -237,10 +237,10 @@ class MovesTest {
         CompletableFuture<String> end = move();
         until(() -> isIn(station, Move.State.GONE));
         station.broken.addAll(Set.of("write", "delete"));
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertFalse(end.isDone());
         station.broken.clear();
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertEquals(AGENT, end.join());
         assertOnlyAt(bus, station);
         assertEquals(List.of(), station.open());
@@ -251,10 +251,10 @@ class MovesTest {
         bus.admits = false;
         station.broken.add("delete");
         move();
-        world.runUntil(200_000);
-        assertEquals(0, world.awake(AGENT));
+        simulation.runUntil(200_000);
+        assertEquals(0, simulation.awake(AGENT));
         station.broken.clear();
-        world.runUntil(300_000);
+        simulation.runUntil(300_000);
         assertOnlyAt(station, bus);
     }
 
@@ -263,29 +263,29 @@ class MovesTest {
         bus.admits = false;
         move();
         until(() -> isIn(station, Move.State.OFFERED));
-        deleteAll(folder.resolve(World.STATION.toString()));
-        world.runUntil(30_000);
+        deleteAll(folder.resolve(Simulation.STATION.toString()));
+        simulation.runUntil(30_000);
         assertEquals(List.of("stayed refused"), station.told);
         assertOnlyAt(station, bus);
         move();
-        world.runUntil(60_000);
+        simulation.runUntil(60_000);
         assertEquals("stayed disk", station.told.get(1));
     }
 
     @Test
     void depart_backAndDiskFullWhenItHasGone_doesNotWakeThereAgain() {
         move();
-        world.runUntil(30_000);
-        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
+        simulation.runUntil(30_000);
+        bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
         // Two records change when it goes: there is room for the first.
         until(() -> isIn(station, Move.State.READY));
         bus.broken.add("write LEFT");
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         bus.broken.clear();
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         bus.kill();
         bus.start();
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertOnlyAt(station, bus);
     }
 
@@ -293,9 +293,9 @@ class MovesTest {
     void depart_boardHasTooMuchToSend_goesSoonAfterwards() {
         station.unsent = Optional.of(new Failure("queue_full", "the board takes nothing"));
         CompletableFuture<String> end = move();
-        world.runUntil(31_000);
+        simulation.runUntil(31_000);
         station.unsent = Optional.empty();
-        world.runUntil(45_000);
+        simulation.runUntil(45_000);
         assertEquals(AGENT, end.join());
     }
 
@@ -303,10 +303,10 @@ class MovesTest {
     @ValueSource(strings = {"anna", "self", "percept", "Bob", "a-b", "df", "true", "not"})
     void depart_nameThatCouldBeMistaken_saysSoBeforeAnythingIsSent(String name) {
         station.awake.put(name, TEXTS);
-        station.depart(name, Protocol.MUTUALISM, World.BUS);
-        world.runUntil(1_000);
+        station.depart(name, Protocol.MUTUALISM, Simulation.BUS);
+        simulation.runUntil(1_000);
         assertEquals(List.of("stayed bad_name"), station.told);
-        assertEquals(0, world.messages);
+        assertEquals(0, simulation.messages);
     }
 
     @ParameterizedTest
@@ -315,22 +315,22 @@ class MovesTest {
         move();
         until(() -> isIn(bus, Move.State.READY));
         until(() -> isIn(station, Move.State.GONE));
-        for (World.Side side : List.of(bus, station)) {
+        for (Simulation.Side side : List.of(bus, station)) {
             side.kill();
             Path record = record(side);
             byte[] good = Files.readAllBytes(record);
             Files.write(record, garbage.getBytes(StandardCharsets.ISO_8859_1));
             side.start();
-            world.runUntil(world.millis() + 60_000);
+            simulation.runUntil(simulation.millis() + 60_000);
             assertTrue(side.told.get(side.told.size() - 1).contains(record.getFileName().toString()),
                     () -> "" + side.told);
-            assertEquals(0, world.awake(AGENT));
+            assertEquals(0, simulation.awake(AGENT));
             side.kill();
             Files.write(record, good);
             side.start();
-            world.contact = side == station;
+            simulation.contact = side == station;
         }
-        world.runUntil(world.millis() + 100_000);
+        simulation.runUntil(simulation.millis() + 100_000);
         assertOnlyAt(bus, station);
     }
 
@@ -349,7 +349,7 @@ class MovesTest {
         }
     }
 
-    private Path record(World.Side side) throws IOException {
+    private Path record(Simulation.Side side) throws IOException {
         try (Stream<Path> files = Files.list(folder.resolve(side.address.toString()))) {
             return files.filter(file -> file.toString().endsWith(".move")).findFirst().orElseThrow();
         }
@@ -359,8 +359,8 @@ class MovesTest {
     void start_textDamaged_othersGoOnAndItWaits() throws IOException {
         station.awake.put("other", TEXTS);
         move();
-        station.depart("other", Protocol.MUTUALISM, World.BUS);
-        world.runUntil(60_000);
+        station.depart("other", Protocol.MUTUALISM, Simulation.BUS);
+        simulation.runUntil(60_000);
         bus.kill();
         Move move = Folder.records(folder.resolve("SUBB")).get(0);
         assertEquals(2, Folder.records(folder.resolve("SUBB")).size());
@@ -368,7 +368,7 @@ class MovesTest {
         byte[] good = Files.readAllBytes(part);
         Files.write(part, new byte[0]);
         bus.start();
-        world.runUntil(100_000);
+        simulation.runUntil(100_000);
         assertEquals(Set.of(), bus.awake.keySet(), "not with an empty text");
         assertEquals(2, bus.told.stream().filter(line -> line.contains("lost or damaged")).count());
         bus.kill();
@@ -383,36 +383,36 @@ class MovesTest {
         Path file = folder.resolve("SUBB").resolve("parts").resolve(Part.hash(TEXTS.get(0)).hex() + kind);
         Files.write(file, "rubbish".getBytes(StandardCharsets.US_ASCII));
         move();
-        world.runUntil(60_000);
+        simulation.runUntil(60_000);
         assertOnlyAt(bus, station);
     }
 
     @Test
     void go_againWhileItIsToLeave_doesNotWakeIt() {
         move();
-        world.runUntil(30_000);
+        simulation.runUntil(30_000);
         int number = Folder.records(folder.resolve("SUBB")).get(0).key().number();
-        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
+        bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
         until(() -> isIn(bus, Move.State.OFFERED));
-        world.contact = false;
+        simulation.contact = false;
         bus.kill();
         bus.start();
-        say(number, new Mail.Go());
-        say(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
+        deliver(number, new Mail.Go());
+        deliver(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
                 identity()));
-        assertEquals(0, world.awake(AGENT));
+        assertEquals(0, simulation.awake(AGENT));
     }
 
     @Test
     void ended_whatCameOrIsToLeave_doesNotLiveHereAgain() {
         move();
-        world.runUntil(30_000);
+        simulation.runUntil(30_000);
         bus.awake.remove(AGENT);
         bus.moves.ended(AGENT);
         bus.kill();
         bus.start();
-        world.runUntil(60_000);
-        assertEquals(0, world.awake(AGENT));
+        simulation.runUntil(60_000);
+        assertEquals(0, simulation.awake(AGENT));
     }
 
     @Test
@@ -422,15 +422,15 @@ class MovesTest {
             byte[] hash = new byte[Part.HASH_LENGTH];
             random.nextBytes(hash);
             Part part = new Part(Bytes.copyOf(hash), 900, 900);
-            say(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), identity()));
+            deliver(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), identity()));
             // Each second one is whole, and wrong, also when it is asked for again.
             for (int wrong = 0; wrong < 2; wrong++) {
-                say(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
-                say(i, new Mail.Data(0, 480, Bytes.copyOf(new byte[420])));
+                deliver(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
+                deliver(i, new Mail.Data(0, 480, Bytes.copyOf(new byte[420])));
             }
-            world.runUntil(world.millis() + 20_000);
+            simulation.runUntil(simulation.millis() + 20_000);
         }
-        world.runUntil(world.millis() + 2 * Moves.FORGET_MILLIS);
+        simulation.runUntil(simulation.millis() + 2 * Moves.FORGET_MILLIS);
         try (Stream<Path> parts = Files.list(folder.resolve("SUBB").resolve("parts"))) {
             assertTrue(parts.count() <= 64, "they do not fill the disk");
         }
@@ -438,47 +438,47 @@ class MovesTest {
         assertTrue(bus.moves.count(Moves.Count.REFUSED) >= 150, "" + bus.moves.count(Moves.Count.REFUSED));
         station.awake.put(AGENT, TEXTS);
         move();
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertOnlyAt(bus, station);
     }
 
-    private void say(int number, Mail.Said said) {
-        bus.moves.received(World.STATION, new Mail(number, said).encode());
-        world.runUntil(world.millis());
+    private void deliver(int number, Mail.Said said) {
+        bus.moves.received(Simulation.STATION, new Mail(number, said).encode());
+        simulation.runUntil(simulation.millis());
     }
 
     @Test
     void refusal_thatCommandsTheTerminal_hasBlanks() {
-        world.contact = false;
+        simulation.contact = false;
         CompletableFuture<String> end = move();
         until(() -> isIn(station, Move.State.OFFERED));
         int number = station.open().get(0).key().number();
-        station.moves.received(World.BUS, new Mail(number, new Mail.Refused("oops", "a\u001b[2J\nb")).encode());
-        world.runUntil(1_000);
+        station.moves.received(Simulation.BUS, new Mail(number, new Mail.Refused("oops", "a\u001b[2J\nb")).encode());
+        simulation.runUntil(1_000);
         assertTrue(Failure.of(assertThrows(CompletionException.class, end::join)).message().endsWith(": a [2J b"));
     }
 
     @Test
     void offer_packedLongerThanAnyPacker_isRefused() {
-        say(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
+        deliver(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
                 identity()));
         assertTrue(bus.told.get(0).contains("become longer"), () -> "" + bus.told);
     }
 
     @Test
     void guest_thatStaysWhereItWasToLeave_isGuestAgain() {
-        Move.Key came = new Move.Key(false, World.STATION, 1);
+        Move.Key came = new Move.Key(false, Simulation.STATION, 1);
         Move.Identity who = identity();
         Move guest = new Move(came, Move.State.HERE, Protocol.INQUILINISM, who, AGENT, List.of(), false,
                 Optional.empty());
-        Move leaves = new Move(new Move.Key(true, World.STATION, 2), Move.State.OFFERED, Protocol.MUTUALISM, who,
+        Move leaves = new Move(new Move.Key(true, Simulation.STATION, 2), Move.State.OFFERED, Protocol.MUTUALISM, who,
                 AGENT, List.of(), false, Optional.of(came));
         assertTrue(leaves.isGuest(List.of(guest, leaves)));
         assertFalse(leaves.isGuest(List.of(leaves)));
     }
 
     private static Move.Identity identity() {
-        return new Move.Identity(World.STATION, AGENT, Bytes.copyOf(new byte[Move.Identity.TOKEN_LENGTH]));
+        return new Move.Identity(Simulation.STATION, AGENT, Bytes.copyOf(new byte[Move.Identity.TOKEN_LENGTH]));
     }
 
     private static void deleteAll(Path place) throws IOException {
@@ -489,13 +489,13 @@ class MovesTest {
         }
     }
 
-    private static boolean isIn(World.Side side, Move.State state) {
+    private static boolean isIn(Simulation.Side side, Move.State state) {
         return side.open().stream().anyMatch(each -> each.state() == state);
     }
 
     private void until(BooleanSupplier condition) {
         for (int i = 0; i < 100_000 && !condition.getAsBoolean(); i++) {
-            world.runUntil(world.millis() + 1);
+            simulation.runUntil(simulation.millis() + 1);
         }
         assertTrue(condition.getAsBoolean());
     }
@@ -512,14 +512,14 @@ class MovesTest {
         List<Bytes> texts = List.of(much(), Bytes.ofText("b"));
         station.awake.put(AGENT, texts);
         CompletableFuture<String> end = move();
-        world.runUntil(40_000);
-        world.contact = false;
-        world.runUntil(80_000);
-        world.contact = true;
-        long before = world.bits;
-        world.runUntil(200_000);
+        simulation.runUntil(40_000);
+        simulation.contact = false;
+        simulation.runUntil(80_000);
+        simulation.contact = true;
+        long before = simulation.bits;
+        simulation.runUntil(200_000);
         assertEquals(AGENT, end.join());
         assertEquals(texts, bus.awake.get(AGENT));
-        assertTrue(world.bits - before < before * 3 / 2, "it did not begin anew");
+        assertTrue(simulation.bits - before < before * 3 / 2, "it did not begin anew");
     }
 }

@@ -30,41 +30,41 @@ class ReturnsTest {
 
     @TempDir
     Path folder;
-    private World world;
-    private World.Side station;
-    private World.Side bus;
-    private World.Side hospital;
+    private Simulation simulation;
+    private Simulation.Side station;
+    private Simulation.Side bus;
+    private Simulation.Side hospital;
 
     @BeforeEach
     void start() throws IOException {
-        world = new World(1, folder);
-        world.watched.add(AGENT);
-        station = world.side(World.STATION);
-        bus = world.side(World.BUS);
-        hospital = world.side(World.HOSPITAL);
+        simulation = new Simulation(1, folder);
+        simulation.watched.add(AGENT);
+        station = simulation.side(Simulation.STATION);
+        bus = simulation.side(Simulation.BUS);
+        hospital = simulation.side(Simulation.HOSPITAL);
         station.program.put(AGENT, TEXTS);
-        Stream.of(station, bus, hospital).forEach(World.Side::start);
+        Stream.of(station, bus, hospital).forEach(Simulation.Side::start);
     }
 
-    private CompletableFuture<String> move(World.Side from, Protocol protocol, World.Side to) {
+    private CompletableFuture<String> move(Simulation.Side from, Protocol protocol, Simulation.Side to) {
         CompletableFuture<String> end = from.depart(AGENT, protocol, to.address);
-        world.runUntil(world.millis() + 60_000);
+        simulation.runUntil(simulation.millis() + 60_000);
         return end;
     }
 
-    private void assertOnlyAt(World.Side here) {
-        assertEquals(1, world.awake(AGENT));
+    private void assertOnlyAt(Simulation.Side here) {
+        assertEquals(1, simulation.awake(AGENT));
         assertEquals(TEXTS, here.awake.get(AGENT), () -> station.told + " " + bus.told + " " + hospital.told);
-        assertEquals(List.of(), world.both);
+        assertEquals(List.of(), simulation.both);
     }
 
-    private Move record(World.Side side, Move.State state) {
+    private Move record(Simulation.Side side, Move.State state) {
         return Folder.records(folder.resolve(side.address.toString())).stream().filter(move -> move.state() == state)
                 .findFirst().orElseThrow();
     }
 
     private static Move.Identity inspector(Bytes token) {
-        return new Move.Identity(World.STATION, AGENT, token);
+        return new Move.Identity(Simulation.STATION, AGENT, token);
     }
 
     private static Move.Identity inspector(int token) {
@@ -72,7 +72,7 @@ class ReturnsTest {
     }
 
     private static List<Arguments> forgeries() {
-        return Stream.of(World.BUS, World.HOSPITAL)
+        return Stream.of(Simulation.BUS, Simulation.HOSPITAL)
                 .flatMap(from -> Stream.of(Protocol.values()).map(protocol -> Arguments.of(from, protocol))).toList();
     }
 
@@ -81,7 +81,7 @@ class ReturnsTest {
     void offer_namesTheAgentThatIsAwayWithoutItsToken_isRefused(Address from, Protocol protocol) {
         move(station, Protocol.MUTUALISM, bus);
         Move away = record(station, Move.State.AWAY);
-        world.forge(station, from, protocol, inspector(0));
+        simulation.forge(station, from, protocol, inspector(0));
         assertTrue(station.told.get(station.told.size() - 1).contains("does not prove"), () -> "" + station.told);
         assertEquals(away, record(station, Move.State.AWAY), "the agent itself may still come home");
         assertOnlyAt(bus);
@@ -93,7 +93,7 @@ class ReturnsTest {
     @EnumSource(Protocol.class)
     void offer_withTheTokenFromWhereTheAgentDidNotGo_isRefused(Protocol protocol) {
         move(station, Protocol.MUTUALISM, bus);
-        world.forge(station, World.HOSPITAL, protocol, record(station, Move.State.AWAY).identity());
+        simulation.forge(station, Simulation.HOSPITAL, protocol, record(station, Move.State.AWAY).identity());
         assertOnlyAt(bus);
     }
 
@@ -103,11 +103,11 @@ class ReturnsTest {
         move(station, Protocol.MUTUALISM, bus);
         Move.Identity earlier = record(station, Move.State.AWAY).identity();
         move(bus, Protocol.MUTUALISM, station);
-        world.forge(station, World.BUS, protocol, earlier);
+        simulation.forge(station, Simulation.BUS, protocol, earlier);
         assertOnlyAt(station);
         move(station, Protocol.MUTUALISM, bus);
         assertNotEquals(earlier.token(), record(station, Move.State.AWAY).identity().token());
-        world.forge(station, World.BUS, protocol, earlier);
+        simulation.forge(station, Simulation.BUS, protocol, earlier);
         assertOnlyAt(bus);
     }
 
@@ -117,25 +117,25 @@ class ReturnsTest {
         move(station, Protocol.MUTUALISM, bus);
         Move.Identity who = record(station, Move.State.AWAY).identity();
         bus.kill();
-        int first = world.forgeOffer(station, World.BUS, Protocol.MUTUALISM, who);
-        int second = world.forgeOffer(station, World.BUS, Protocol.MUTUALISM, who);
-        world.say(station, World.BUS, first, new Mail.Go());
-        assertEquals(1, world.awake(AGENT));
-        world.say(station, World.BUS, second, new Mail.Go());
-        assertEquals(1, world.awake(AGENT));
+        int first = simulation.forgeOffer(station, Simulation.BUS, Protocol.MUTUALISM, who);
+        int second = simulation.forgeOffer(station, Simulation.BUS, Protocol.MUTUALISM, who);
+        simulation.deliver(station, Simulation.BUS, first, new Mail.Go());
+        assertEquals(1, simulation.awake(AGENT));
+        simulation.deliver(station, Simulation.BUS, second, new Mail.Go());
+        assertEquals(1, simulation.awake(AGENT));
         station.kill();
         station.start();
-        world.say(station, World.BUS, second, new Mail.Go());
-        assertEquals(1, world.awake(AGENT));
+        simulation.deliver(station, Simulation.BUS, second, new Mail.Go());
+        assertEquals(1, simulation.awake(AGENT));
     }
 
     @Test
     void offer_whileTheAgentIsStillOffered_isRefused() {
         bus.kill();
-        station.depart(AGENT, Protocol.MUTUALISM, World.BUS);
-        world.runUntil(world.millis() + 1_000);
-        world.forge(station, World.BUS, Protocol.MUTUALISM, record(station, Move.State.OFFERED).identity());
-        world.runUntil(world.millis() + 2 * Moves.PATIENCE_MILLIS);
+        station.depart(AGENT, Protocol.MUTUALISM, Simulation.BUS);
+        simulation.runUntil(simulation.millis() + 1_000);
+        simulation.forge(station, Simulation.BUS, Protocol.MUTUALISM, record(station, Move.State.OFFERED).identity());
+        simulation.runUntil(simulation.millis() + 2 * Moves.PATIENCE_MILLIS);
         assertOnlyAt(station);
     }
 
@@ -143,15 +143,15 @@ class ReturnsTest {
     void offer_ofAnAgentThatWentOnFromThere_doesNotEndItsRecord() {
         move(station, Protocol.MUTUALISM, bus);
         // The bus never learns that the agent is awake at the hospital.
-        bus.depart(AGENT, Protocol.MUTUALISM, World.HOSPITAL);
+        bus.depart(AGENT, Protocol.MUTUALISM, Simulation.HOSPITAL);
         while (bus.open().stream().noneMatch(move -> move.state() == Move.State.GONE)) {
-            world.runUntil(world.millis() + 1);
+            simulation.runUntil(simulation.millis() + 1);
         }
-        world.contact = false;
-        world.runUntil(world.millis() + 60_000);
+        simulation.contact = false;
+        simulation.runUntil(simulation.millis() + 60_000);
         Move gone = record(bus, Move.State.GONE);
-        world.forge(bus, World.HOSPITAL, Protocol.MUTUALISM, inspector(0));
-        world.forge(bus, World.STATION, Protocol.MUTUALISM, gone.identity());
+        simulation.forge(bus, Simulation.HOSPITAL, Protocol.MUTUALISM, inspector(0));
+        simulation.forge(bus, Simulation.STATION, Protocol.MUTUALISM, gone.identity());
         assertEquals(gone, record(bus, Move.State.GONE));
         bus.kill();
         bus.start();
@@ -174,23 +174,23 @@ class ReturnsTest {
     @Test
     void agent_thatItsProgramDidNotStart_comesHomeByItsTokenToo() {
         station.awake.put("scout", TEXTS);
-        station.depart("scout", Protocol.MUTUALISM, World.BUS);
-        world.runUntil(60_000);
-        bus.depart("scout", Protocol.MUTUALISM, World.STATION);
-        world.runUntil(120_000);
+        station.depart("scout", Protocol.MUTUALISM, Simulation.BUS);
+        simulation.runUntil(60_000);
+        bus.depart("scout", Protocol.MUTUALISM, Simulation.STATION);
+        simulation.runUntil(120_000);
         assertEquals(TEXTS, station.awake.get("scout"));
     }
 
     @Test
     void clone_atHome_isNotTheAgentThatIsAway() {
         move(station, Protocol.MUTUALISM, bus);
-        world.watched.clear();
+        simulation.watched.clear();
         move(bus, Protocol.CLONING, station);
         Move away = record(station, Move.State.AWAY);
         station.kill();
         station.start();
         assertEquals(away, record(station, Move.State.AWAY));
-        assertEquals(2, world.awake(AGENT), "the clone here, and the agent there");
+        assertEquals(2, simulation.awake(AGENT), "the clone here, and the agent there");
     }
 
     // Guests
@@ -210,7 +210,7 @@ class ReturnsTest {
         move(station, Protocol.INQUILINISM, bus);
         move(bus, Protocol.INQUILINISM, hospital);
         assertOnlyAt(hospital);
-        assertEquals(World.STATION, record(hospital, Move.State.HERE).identity().home());
+        assertEquals(Simulation.STATION, record(hospital, Move.State.HERE).identity().home());
         move(hospital, Protocol.MUTUALISM, bus);
         assertEquals("stayed guest", hospital.told.get(hospital.told.size() - 1));
     }
@@ -226,11 +226,11 @@ class ReturnsTest {
     @EnumSource(value = Protocol.class, mode = EnumSource.Mode.EXCLUDE, names = "INQUILINISM")
     void guest_whoseHomeWasALie_isNotLetInThere(Protocol protocol) {
         // It is the hospital's, which says that it is the station's.
-        world.forge(bus, World.HOSPITAL, Protocol.INQUILINISM, new Move.Identity(World.STATION, "cuckoo",
+        simulation.forge(bus, Simulation.HOSPITAL, Protocol.INQUILINISM, new Move.Identity(Simulation.STATION, "cuckoo",
                 Bytes.ofNumber(0, Move.Identity.TOKEN_LENGTH)));
         assertEquals(Set.of("cuckoo"), bus.awake.keySet(), () -> "" + bus.told);
-        bus.depart("cuckoo", protocol, World.STATION);
-        world.runUntil(world.millis() + 60_000);
+        bus.depart("cuckoo", protocol, Simulation.STATION);
+        simulation.runUntil(simulation.millis() + 60_000);
         assertEquals("stayed refused", bus.told.get(bus.told.size() - 1));
         assertEquals(Set.of(AGENT), station.awake.keySet());
     }

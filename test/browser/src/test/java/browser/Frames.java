@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
 
 /**
  * Measures what the page shows beside the emulation: frames a second with 5 and 32 boards, all of which move, while a
- * stranger sends; and how much of real time the run reaches without a page, with one, and with ten of which nine
+ * injector sends; and how much of real time the run reaches without a page, with one, and with ten of which nine
  * ask for the events and read none.
  */
 public final class Frames {

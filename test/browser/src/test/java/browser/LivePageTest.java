@@ -166,15 +166,15 @@ class LivePageTest {
     }
 
     @Test
-    void stranger_isRefused_andItsTextIsNeverMarkup() throws Exception {
+    void injector_isRefused_andItsTextIsNeverMarkup() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
-            page.driver().findElement(By.id("tab-stranger")).click();
+            page.driver().findElement(By.id("tab-injector")).click();
             WebElement term = page.await("#shout input[name='term']");
             term.clear();
             term.sendKeys("p(\"<script>document.title=7</script>\")");
             click(page, "shout-send");
-            page.awaitText("#stranger-result", "<script>");
+            page.awaitText("#injector-result", "<script>");
             page.screenshot("shout");
 
             Select recorded = new Select(page.await("#recorded"));
@@ -188,7 +188,7 @@ class LivePageTest {
 
             assertFalse("7".equals(page.driver().getTitle()));
             assertTrue(page.all("body script").isEmpty());
-            awaitEvent(run, is("rf-tx", "stranger"));
+            awaitEvent(run, is("rf-tx", "injector"));
             assertClean(page);
         }
     }
@@ -258,7 +258,7 @@ class LivePageTest {
                 click(page, id);
                 next[0] = System.currentTimeMillis() + PATIENCE_MILLIS / 4;
             }
-            return driver.findElement(By.id("stranger-result")).getText().contains(result);
+            return driver.findElement(By.id("injector-result")).getText().contains(result);
         });
     }
 

@@ -22,7 +22,7 @@ final class AirTrace {
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
     private static final double LAST_SECOND = 1e9;
-    private static final int PIECES = 8;
+    private static final int FRAGMENTS = 8;
     private static final int HEADER_DIGITS = 20;
 
     /** A jam, in seconds. */
@@ -108,10 +108,11 @@ final class AirTrace {
     private Packet.Kind kind(TraceEvent event, String kind, String payload) {
         return switch (kind) {
             case "unicast" -> seen.add(payload) ? Packet.Kind.FIRST : Packet.Kind.REPEAT;
-            // Whether a piece wants an answer may differ from one time to the next.
-            case "piece" -> seen.add(event.text("origin") + event.number("id") + "/" + event.number("index") % PIECES
-                    + payload.substring(Math.min(HEADER_DIGITS, payload.length()))) ? Packet.Kind.PIECE
-                            : Packet.Kind.REPEAT;
+            // Whether a fragment wants an answer may differ from one time to the next.
+            case "fragment" ->
+                seen.add(event.text("origin") + event.number("id") + "/" + event.number("index") % FRAGMENTS
+                        + payload.substring(Math.min(HEADER_DIGITS, payload.length()))) ? Packet.Kind.FRAGMENT
+                                : Packet.Kind.REPEAT;
             case "multicast", "broadcast" -> seen.add(payload) ? Packet.Kind.TO_MANY : Packet.Kind.REPEAT;
             case "acknowledgement" -> Packet.Kind.ACKNOWLEDGEMENT;
             default -> Packet.Kind.OTHER;

@@ -15,7 +15,7 @@ final class Packet {
     enum Kind {
         FIRST("first attempt", "#2f6fb5"),
         REPEAT("repeat", "#c45a00"),
-        PIECE("piece", "#8242b5"),
+        FRAGMENT("fragment", "#8242b5"),
         ACKNOWLEDGEMENT("acknowledgement", "#2e7d32"),
         TO_MANY("multicast, broadcast", "#00808a"),
         OTHER("other", "#6b6b6b");

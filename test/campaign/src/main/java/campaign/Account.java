@@ -14,14 +14,13 @@ import java.util.Set;
  * @param offered   messages that the first handed to its board.
  * @param delivered of these, reported delivered.
  * @param lost      reported delivered, and not in the second's log.
- * @param again     handed over once more to a later run of the second host, with the same id: SPEC 7.2 allows it, since
- * the
- *                  run before died before it had said that it has the message.
+ * @param redelivered handed over once more to a later run of the second host, with the same id: SPEC 7.2 allows it,
+ *                  since the run before died before it had said that it has the message.
  * @param twice     handed over twice otherwise.
  * @param wrong     handed over, but never sent like this.
  * @param stuck     neither refused nor ended although the host waited for it.
  */
-record Account(long offered, long delivered, long lost, long again, long twice, long wrong, long stuck) {
+record Account(long offered, long delivered, long lost, long redelivered, long twice, long wrong, long stuck) {
 
     static final Account EMPTY = new Account(0, 0, 0, 0, 0, 0, 0);
 
@@ -49,17 +48,17 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
         long wrong = receiver.lines().stream().filter(line -> line.startsWith("wrong ")).count()
                 + handed.keySet().stream().filter(number -> !offered.contains(number)).count();
         long lost = delivered.stream().filter(number -> !handed.containsKey(number)).count();
-        long again = 0;
+        long redelivered = 0;
         long twice = 0;
         for (List<Handed> times : handed.values()) {
             for (int i = 1; i < times.size(); i++) {
                 boolean allowed =
                         times.get(i).run > times.get(i - 1).run && times.get(i).id.equals(times.get(i - 1).id);
-                again += allowed ? 1 : 0;
+                redelivered += allowed ? 1 : 0;
                 twice += allowed ? 0 : 1;
             }
         }
-        return new Account(offered.size(), delivered.size(), lost, again, twice, wrong, stuck);
+        return new Account(offered.size(), delivered.size(), lost, redelivered, twice, wrong, stuck);
     }
 
     private static Map<String, List<Handed>> handed(HostLog receiver) throws IOException {
@@ -78,7 +77,8 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
     }
 
     Account plus(Account other) {
-        return new Account(offered + other.offered, delivered + other.delivered, lost + other.lost, again + other.again,
+        return new Account(offered + other.offered, delivered + other.delivered, lost + other.lost,
+                redelivered + other.redelivered,
                 twice + other.twice, wrong + other.wrong, stuck + other.stuck);
     }
 }

@@ -83,22 +83,22 @@ final class Attacker implements AutoCloseable {
         return new Frame(to.address(), from.address(), random(30, random)).encode().toArray();
     }
 
-    /** A piece that begins a message, and asks which of it are here. */
-    static byte[] forgedPiece(Field.Post from, Field.Post to, Random random) {
+    /** A fragment that begins a message, and asks which of it are here. */
+    static byte[] forgedFragment(Field.Post from, Field.Post to, Random random) {
         Bytes begun =
                 new Frame(to.address(), from.address(), random(400, random)).encode().slice(0, Payload.PART_LENGTH);
-        return new Frame(Address.piece(random.nextInt(26), 8), from.address(), begun).encode().toArray();
+        return new Frame(Address.fragment(random.nextInt(26), 8), from.address(), begun).encode().toArray();
     }
 
     /**
-     * A last piece of one byte, in the next message of a sender whose messages all go in pieces: it tells a wrong
+     * A last fragment of one byte, in the next message of a sender whose messages all go in fragments: it tells a wrong
      * length.
      *
      * @param ended how many of its messages have ended: their ids run from 0 (SPEC 7.1), and one is under way.
      */
     static byte[] forgedEnd(Field.Post from, long ended, Random random) {
-        Address piece = Address.piece((int) (ended + 1) % 64, 1 + random.nextInt(3));
-        return new Frame(piece, from.address(), random(1, random)).encode().toArray();
+        Address to = Address.fragment((int) (ended + 1) % 64, 1 + random.nextInt(3));
+        return new Frame(to, from.address(), random(1, random)).encode().toArray();
     }
 
     /** A broadcast of nothing that a host hands on, so that only the way to there is taken up. */

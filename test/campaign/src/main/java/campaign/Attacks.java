@@ -36,9 +36,9 @@ final class Attacks implements Campaign {
         List<Line> lines = attack(settings, report);
         report.text("""
             **The firmware's sources on the PC** (`test/attack`): a whole board with a simulated EEPROM gets hostile
-            packets and, between them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in pieces.
-            *Accepted*: the host was handed a forged or repeated message, or the board took a forged acknowledgement or
-            stale notice for genuine.""");
+            packets and, between them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in
+            fragments. *Accepted*: the host was handed a forged or repeated message, or the board took a forged
+            acknowledgement for genuine.""");
         Table table = new Table("attack", "tries", "accepted", "genuine", "of these lost");
         lines.forEach(line -> table.row(line.name, line.tries, line.accepted, line.genuine, line.lost));
         long tries = lines.stream().mapToLong(Line::tries).sum();

@@ -21,7 +21,7 @@ public final class Campaigns implements Callable<Integer> {
     private static final long DEFAULT_MINUTES = 20;
     private static final List<Campaign> ALL =
             List.of(new Delivery(), new Range(), new Load(), new Relays(), new Faults(), new Attacks(), new Fuzzing(),
-                    new Moves(), new Strangers(), new Cells(), new Soak());
+                    new Moves(), new KeyAgreements(), new Cells(), new Soak());
 
     @Option(names = "--only", split = ",", paramLabel = "NAME", description = "run these alone")
     private List<String> only = List.of();

@@ -56,7 +56,7 @@ final class Delivery implements Campaign {
             is inverted; or errors in *bursts* of 30 bits, of which 0.25 are wrong, with this mean of all bits; or clean
             air where receivers give *noise* as long as nobody sends. *Delivered* counts reports to the sender's
             host, *received* messages handed to the other host. *Packets* and *air* count everything that both boards
-            send for a message: attempts, pieces and acknowledgements; a millisecond of air is two bits. Figures are
+            send for a message: attempts, fragments and acknowledgements; a millisecond of air is two bits. Figures are
             those of %d seeds together, and *of a seed* those of the worst and the best of them."""
                 .formatted(seeds));
         Table table = new Table("air, content", "unicasts", "delivered", "of a seed", "received", "packets each",

@@ -37,7 +37,7 @@ final class FaultField implements AutoCloseable {
     FaultField(long seed, int pairs, List<Fault> faults) {
         cells = Collections.nCopies(pairs, new Field.Cell("Station", 2));
         posts = Field.posts(cells);
-        scenario = new Emulator.Scenario().seed(seed).listener(this::traced).forgetful();
+        scenario = new Emulator.Scenario().seed(seed).listener(this::traced).discardEvents();
         for (Fault fault : faults) {
             Field.Post hit = posts.get(fault.pair()).get(fault.side());
             fault.into(scenario, hit.name(), Field.position(fault.pair()));

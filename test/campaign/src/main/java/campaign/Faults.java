@@ -20,7 +20,7 @@ final class Faults implements Campaign {
         report.text("""
             %d pairs of boards (`Station`), each with a host in a process of its own (`javino-board`, port opened with a
             reset as a Mega's). All hosts send to their peers without a pause, nine contents of 16 bytes to one of 60 in
-            two pieces, replace a key every 3 s, so that much is written to the EEPROM, and log each received message
+            two fragments, replace a key every 3 s, so that much is written to the EEPROM, and log each received message
             before their board learns that they have it. Every %.0f s a fault hits each pair. A power cut comes at the
             1st to 30th byte that the board writes from then on, tears that byte, leaves random bytes in RAM, and lasts
             0.2 s. Emulated time from the end of the cause: *answered*, until the link works both ways again: a packet
@@ -48,7 +48,7 @@ final class Faults implements Campaign {
         Account account = field.account();
         report.table(new Table("messages", "sent", "reported delivered", "again to a host's next run").row("all hosts",
                 account.offered(),
-                account.delivered(), account.again()));
+                account.delivered(), account.redelivered()));
         report.aim("the link works again within 2 s of the end of each cause",
                 all.stream().allMatch(each -> each.answered() <= AIM_SECONDS));
         report.never("reported delivered, but missing in the receiver's log", account.lost());

@@ -17,7 +17,7 @@ final class Floods {
 
     /** What is forged. */
     private enum Kind {
-        NONE("nothing"), FRAMES("sealed frames"), PIECES("first pieces"), ENDS("ends of the next message"),
+        NONE("nothing"), FRAMES("sealed frames"), FRAGMENTS("first fragments"), ENDS("ends of the next message"),
         BROADCASTS("broadcasts");
 
         private final String title;
@@ -32,7 +32,7 @@ final class Floods {
             return switch (this) {
                 case NONE -> throw new IllegalStateException("nothing is forged");
                 case FRAMES -> random -> Attacker.forgedFrame(from, to, random);
-                case PIECES -> random -> Attacker.forgedPiece(from, to, random);
+                case FRAGMENTS -> random -> Attacker.forgedFragment(from, to, random);
                 case ENDS -> random -> Attacker.forgedEnd(from, pair.ledger().sum().ended(), random);
                 case BROADCASTS -> random -> Attacker.noise(attacker, random);
             };
@@ -53,9 +53,9 @@ final class Floods {
 
     private static final List<Case> CAMPAIGN = List.of(new Case(Kind.NONE, 0), new Case(Kind.FRAMES, 0.25),
             new Case(Kind.FRAMES, 0.5),
-            new Case(Kind.PIECES, 0.25), new Case(Kind.PIECES, 0.5), new Case(Kind.BROADCASTS, 0.25),
+            new Case(Kind.FRAGMENTS, 0.25), new Case(Kind.FRAGMENTS, 0.5), new Case(Kind.BROADCASTS, 0.25),
             new Case(Kind.BROADCASTS, 0.5),
-            new Case(Kind.PIECES, 0.05),
+            new Case(Kind.FRAGMENTS, 0.05),
             new Case(Kind.NONE, 0, LONG, 0), new Case(Kind.ENDS, 0.05, LONG, 0), new Case(Kind.NONE, 0, LONG, 1),
             new Case(Kind.ENDS, 0.05, LONG, 1), new Case(Kind.NONE, 0, LONG, 2), new Case(Kind.ENDS, 0.05, LONG, 2));
     private static final List<Case> TEST = List.of(new Case(Kind.FRAMES, 0.25), new Case(Kind.ENDS, 0.05, LONG, 0));
@@ -74,9 +74,9 @@ final class Floods {
         report.text("""
             **Floods**, on emulated boards: a third board in range of a pair sends forged packets, whatever is on the
             air, for %.0f s, at random times that come to a share of it: frames from the sender that the receiver has to
-            check, first pieces from the sender that ask for an answer, last pieces of one byte in the next message of
-            the sender, and broadcasts that no host can read. The pair goes on with unicasts, two of them always
-            waiting; *bytes* are those of each content. *Share of the air* is the attacker's, as
+            check, first fragments from the sender that ask for an answer, last fragments of one byte in the next
+            message of the sender, and broadcasts that no host can read. The pair goes on with unicasts, two of them
+            always waiting; *bytes* are those of each content. *Share of the air* is the attacker's, as
             measured.""".formatted(seconds));
         for (int i = 0; i < cases.size(); i += AT_ONCE) {
             run(cases.subList(i, Math.min(i + AT_ONCE, cases.size())), seconds, settings, report);

@@ -73,13 +73,13 @@ final class MeetingsOnBoards {
     /** What is done with each pair, side by side. */
     private interface Doing {
 
-        List<Double> with(StrangerPair pair, Random random) throws Exception;
+        List<Double> with(CertifiedPair pair, Random random) throws Exception;
     }
 
     private List<List<Double>> pairs(int cells, int pairsInCell, double bitErrors, long seed, Doing doing)
             throws Exception {
         ExecutorService threads = Executors.newCachedThreadPool();
-        List<StrangerPair> pairs = new CopyOnWriteArrayList<>();
+        List<CertifiedPair> pairs = new CopyOnWriteArrayList<>();
         try (Closing closing = new Closing()) {
             Timetable time = closing.add(new Timetable());
             Field field = closing.add(Field.start(
@@ -89,12 +89,12 @@ final class MeetingsOnBoards {
             Certificates authority = new Certificates(field.folder(), "authority");
             for (int cell = 0; cell < cells; cell++) {
                 for (int i = 0; i < pairsInCell; i++) {
-                    pairs.add(closing.add(new StrangerPair(field, time, cell, i, authority)));
+                    pairs.add(closing.add(new CertifiedPair(field, time, cell, i, authority)));
                 }
             }
             List<Callable<List<Double>>> all = new ArrayList<>();
             for (int i = 0; i < pairs.size(); i++) {
-                StrangerPair pair = pairs.get(i);
+                CertifiedPair pair = pairs.get(i);
                 Random random = new Random(seed * 100 + i);
                 all.add(() -> doing.with(pair, random));
             }
@@ -119,7 +119,7 @@ final class MeetingsOnBoards {
                 lost++;
             }
         }
-        return took.orElse(StrangerPair.PATIENCE);
+        return took.orElse(CertifiedPair.PATIENCE);
     }
 
     private List<Double> times(Table table, double bitErrors) throws Exception {
@@ -132,10 +132,10 @@ final class MeetingsOnBoards {
                 for (int round = 0; round < rounds; round++) {
                     pair.rest();
                     pair.forget();
-                    double took = came(pair.speak());
+                    double took = came(pair.deliver());
                     pair.rest();
                     pair.reset();
-                    double tookAgain = came(pair.speak());
+                    double tookAgain = came(pair.deliver());
                     synchronized (this) {
                         first.add(took);
                         again.add(tookAgain);
@@ -158,7 +158,7 @@ final class MeetingsOnBoards {
         Table table = new Table("pairs in one range", "seed", "first of them", "median", "last of them");
         for (int seed = 0; seed < settings.choose(3, 1); seed++) {
             List<Double> all = pairs(1, pairs, 0, settings.seed() + seed,
-                    (pair, random) -> List.of(came(pair.speak()))).stream().flatMap(List::stream).toList();
+                    (pair, random) -> List.of(came(pair.deliver()))).stream().flatMap(List::stream).toList();
             table.row(pairs, settings.seed() + seed, seconds(share(all, 0)), seconds(share(all, 0.5)),
                     seconds(share(all, 1)));
             report.progress("%d pairs at once: %s", pairs, spread(all));
@@ -181,9 +181,9 @@ final class MeetingsOnBoards {
                     pair.forget();
                     long before = pair.keysSet();
                     pair.later(random.nextDouble() * FAULT_WITHIN, fault, random.nextBoolean());
-                    double each = came(pair.speak());
+                    double each = came(pair.deliver());
                     pair.awaitFault();
-                    double calm = came(pair.speak());
+                    double calm = came(pair.deliver());
                     synchronized (this) {
                         took.add(each + calm);
                         agreements.add((pair.keysSet() - before) / 2);
@@ -208,17 +208,17 @@ final class MeetingsOnBoards {
         int messages = settings.choose(300, 10);
         List<Double> found = pairs(1, 1, 0, settings.seed() + 20, (pair, random) -> {
             pair.rest();
-            came(pair.speak());
+            came(pair.deliver());
             pair.rest();
             pair.reset();
-            came(pair.speak());
+            came(pair.deliver());
             pair.rest();
             long before = pair.keysSet();
             List<Bytes> eeproms = pair.eeproms();
             pair.besiege(random, messages);
             pair.rest();
             boolean written = !eeproms.equals(pair.eeproms());
-            came(pair.speak());
+            came(pair.deliver());
             return List.of(written ? 1.0 : 0, (double) (pair.keysSet() - before), (double) pair.strange());
         }).get(0);
         report.text("""

@@ -33,7 +33,7 @@ final class MovesOnBoards {
         int count = settings.choose(4, 1);
         List<Field.Cell> cells = Collections.nCopies(count, new Field.Cell("Station", 2));
         Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).radio("bitErrorRate", BIT_ERRORS)
-                .forgetful().listener(this::traced);
+                .discardEvents().listener(this::traced);
         long begun = System.nanoTime();
         try (Closing closing = new Closing()) {
             Field field = closing.add(Field.start(scenario, cells));

@@ -51,7 +51,7 @@ record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> pla
     @Override
     public List<Result> call() throws Exception {
         AirUsage air = new AirUsage();
-        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).listener(air).forgetful();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).listener(air).discardEvents();
         radio.forEach(scenario::radio);
         try (Closing closing = new Closing()) {
             Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));

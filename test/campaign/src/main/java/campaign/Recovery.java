@@ -43,7 +43,7 @@ final class Recovery {
         if (end == NEVER || event.seconds() <= end || !isAnswer(event)) {
             return;
         }
-        if (concerns(event)) {
+        if (matches(event)) {
             answered = Math.min(answered, event.seconds());
         }
         if (!isDelivered(event)) {
@@ -57,7 +57,7 @@ final class Recovery {
         }
     }
 
-    private boolean concerns(TraceEvent event) {
+    private boolean matches(TraceEvent event) {
         return event.board().equals(hit.name()) || event.board().equals(other.name());
     }
 

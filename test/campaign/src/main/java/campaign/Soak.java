@@ -52,7 +52,7 @@ final class Soak implements Campaign {
         try (Closing closing = new Closing()) {
             // A replay would be in the heap that is measured.
             Emulator.Scenario scenario =
-                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).forgetful()
+                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).discardEvents()
                             .unmodelled();
             Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
             Field.Post one = field.cell(0).get(0);
@@ -100,9 +100,9 @@ final class Soak implements Campaign {
     private void describe(Memory memory, Report report) {
         report.text("""
             Two boards (`Station`) at %s times real time, each sending to the other without a pause: contents of 16
-            bytes one way, of 100, in pieces, the other way. The air is clean, so each packet that was not received has
-            a known reason: the board was itself sending when the packet began (*crossed*), or began to send while it
-            came, or two packets were on the air.
+            bytes one way, of 100, in fragments, the other way. The air is clean, so each packet that was not received
+            has a known reason: the board was itself sending when the packet began (*crossed*), or began to send while
+            it came, or two packets were on the air.
             """.formatted(SPEED));
         report.table(new Table("memory", "hosts' heap, emulator").row("at a quarter of the time", memory.at(0.25))
                 .row("at the end", memory.at(1)));

@@ -25,9 +25,9 @@ final class Timetable implements AutoCloseable {
     private final ExecutorService performer = Executors.newSingleThreadExecutor();
     private double now;
 
-    /** A forgetful scenario with the board that beats the time; of each event the listener hears first. */
+    /** A discardEvents scenario with the board that beats the time; of each event the listener hears first. */
     Emulator.Scenario scenario(long seed, Consumer<TraceEvent> listener) {
-        return new Emulator.Scenario().seed(seed).forgetful().listener(listener.andThen(this::see))
+        return new Emulator.Scenario().seed(seed).discardEvents().listener(listener.andThen(this::see))
                 .board(METRONOME, "Metronome",
                         Map.of("position", List.of(FAR_METRES, 0), "watch", List.of(Map.of("pin", 5, "name", "beat"))));
     }

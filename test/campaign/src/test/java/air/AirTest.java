@@ -156,18 +156,19 @@ class AirTest {
 
     @Test
     void kind_isToldByWhatWasSentBefore() throws IOException {
-        String piece = "\"kind\":\"piece\",\"id\":3,\"index\":%d,\"payload\":\"%s\"";
+        String fragment = "\"kind\":\"fragment\",\"id\":3,\"index\":%d,\"payload\":\"%s\"";
         String head = "2b46444153555050" + "4141";
         sendAs("a", 1, "\"kind\":\"unicast\",\"payload\":\"0011\"")
                 .sendAs("a", 2, "\"kind\":\"unicast\",\"payload\":\"0011\"")
-                .sendAs("a", 3, Table.text(piece, 1, head + "77")).sendAs("a", 4, Table.text(piece, 9, head + "77"))
-                .sendAs("a", 5, Table.text(piece, 2, head + "77"))
+                .sendAs("a", 3, Table.text(fragment, 1, head + "77"))
+                .sendAs("a", 4, Table.text(fragment, 9, head + "77"))
+                .sendAs("a", 5, Table.text(fragment, 2, head + "77"))
                 .sendAs("a", 6, "\"kind\":\"acknowledgement\",\"payload\":\"22\"")
                 .sendAs("a", 7, "\"kind\":\"acknowledgement\",\"payload\":\"22\"")
                 .sendAs("a", 8, "\"kind\":\"broadcast\",\"payload\":\"33\"")
                 .sendAs("a", 9, "\"kind\":\"no frame\",\"payload\":\"4\"");
-        assertEquals(List.of(Packet.Kind.FIRST, Packet.Kind.REPEAT, Packet.Kind.PIECE, Packet.Kind.REPEAT,
-                Packet.Kind.PIECE, Packet.Kind.ACKNOWLEDGEMENT, Packet.Kind.ACKNOWLEDGEMENT, Packet.Kind.TO_MANY,
+        assertEquals(List.of(Packet.Kind.FIRST, Packet.Kind.REPEAT, Packet.Kind.FRAGMENT, Packet.Kind.REPEAT,
+                Packet.Kind.FRAGMENT, Packet.Kind.ACKNOWLEDGEMENT, Packet.Kind.ACKNOWLEDGEMENT, Packet.Kind.TO_MANY,
                 Packet.Kind.OTHER), packets().stream().map(packet -> packet.kind).toList());
     }
 

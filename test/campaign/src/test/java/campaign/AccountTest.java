@@ -29,7 +29,7 @@ class AccountTest {
     @Test
     void of_sameIdInTheNextRun_isAgain() throws IOException {
         Account account = account("run\noffered 0\n", "run\nreceived 0 17\nrun\nreceived 0 17\n");
-        assertEquals(1, account.again());
+        assertEquals(1, account.redelivered());
         assertEquals(0, account.twice());
     }
 

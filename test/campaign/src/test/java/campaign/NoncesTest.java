@@ -48,7 +48,7 @@ class NoncesTest {
     }
 
     @Test
-    void see_firstPieceUnderAFramesNonce_isRepeated() {
+    void see_firstFragmentUnderAFramesNonce_isRepeated() {
         send("SUPOROMA", 7, "content and tag");
         see(frame("+FAAROMA", frame("SUPOROMA", nonce(7) + "another and tag")));
         assertEquals(1, nonces.repeated());

@@ -22,7 +22,7 @@ class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {
         return List.of(new Delivery(), new Range(), new Load(), new Relays(), new Faults(), new Attacks(),
-                new Fuzzing(), new Moves(), new Strangers(), new Cells(), new Soak());
+                new Fuzzing(), new Moves(), new KeyAgreements(), new Cells(), new Soak());
     }
 
     @ParameterizedTest

@@ -12,7 +12,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -25,7 +25,7 @@ class NumbersTest {
     private static final int PACKET = firmware("MAX_RADIO_PAYLOAD");
     private static final int PART = PACKET - Frame.HEADER_LENGTH;
     private static final int SEALED = PART - NONCE - TAG;
-    private static final int PIECES = firmware("MAX_PIECES");
+    private static final int FRAGMENTS = firmware("MAX_FRAGMENTS");
     private static final int ATTEMPTS = firmware("MAX_ATTEMPTS");
     private static final int PATIENCE = firmware("PATIENCE_MILLIS");
     private static final int SLOT = firmware("SLOT_BITS");
@@ -47,12 +47,12 @@ class NumbersTest {
                 says("SPEC.md", "`TAG_LENGTH` | %d bytes", TAG),
                 says("SPEC.md", "`MAX_CONTENT_LENGTH` | %d bytes", Content.MAX_LENGTH),
                 says("SPEC.md", "`MAX_RADIO_PAYLOAD` | %d bytes", PACKET),
-                says("SPEC.md", "`PIECE_LENGTH` | %d bytes", PART),
-                says("SPEC.md", "`MAX_PIECES` | %d |", PIECES),
+                says("SPEC.md", "`FRAGMENT_LENGTH` | %d bytes", PART),
+                says("SPEC.md", "`MAX_FRAGMENTS` | %d |", FRAGMENTS),
                 says("SPEC.md", "`PROOF_LENGTH` | %d bytes", firmware("PROOF_LENGTH")),
                 says("SPEC.md", "Up to **%d bytes** of a broadcast and **%d bytes** of a sealed content", PART, SEALED),
                 says("SPEC.md", "(mod %d) from question to question", Conversation.COUNT),
-                says("SPEC.md", "At most %d bytes before COBS", Packet.MAX_LENGTH),
+                says("SPEC.md", "At most %d bytes before COBS", SerialPacket.MAX_LENGTH),
                 says("SPEC.md", "(%d ms by default, and %d ms more for commands that write to EEPROM)",
                         SESSION.replyTimeout().toMillis(), constant("javino-board/src/main", "EEPROM_TIME")),
                 says("SPEC.md", "epoch 0x%X is never used", BoardInfo.LAST_EPOCH + 1),
@@ -61,7 +61,7 @@ class NumbersTest {
                 says("SPEC.md", "a limited number of places for them: %d, and 0 or 1",
                         firmware("JAVINO_SESSION_KEYS")),
                 says("SPEC.md", "A packet carries 1…%d bytes of payload", PACKET),
-                says("SPEC.md", "A frame of more than %d bytes is cut: fragment k (0…%d)", PACKET, PIECES - 1),
+                says("SPEC.md", "A frame of more than %d bytes is cut: fragment k (0…%d)", PACKET, FRAGMENTS - 1),
                 says("SPEC.md", "no new fragment came for %d s", EXPIRY),
                 says("SPEC.md", "for the last of %d attempts", ATTEMPTS),
                 says("SPEC.md", "begins within %d ms of that one's end", firmware("REPEAT_MILLIS")),
@@ -77,7 +77,7 @@ class NumbersTest {
                 says("DESIGN.md", "| hold: %d s |", SESSION.hold().toSeconds()),
                 says("SECURITY.md", "the last ones that it had (%d on a Mega)", 2 * firmware("JAVINO_SESSION_KEYS")),
                 says("SECURITY.md", "a proof of %d bytes under the key", firmware("PROOF_LENGTH")),
-                says("SECURITY.md", "each free again %d s after its last piece", EXPIRY),
+                says("SECURITY.md", "each free again %d s after its last fragment", EXPIRY),
                 says("javino-firmware/README.md", "it is called every %d ms", SAMPLE),
                 says("javino-firmware/README.md", "remembers %d such percepts", firmware("JAVINO_DEAD_BANDS")),
                 says("docs/how-to/add-a-sensor.md", "calls the function every %d ms", SAMPLE),

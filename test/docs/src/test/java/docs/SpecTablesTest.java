@@ -66,7 +66,7 @@ class SpecTablesTest {
     }
 
     @Test
-    void forces_inJava_areThoseOfTheTable() {
+    void performatives_inJava_areThoseOfTheTable() {
         List<String> rows = found("^\\| `.*?` \\|", section("3 Content")).toList();
         assertEquals(rows.stream().flatMap(row -> found("\\w+", row)).sorted().toList(),
                 Arrays.stream(Performative.values()).map(Performative::toString).sorted().toList());

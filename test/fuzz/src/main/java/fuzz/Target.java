@@ -42,6 +42,6 @@ public record Target(String name, List<String> command) {
                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",  // half the time that it takes to start
                 "-cp", System.getProperty("java.class.path"), "com.code_intelligence.jazzer.Jazzer",
                 "--target_class=" + type.getName(),
-                "--instrumentation_includes=javino.**:diffuser.**:strangers.**:fuzz.**");
+                "--instrumentation_includes=javino.**:diffuser.**:keyagreement.**:fuzz.**");
     }
 }

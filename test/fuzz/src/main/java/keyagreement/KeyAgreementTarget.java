@@ -6,7 +6,7 @@ import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
 import java.time.LocalDate;
 import javino.protocol.Bytes;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import keyagreement.edhoc.Credential;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Initiator;
@@ -15,9 +15,9 @@ import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Responder;
 
 /**
- * The same bytes as each thing that a stranger may say. A word, certificate or notice that can be read is written as it
- * was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is taken, since nobody here
- * has made one.
+ * The same bytes as each thing that an attacker may send. A host message, certificate or revocation list that can be
+ * read is written as it was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is
+ * taken, since nobody here has made one.
  */
 public final class KeyAgreementTarget {
 
@@ -63,11 +63,12 @@ public final class KeyAgreementTarget {
 
     public static void fuzzerTestOneInput(byte[] data) {
         Bytes bytes = Bytes.copyOf(data);
-        if (Word.isWord(bytes)) {
-            Word word = new Word(bytes);
-            HostWord.plain(word).ifPresent(plain -> holds(
-                    plain.to(HostWord.addressee(word).orElseThrow()).equals(word), "a plain word"));
-            HostWord.opened(word).ifPresent(opened -> holds(opened.sealed().equals(word), "a sealed word"));
+        if (HostMessage.isHostMessage(bytes)) {
+            HostMessage word = new HostMessage(bytes);
+            KeyAgreementMessage.plain(word).ifPresent(plain -> holds(
+                    plain.to(KeyAgreementMessage.addressee(word).orElseThrow()).equals(word), "a plain host message"));
+            KeyAgreementMessage.opened(word)
+                    .ifPresent(opened -> holds(opened.sealed().equals(word), "a sealed host message"));
         }
         reads(() -> {
             Certificate certificate = Certificate.decode(bytes);
@@ -75,9 +76,9 @@ public final class KeyAgreementTarget {
             certificate.credential(HOST.authority.keys());
         });
         reads(() -> {
-            Notice notice = Notice.decode(bytes);
-            holds(notice.toBytes().equals(bytes), "a notice");
-            holds(!notice.isOf(HOST.authority.keys()), "nobody has signed it");
+            RevocationList revocationList = RevocationList.decode(bytes);
+            holds(revocationList.toBytes().equals(bytes), "a revocation list");
+            holds(!revocationList.isOf(HOST.authority.keys()), "nobody has signed it");
         });
         reads(() -> holds(new Responder(HOST, bytes, RANDOM).message2().length() == MESSAGE_2_LENGTH, "message 2"));
         reads(() -> {

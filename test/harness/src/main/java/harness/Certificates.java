@@ -57,10 +57,10 @@ public final class Certificates {
         run(new EnrollCommand(), "--id", device, "--folder", identities.toString(), "--certificate", certificate);
     }
 
-    /** Revokes a device's certificate, and gives another device the notice. */
+    /** Revokes a device's certificate, and gives another device the revocation list. */
     public void revoke(String device, String told, Path identities) {
-        String notice = fresh("notice");
-        run(new CaCommand(), "revoke", "--ca", file(), "--out", notice, "--id", device);
-        run(new EnrollCommand(), "--id", told, "--folder", identities.toString(), "--notice", notice);
+        String revocationList = fresh("revoked");
+        run(new CaCommand(), "revoke", "--ca", file(), "--out", revocationList, "--id", device);
+        run(new EnrollCommand(), "--id", told, "--folder", identities.toString(), "--revocation-list", revocationList);
     }
 }

@@ -122,7 +122,7 @@ public final class Emulator implements AutoCloseable {
         }
 
         /** Has the trace told to the listener only, and not kept once the boards have power: for runs of hours. */
-        public Scenario forgetful() {
+        public Scenario discardEvents() {
             keeping = false;
             return this;
         }

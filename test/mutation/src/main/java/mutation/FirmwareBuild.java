@@ -53,7 +53,7 @@ final class FirmwareBuild {
                 Path copy = to.resolve(from.relativize(file));
                 Files.createDirectories(copy.getParent());
                 Files.copy(file, copy, StandardCopyOption.REPLACE_EXISTING);
-                // Newer than what an earlier run has built of a mistake.
+                // Newer than what an earlier run has built of a mutant.
                 touch(copy);
                 return FileVisitResult.CONTINUE;
             }

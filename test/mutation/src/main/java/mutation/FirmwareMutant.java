@@ -11,12 +11,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A line of the firmware with one small mistake.
+ * A line of the firmware with one small change.
  *
  * @param file  below javino-firmware/src
  * @param line  from 1
  * @param right the line as it is
- * @param what  the mistake
+ * @param what  the change
  * @param wrong the line with it
  */
 record FirmwareMutant(String file, int line, String right, String what, String wrong) {
@@ -31,7 +31,7 @@ record FirmwareMutant(String file, int line, String right, String what, String w
     /** Some code that tells whether it was run, as an operand of {@code &&}. */
     private static final String TRAPPED = "[] { " + TRAP + "return true; }() && ";
 
-    /** All mistakes that {@code test/firmware} would try, and some more. */
+    /** All mutants that {@code test/firmware} would try, and some more. */
     static List<FirmwareMutant> all(Path root) throws IOException, InterruptedException {
         Process lister = new ProcessBuilder("python3", root.resolve("test/firmware/mutate.py").toString(), "--list")
                 .redirectError(ProcessBuilder.Redirect.INHERIT).start();
@@ -47,7 +47,7 @@ record FirmwareMutant(String file, int line, String right, String what, String w
         return file.substring(0, file.indexOf('/'));
     }
 
-    /** A source with the mistake. */
+    /** A source with the change. */
     String in(String source) {
         return with(source, wrong);
     }
@@ -59,7 +59,7 @@ record FirmwareMutant(String file, int line, String right, String what, String w
     }
 
     /**
-     * A source that crashes where the mistake would be: in place of a statement, where that is removed; before an
+     * A source that crashes where the change would be: in place of a statement, where that is removed; before an
      * operand of {@code &&} and {@code ||}; in what is done where a condition holds.
      */
     String trapIn(String source) {
@@ -78,7 +78,7 @@ record FirmwareMutant(String file, int line, String right, String what, String w
                 right.strip().startsWith(ELSE_IF) ? right.replace(ELSE_IF, ELSE_IF + TRAPPED) : TRAP + right);
     }
 
-    /** Where the operand with the mistake begins, if an operator before it may decide without it; else 0. */
+    /** Where the changed operand begins, if an operator before it may decide without it; else 0. */
     private int operand() {
         int first = 0;
         while (right.charAt(first) == wrong.charAt(first)) {

@@ -35,10 +35,10 @@ import uppaal.report.Scene;
  */
 record Model(String name, String xml, List<Model.Setting> settings, Firmware firmware) {
 
-    /** What notices a number that is no longer the firmware's. */
+    /** What kills a number that is no longer the firmware's. */
     static final String FIRMWARE = "firmware";
 
-    /** Templates that only observe, and the rest of the world of a trace: mistakes there are none of boards. */
+    /** Templates that only observe, and the rest of the world of a trace: mutants of these are none of boards. */
     private static final Set<String> BESIDE = Set.of("Witness", "Gap", "Pause", "Told", "Deadline", "Others");
 
     /** What became of a mutant. */
@@ -49,14 +49,14 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
         EQUIVALENT,
         /** A verdict has changed, a variable left its range, or a number is not the firmware's. */
         KILLED,
-        /** No property has noticed it. */
+        /** No property kills it. */
         SURVIVED
     }
 
     /**
      * What became of a mutant, and why.
      *
-     * @param by what noticed it
+     * @param by what killed it
      */
     record Verdict(Fate fate, String by) {}
 
@@ -151,7 +151,7 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
         return settings.stream().map(setting -> {
             Behaviour behaviour = Behaviour.of(setting.network(xml), setting.queries(), Integer.MAX_VALUE);
             behaviour.wrong().ifPresent(query -> {
-                throw new IllegalStateException(name + " without a mistake: " + query + " is not as expected");
+                throw new IllegalStateException(name + " unchanged: " + query + " is not as expected");
             });
             return behaviour;
         }).toList();

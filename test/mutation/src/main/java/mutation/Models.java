@@ -11,7 +11,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Collectors;
 
-/** How many small changes of the models their properties notice. */
+/** How many mutants of the models their properties kill. */
 final class Models implements Part {
 
     private static final double GOAL = 0.9;
@@ -41,7 +41,7 @@ final class Models implements Part {
     @Override
     public void run(Options options, Report report) throws Exception {
         List<Judged> all = new ArrayList<>();
-        Table table = new Table("file", "mutants", "same states and moves", "others", "noticed", "by a range",
+        Table table = new Table("file", "mutants", "same states and moves", "others", "killed", "by a range",
                 "by the firmware", "score",
                 "survivors without a reason");
         for (Model model : Model.all(options.root())) {
@@ -60,19 +60,19 @@ final class Models implements Part {
         report.text("""
             Each mutant is a model with one change: a part of a guard or an invariant negated or left out, another
             operator, a number greater or less by one, an assignment left out or changed, another channel or the other
-            end of it, an edge removed or led to another location, a location no longer committed. It is *noticed* if
+            end of it, an edge removed or led to another location, a location no longer committed. It is *killed* if
             a query's verdict is not the expected one, if a variable leaves its range (*by a range*), or if a number
             is no longer the firmware's (*by the firmware*). Mutants that our checker does not read are not counted;
             nor, in the score, are those that have the same states and moves as the model. Scenes of `delivery.xml`
             are tried with small numbers (two attempts, windows of one and two slots, …), with which they have the same
-            verdicts. No mistakes are made in templates that only observe (`Witness`, `Gap`, `Pause`, `Told`,
+            verdicts. No mutants are made of templates that only observe (`Witness`, `Gap`, `Pause`, `Told`,
             `Deadline`), nor in `Others`, which does what a trace says. Of a model with more than %d mutants the seed
             has drawn so many.
             """.formatted(options.mutants(USUAL)));
         report.table(table);
         survivors(all, options.survivors(), report);
         for (Model model : all.stream().map(Judged::model).distinct().toList()) {
-            report.aim(Table.text("%s: at least %.0f %% noticed", model.name(), 100 * GOAL),
+            report.aim(Table.text("%s: at least %.0f %% killed", model.name(), 100 * GOAL),
                     score(all.stream().filter(judged -> judged.model == model).toList()) >= GOAL);
         }
         report.never("survivors without a reason", unexplained(all, options.survivors()));
@@ -103,16 +103,16 @@ final class Models implements Part {
         long valid = judged.stream().filter(each -> !each.is(Model.Fate.INVALID)).count();
         long same = judged.stream().filter(each -> each.is(Model.Fate.EQUIVALENT)).count();
         table.row(name, valid, same, valid - same, killed(judged),
-                noticedBy(judged, Behaviour.RANGE), noticedBy(judged, Model.FIRMWARE),
+                killedBy(judged, Behaviour.RANGE), killedBy(judged, Model.FIRMWARE),
                 Table.percent(killed(judged), valid - same), unexplained(judged, known));
     }
 
     private static void claim(String name, List<Judged> judged, String spread, Report report) {
-        report.claim(name + ", noticed", Table.of(killed(judged), judged.stream()
+        report.claim(name + ", killed", Table.of(killed(judged), judged.stream()
                 .filter(each -> !each.is(Model.Fate.INVALID) && !each.is(Model.Fate.EQUIVALENT)).count()), spread);
     }
 
-    private static long noticedBy(List<Judged> judged, String by) {
+    private static long killedBy(List<Judged> judged, String by) {
         return judged.stream().filter(each -> each.is(Model.Fate.KILLED) && each.verdict.by().equals(by)).count();
     }
 
@@ -136,7 +136,7 @@ final class Models implements Part {
                 + Mutate.cell(each.model.name() + ", " + each.mutant.place()) + " | %s | "
                 + known.reason(each.toString()).orElse("") + " |", any -> new ArrayList<>()).add(each.mutant.what()));
         if (!byPlace.isEmpty()) {
-            report.text("Not noticed:\n\n| place | changes | do no harm, since |\n| --- | --- | --- |\n"
+            report.text("Survivors:\n\n| place | changes | do no harm, since |\n| --- | --- | --- |\n"
                     + byPlace.entrySet().stream()
                             .map(place -> place.getKey().replace("%s",
                                     place.getValue().stream().sorted().map(Mutate::cell)

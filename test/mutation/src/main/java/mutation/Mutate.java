@@ -12,14 +12,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * Puts small mistakes into models, traces and the firmware, prints how many are noticed, and writes that into
- * docs/results.md. Exit status 1 if a mistake is not noticed that nobody has given a reason for.
+ * Makes mutants of models, traces and the firmware, prints how many are killed, and writes that into
+ * docs/results.md. Exit status 1 if a mutant survives that nobody has given a reason for.
  */
 @Command(name = "mutate", mixinStandardHelpOptions = true,
-        description = "Shows what the models' properties and the replay notice.")
+        description = "Shows what the models' properties and the replay kill.")
 public final class Mutate implements Callable<Integer> {
 
-    private static final List<Part> ALL = List.of(new Models(), new Traces(), new Firmware());
+    private static final List<Part> ALL = List.of(new Models(), new Traces(), new FirmwareMutants());
 
     @Option(names = "--only", split = ",", paramLabel = "NAME", description = "models, traces, firmware")
     private List<String> only = ALL.stream().map(Part::name).toList();

@@ -2,7 +2,7 @@ package mutation;
 
 import campaign.Report;
 
-/** A kind of thing that mistakes are put into. */
+/** A kind of thing that mutants are made of. */
 interface Part {
 
     /** One word, by which it can be asked for alone. */
@@ -12,7 +12,7 @@ interface Part {
     String section();
 
     /**
-     * Tries, and reports what was noticed.
+     * Tries, and reports what was killed.
      *
      * @throws Exception where it could not be carried out
      */

@@ -34,7 +34,7 @@ record Region(String name, int begin, int end) {
                         new Region("what an acknowledgement says", Frame.HEADER_LENGTH, length - Payload.TAG_LENGTH));
                 regions.add(new Region("proof", length - Payload.TAG_LENGTH, length));
             }
-            case "piece" -> regions.add(new Region("part of a frame", Frame.HEADER_LENGTH, length));
+            case "fragment" -> regions.add(new Region("part of a frame", Frame.HEADER_LENGTH, length));
             default -> regions.add(new Region("content", Frame.HEADER_LENGTH, length));
         }
         return regions.stream().filter(region -> region.begin < region.end).toList();

@@ -15,7 +15,7 @@ import trace.TraceEvent;
 /**
  * All small changes of a trace: of its order, of times, of fields, and of the bytes on the air. Left out are those
  * after which it may still be genuine, as far as the trace tells that: a change that boards or hosts are free to make
- * is no mistake.
+ * is no mutant.
  */
 final class TraceMutants {
 
@@ -38,12 +38,13 @@ final class TraceMutants {
     /** A unicast that was sent as often is undelivered. */
     private static final int ATTEMPTS = 8;
     /** Whoever sends by a command: he may send anything. */
-    private static final String STRANGER = "stranger";
+    private static final String INJECTOR = "injector";
     /** What hosts and boards may say as often as they like. */
     private static final Set<String> REPEATED =
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
     private static final List<String> OUTCOMES = List.of("sent", "delivered", "undelivered");
-    private static final List<String> KINDS = List.of("unicast", "multicast", "broadcast", "piece", "acknowledgement");
+    private static final List<String> KINDS =
+            List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement");
 
     private final List<String> lines;
     private final Trace genuine;
@@ -154,7 +155,7 @@ final class TraceMutants {
 
     private void times(int number) {
         Trace.Packet packet = packets.get(number);
-        if (packet.board().equals(STRANGER)) {
+        if (packet.board().equals(INJECTOR)) {
             return;
         }
         if (isMissed(packet)) {
@@ -200,7 +201,7 @@ final class TraceMutants {
 
     private void bytes(int number) {
         Trace.Packet packet = packets.get(number);
-        if (packet.board().equals(STRANGER)) {
+        if (packet.board().equals(INJECTOR)) {
             return;
         }
         for (Region region : Region.of(packet.sent().textOrEmpty("kind"), packet.payload())) {
@@ -240,12 +241,12 @@ final class TraceMutants {
 
     /**
      * Something that the model does not speak of, what a host does with keys and the radio when it wants, what a
-     * stranger sends, a reset of a board that has no past, or an id that is known or under
+     * injector sends, a reset of a board that has no past, or an id that is known or under
      * which nothing is sent.
      */
     private boolean tellsNothing(int line) {
         TraceEvent event = genuine.events().get(line);
-        if (event.board().equals(STRANGER) || event.textOrEmpty("from").equals(STRANGER)) {
+        if (event.board().equals(INJECTOR) || event.textOrEmpty("from").equals(INJECTOR)) {
             return true;
         }
         List<TraceEvent> before = of(event.board(), genuine.events().subList(0, line));
@@ -447,7 +448,7 @@ final class TraceMutants {
                 values.add(each.textOrEmpty(field));
             }
         }
-        values.removeAll(List.of("", STRANGER));
+        values.removeAll(List.of("", INJECTOR));
         return other(List.copyOf(values), event.textOrEmpty(field));
     }
 

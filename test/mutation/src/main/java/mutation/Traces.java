@@ -74,10 +74,10 @@ final class Traces implements Part {
         Path folder = options.root().resolve("test/mutation/build/today");
         FirmwareBuild.delete(folder);
         List<String> today = Collections.synchronizedList(new ArrayList<>());
-        Conversation.Result result = Conversation.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
+        DeliveryRun.Result result = DeliveryRun.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
         Files.write(folder.resolve("trace.jsonl"), today);
-        if (result.end() == Conversation.End.FAILED) {
-            throw new IllegalStateException("without a mistake: " + result.why());
+        if (result.end() == DeliveryRun.End.FAILED) {
+            throw new IllegalStateException("unchanged: " + result.why());
         }
         traces.add(new Genuine("today's firmware", today, Emulator.keys(folder)));
         return traces;
@@ -104,9 +104,9 @@ final class Traces implements Part {
     private static void describe(Map<String, List<Judged>> byOperator, int files, Options options, Report report) {
         report.text("""
             Each mutant is one of %d genuine traces with one change. They are those in
-            `uppaal/replay/src/test/resources/traces`, and one of today's firmware, from the run that mistakes are put
-            into below. *Refused*: the replay says that no board does this. *Genuine*: boards may well do this, or no
-            trace can show it; the reasons are below. Of each change and trace the seed has drawn at most %d mutants.
+            `uppaal/replay/src/test/resources/traces`, and one of today's firmware, from the run of the unchanged
+            firmware below. *Refused*: the replay says that no board does this. *Genuine*: boards may well do this, or
+            no trace can show it; the reasons are below. Of each change and trace the seed has drawn at most %d mutants.
             """.formatted(files, options.mutants(USUAL)));
         Table table = new Table("change", "mutants", "refused", "genuine", "refused of all", "of the others");
         List<Judged> all = byOperator.values().stream().flatMap(List::stream).toList();

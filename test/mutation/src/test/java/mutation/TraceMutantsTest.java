@@ -96,8 +96,8 @@ class TraceMutantsTest {
     }
 
     @Test
-    void of_strangersPacket_givesNone() {
-        List<String> strange = LINES.stream().map(line -> line.replace("\"a\"", "\"stranger\"")).toList();
+    void of_injectorsPacket_givesNone() {
+        List<String> strange = LINES.stream().map(line -> line.replace("\"a\"", "\"injector\"")).toList();
         assertTrue(TraceMutants.of(strange, 1).stream().noneMatch(mutant -> mutant.line() < 4));
     }
 

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.Emulator;
 import harness.Host;
-import harness.Monitor;
+import harness.SerialMonitor;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -37,8 +37,8 @@ class ExamplesTest {
                         Map.of("sensors",
                                 List.of(Map.of("type", "digital", "pin", 2, "level", List.of(List.of(0, 0))))))
                 .start(folder);
-                Monitor one = Monitor.of(emulator, "one");
-                Monitor other = Monitor.of(emulator, "other")) {
+                SerialMonitor one = SerialMonitor.of(emulator, "one");
+                SerialMonitor other = SerialMonitor.of(emulator, "other")) {
             assertEquals("ALFA: type a line", one.line());
             assertEquals("BETA: type a line", other.line());
 
@@ -58,7 +58,7 @@ class ExamplesTest {
     void twoBoards_isUnderstoodByAgentsAndUnderstandsThem(@TempDir Path folder) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("one", "TwoBoards").board("station", "Station").start(folder);
-                Monitor one = Monitor.of(emulator, "one");
+                SerialMonitor one = SerialMonitor.of(emulator, "one");
                 Host station = Host.of(emulator, "station").as("ROMA", Map.of())) {
             assertEquals("ALFA: type a line", one.line());
             one.type("tell;hello\n");

@@ -239,24 +239,24 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
-    void stranger_onTheAirWhoPlaysGateway_deliversNothingAndNothingTwice() throws Exception {
+    void injector_onTheAirWhoPlaysGateway_deliversNothingAndNothingTwice() throws Exception {
         exchange(0, 2);
         List<TraceEvent> recorded = emulator.sentBy("police");
         int said = 0;
         for (TraceEvent sent : recorded) {
-            say(EAST, sent.bytes("payload"));
-            say(WEST, changed(sent.bytes("payload")));
+            inject(EAST, sent.bytes("payload"));
+            inject(WEST, changed(sent.bytes("payload")));
             said += 2;
             // Only so many may wait to be sent, and on a busy machine the boards' time goes by slowly.
-            emulator.await("what the stranger says", said, event -> event.is("rf-tx", "stranger"));
+            emulator.await("what the injector says", said, event -> event.is("rf-tx", "injector"));
         }
         exchange(2, 3);
-        onUnicast(intruder, packet -> say(WEST, forgedAcknowledgement(frame(packet))));
+        onUnicast(intruder, packet -> inject(WEST, forgedAcknowledgement(frame(packet))));
         assertEquals(Outcome.UNDELIVERED, deliver(police, ABSENT, "tell;nobody"));
         exchange(3, 4);
     }
 
-    private void say(List<Double> where, byte[] packet) {
+    private void inject(List<Double> where, byte[] packet) {
         emulator.command(Map.of("do", "send", "position", where, "payload", HEX.formatHex(packet)));
     }
 }

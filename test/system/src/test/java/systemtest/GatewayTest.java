@@ -38,7 +38,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
-    void unicast_inPieces_isDelivered() throws Exception {
+    void unicast_inFragments_isDelivered() throws Exception {
         String content = "tell;" + "x".repeat(300);
         assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", content));
         assertEquals(content, bus.message().content().toString());

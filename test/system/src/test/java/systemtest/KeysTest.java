@@ -73,7 +73,7 @@ class KeysTest {
     }
 
     /** Each sends a unicast to each, and a multicast; all must arrive. */
-    private static void speak(Emulator emulator, String prefix) throws InterruptedException {
+    private static void exchange(Emulator emulator, String prefix) throws InterruptedException {
         Map<String, Host> hosts = new LinkedHashMap<>();
         try {
             for (String board : IDS.keySet()) {
@@ -125,7 +125,7 @@ class KeysTest {
             for (String board : IDS.keySet()) {
                 assertDone(provision(emulator, board));
             }
-            speak(emulator, "a");
+            exchange(emulator, "a");
             recorded = record(emulator);
         }
         Files.delete(folder.resolve("eeprom/police.bin"));
@@ -144,9 +144,9 @@ class KeysTest {
                 }
             }
             assertFalse(Files.readString(folder.resolve("keys")).contains("next"), "the renewal is finished");
-            speak(emulator, "b");
+            exchange(emulator, "b");
             replay(emulator, recorded);
-            speak(emulator, "c");
+            exchange(emulator, "c");
 
             List<byte[]> later = record(emulator);
             for (String id : IDS.values()) {

@@ -83,8 +83,8 @@ class LostStateTest {
         return ((RequestFailedException) failed.getCause()).status();
     }
 
-    /** Both speak; what the police has sealed is added, and no nonce may have been there. */
-    private static void speak(Emulator emulator, String text, Map<String, String> sealed) throws Exception {
+    /** Both send; what the police has sealed is added, and no nonce may have been there. */
+    private static void exchange(Emulator emulator, String text, Map<String, String> sealed) throws Exception {
         try (Host police = open(emulator, "police"); Host support = open(emulator, "support")) {
             for (int i = 0; i < 3; i++) {
                 String content = "tell;" + text + i;
@@ -118,7 +118,7 @@ class LostStateTest {
         try (Emulator emulator = start()) {
             assertDone(javino(emulator, "provision", "police", "SUPO"));
             assertDone(javino(emulator, "provision", "support", "SUPP"));
-            speak(emulator, "before", sealed);
+            exchange(emulator, "before", sealed);
             recorded = sentBy(emulator, "support");
         }
         for (int loss = 0; loss < 2; loss++) {
@@ -138,7 +138,7 @@ class LostStateTest {
                 List<String> done = javino(emulator, "provision", "police", "SUPO");
                 assertDone(done);
                 assertTrue(done.stream().anyMatch(line -> line.startsWith("boot epoch ")), done.toString());
-                speak(emulator, "after" + loss, sealed);
+                exchange(emulator, "after" + loss, sealed);
             }
         }
     }

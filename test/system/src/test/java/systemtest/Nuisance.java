@@ -22,13 +22,13 @@ final class Nuisance {
     private final Emulator emulator;
     private final List<Integer> place;
 
-    /** @param place where the stranger is who sends */
+    /** @param place where the injector is */
     Nuisance(Emulator emulator, List<Integer> place) {
         this.emulator = emulator;
         this.place = place;
     }
 
-    /** A stranger sends a packet, without listening first, and behind those that he has begun. */
+    /** The injector sends a packet, without listening first, behind those that it has begun. */
     void send(String payload) throws InterruptedException {
         command(Map.of("do", "send", "position", place, "payload", payload));
     }
@@ -38,7 +38,7 @@ final class Nuisance {
         command(Map.of("do", "send", "position", place, "payload", payload, "hops", 1));
     }
 
-    /** A stranger takes the air for half a second. */
+    /** The injector takes the air for half a second. */
     void makeNoise() throws InterruptedException {
         send(NOISE);
     }

@@ -75,7 +75,7 @@ class OverhearingTest {
         try {
             into.relay(Frame.decode(packet.payload()));
         } catch (ProtocolException damaged) {
-            assertEquals(PollReply.Came.DAMAGED, packet.how());
+            assertEquals(PollReply.Reception.DAMAGED, packet.how());
         }
     }
 
@@ -99,7 +99,7 @@ class OverhearingTest {
     }
 
     @Test
-    void unicast_inPieces_isDelivered() throws Exception {
+    void unicast_inFragments_isDelivered() throws Exception {
         String content = "tell;" + "x".repeat(150);
         assertEquals(Outcome.DELIVERED,
                 Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse(content)).end()));
@@ -112,7 +112,7 @@ class OverhearingTest {
         assertEquals("tell;roadClosed", police.message().content().toString());
         TraceEvent sent = emulator.sentBy("bus").get(0);
         assertEquals(sent.text("payload"), overheard.get(0).payload().hex());
-        assertEquals(PollReply.Came.INTACT, overheard.get(0).how());
+        assertEquals(PollReply.Reception.INTACT, overheard.get(0).how());
         // The board's clock began when the board did, with the emulator's.
         assertEquals(1000 * sent.number("end"), overheard.get(0).millis(), 1000);
         assertEquals(0, Host.get(east.statistics()).getOrDefault(Counter.RADIO_OVERHEARD_DROPPED, 0L));

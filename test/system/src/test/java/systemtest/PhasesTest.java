@@ -34,9 +34,9 @@ import trace.TraceEvent;
 class PhasesTest {
 
     private static final int MOST_ATTEMPTS = 8;
-    /** In three pieces. */
+    /** In three fragments. */
     private static final String LONG = "tell;long(\"" + "x".repeat(130) + "\")";
-    /** Three pieces, an answer, and the piece that was lost. */
+    /** Three fragments, an answer, and the fragment that was lost. */
     private static final int FIRST_REPEAT = 5;
     private static final List<Integer> POLICE = List.of(0, 0);
     private static final List<Integer> SUPPORT = List.of(90, 0);
@@ -46,7 +46,7 @@ class PhasesTest {
     private static final List<Integer> BEHIND = List.of(180, 0);
     /** Less than a packet, and more than the pause behind it. */
     private static final double A_WHILE = 0.1;
-    private static final double PART_OF_A_PIECE = 0.2;
+    private static final double PART_OF_A_FRAGMENT = 0.2;
     private static final double UNTIL_IT_IS_ANSWERED = 0.35;
     private static final double UNTIL_THE_NEXT_ATTEMPT = 0.55;
     /** After that a sender waits for its turn to repeat; longer after its third attempt. */
@@ -97,12 +97,12 @@ class PhasesTest {
         assertHandedOver("tell;last");
     }
 
-    /** While it waits for an answer, or between two pieces: a stranger's packets follow each other meanwhile. */
+    /** While it waits for an answer, or between two fragments: the injector's packets follow each other meanwhile. */
     private void resetInNoise() throws Exception {
-        int before = count("rf-tx", "stranger");
+        int before = count("rf-tx", "injector");
         nuisance.makeNoise();
         nuisance.makeNoise();
-        next("rf-tx", "stranger", before);
+        next("rf-tx", "injector", before);
         nuisance.pass(A_WHILE);
         nuisance.cut("police", RESET);
         police.awaitOnline(1);
@@ -179,29 +179,29 @@ class PhasesTest {
     void answer_thatComesLate_isTaken() throws Exception {
         transmit("SUHO", "tell;absent");
         CompletableFuture<Outcome> end = transmit("SUPP", LONG);
-        Predicate<TraceEvent> pieces = event -> event.is("rf-tx", "police") && event.text("kind").equals("piece");
-        emulator.await("the first piece", 1, pieces);
-        nuisance.jam(PART_OF_A_PIECE, BEHIND);
-        emulator.await("the second piece", 2, pieces);
+        Predicate<TraceEvent> fragments = event -> event.is("rf-tx", "police") && event.text("kind").equals("fragment");
+        emulator.await("the first fragment", 1, fragments);
+        nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
+        emulator.await("the second fragment", 2, fragments);
         nuisance.pass(A_WHILE * 2);
         keepSupportBusy();
-        emulator.await("the third piece", 3, pieces);
+        emulator.await("the third fragment", 3, fragments);
         nuisance.makeNoise();
         assertEquals(Outcome.DELIVERED, Host.get(end));
         assertHandedOver(LONG);
     }
 
     @Test
-    void piece_thatIsLostEachTime_isGivenUp() throws Exception {
+    void fragment_thatIsLostEachTime_isGivenUp() throws Exception {
         CompletableFuture<Outcome> lost = transmit("SUPP", LONG);
         next("rf-tx", "police", 0);
-        nuisance.jam(PART_OF_A_PIECE, BEHIND);
+        nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
         for (int known = 1; !lost.isDone(); nuisance.now()) {
             List<TraceEvent> sent = emulator.trace().stream().filter(event -> event.name().equals("rf-tx")).toList();
             for (; known < sent.size(); known++) {
-                // That piece comes next behind an answer, and once after an attempt that had none.
+                // That fragment comes next behind an answer, and once after an attempt that had none.
                 if (sent.get(known).board().equals("support")) {
-                    nuisance.jam(PART_OF_A_PIECE, BEHIND);
+                    nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
                 } else if (known + 1 == FIRST_REPEAT) {
                     nuisance.jam(UNTIL_THE_NEXT_ATTEMPT, BEHIND);
                 }
@@ -212,7 +212,7 @@ class PhasesTest {
     }
 
     @Test
-    void piece_fromSomebodyElse_isAsGoodAsItsSenders() throws Exception {
+    void fragment_fromSomebodyElse_isAsGoodAsItsSenders() throws Exception {
         int before = count("rf-tx", "police");
         assertEquals(Outcome.DELIVERED, Host.get(transmitWithHelp()));
         String first = next("rf-tx", "police", before).text("payload");
@@ -221,10 +221,10 @@ class PhasesTest {
         police.send("SUPP", "tell;newer");
         support.counter(Counter.RADIO_REPEATS);
         emulator.await("the second", event -> event.is("host-taken", "support") && event.number("number") == 1);
-        int strange = count("rf-tx", "stranger");
+        int strange = count("rf-tx", "injector");
         nuisance.send(first);
         nuisance.send(asking);
-        next("rf-tx", "stranger", strange + 1);
+        next("rf-tx", "injector", strange + 1);
         assertHandedOver(LONG, "tell;newer");
 
         cutSupport(POWER_CUT);
@@ -235,13 +235,13 @@ class PhasesTest {
         assertHandedOver("tell;last");
     }
 
-    /** Its second piece is lost, and nobody hears which it lacks; but a stranger sends it. */
+    /** Its second fragment is lost, and nobody hears which it lacks; but the injector sends it. */
     private CompletableFuture<Outcome> transmitWithHelp() throws Exception {
         int sent = count("rf-tx", "police");
         int answered = count("rf-tx", "support");
         CompletableFuture<Outcome> end = transmit("SUPP", LONG);
         next("rf-tx", "police", sent);
-        nuisance.jam(PART_OF_A_PIECE, BEHIND);
+        nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
         next("rf-tx", "police", sent + 1);
         nuisance.pass(A_WHILE);
         nuisance.jam(UNTIL_IT_IS_ANSWERED, BEFORE);
@@ -273,14 +273,14 @@ class PhasesTest {
             cutSupport(what);
 
             police.send("SUPP", "tell;repeated");
-            int noises = count("rf-tx", "stranger");
+            int noises = count("rf-tx", "injector");
             List<TraceEvent> sent = emulator.sentBy("police");
             nuisance.send(sent.get(sent.size() - 1).text("payload"));
             nuisance.makeNoise();
-            next("rf-tx", "stranger", noises);
+            next("rf-tx", "injector", noises);
             nuisance.pass(A_WHILE / 2);
             cutSupport(what);
-            next("rf-tx", "stranger", noises + 1);
+            next("rf-tx", "injector", noises + 1);
         }
         assertHandedOver("tell;taken", "tell;repeated", "tell;taken", "tell;repeated");
         assertEquals(List.of(), support.messages());

@@ -153,7 +153,7 @@ class RelayTest {
     /** It answers in the receiver's name, and sends what it hears again, changed and with hops that are not so. */
     @Test
     @Tag("verify")
-    void stranger_whoLies_hasNothingDeliveredTwiceOrWrongly() throws Exception {
+    void attacker_whoLies_hasNothingDeliveredTwiceOrWrongly() throws Exception {
         line(2, "Station", Map.of());
         relay("relay1", true);
         List<String> delivered = new ArrayList<>();

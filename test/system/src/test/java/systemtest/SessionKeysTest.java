@@ -90,14 +90,14 @@ class SessionKeysTest {
         return Host.get(from.board.transmit(to, Content.parse(text)).end());
     }
 
-    private void speak(String prefix) throws Exception {
+    private void exchange(String prefix) throws Exception {
         assertEquals(Outcome.DELIVERED, end(police, SUPP, "tell;" + prefix + "1"));
         assertEquals("tell;" + prefix + "1", support.message().content().toString());
         assertEquals(Outcome.DELIVERED, end(support, SUPO, "tell;" + prefix + "2"));
         assertEquals("tell;" + prefix + "2", police.message().content().toString());
-        String pieces = "tell;" + prefix + "3" + "x".repeat(100);
-        assertEquals(Outcome.DELIVERED, end(police, SUPP, pieces));
-        assertEquals(pieces, support.message().content().toString());
+        String fragments = "tell;" + prefix + "3" + "x".repeat(100);
+        assertEquals(Outcome.DELIVERED, end(police, SUPP, fragments));
+        assertEquals(fragments, support.message().content().toString());
     }
 
     /** Plays all that the police has sent so far; nothing of it may be handed to the support. */
@@ -110,7 +110,7 @@ class SessionKeysTest {
     }
 
     @Test
-    void message_ofAStranger_isToldToTheHostAndDeliveredOnceBothHaveAKey() throws Exception {
+    void message_withoutAKey_isToldToTheHostAndDeliveredOnceBothHaveAKey() throws Exception {
         ExecutionException failed = assertThrows(ExecutionException.class,
                 () -> police.board.transmit(SUPP, Content.parse("tell;x")).taken().get());
         assertEquals(Status.NO_KEY, ((RequestFailedException) failed.getCause()).status());
@@ -120,14 +120,14 @@ class SessionKeysTest {
                 event -> event.is("host-no-key", "support")).text("origin"));
         assertTrue(support.counter(Counter.RADIO_NO_KEY) > 0);
         Host.get(support.board.setSessionKey(SUPO, key(1)));
-        speak("a");
+        exchange("a");
     }
 
     @Test
     @Tag("verify")
     void recording_ofASessionKey_isRefusedAlsoAfterAReset() throws Exception {
         agree(1);
-        speak("a");
+        exchange("a");
         int recorded = emulator.sentBy("police").size();
         replay(recorded);
 
@@ -141,7 +141,7 @@ class SessionKeysTest {
         assertEquals(List.of(new Reply.StoredKey(SUPP, Reply.Role.SESSION, key(1).check())),
                 Host.get(police.board.keys()));
         agree(2);
-        speak("b");
+        exchange("b");
         replay(recorded);
         assertEquals(Status.BAD_ARGUMENT, refusal(police, SUPP, key(1)));
     }
@@ -152,12 +152,12 @@ class SessionKeysTest {
         for (int i = 2; i <= PLACES; i++) {
             Host.get(police.board.setSessionKey(Address.parse("ROM" + (char) ('A' + i)), key(i)));
         }
-        speak("a");
+        exchange("a");
         Host.get(police.board.setSessionKey(Address.parse("ROMZ"), key(100)));
         List<String> held = Host.get(police.board.keys()).stream().map(key -> key.address().toString()).toList();
         assertEquals(PLACES, held.size());
         assertTrue(held.contains("SUPP"), held.toString());
         assertTrue(held.contains("ROMZ") && !held.contains("ROMC"), held.toString());
-        speak("b");
+        exchange("b");
     }
 }

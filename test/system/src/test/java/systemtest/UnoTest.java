@@ -23,7 +23,7 @@ class UnoTest {
 
     /** The longest content that an Uno takes from its host (javino-firmware/src/Config.h). */
     private static final int MAX_CONTENT = 67;
-    /** The longest sealed content of one packet: an Uno receives no pieces. */
+    /** The longest sealed content of one packet: an Uno receives no fragments. */
     private static final int MAX_SEALED_IN_A_PACKET = 53;
 
     /** Emulated seconds, when a first message has long been delivered. */
@@ -114,7 +114,7 @@ class UnoTest {
         mega.send("LAMP", text(MAX_SEALED_IN_A_PACKET + 1));
 
         assertEquals(1, mega.counter(Counter.RADIO_UNDELIVERED));
-        assertTrue(uno.counter(Counter.RADIO_PIECES_DROPPED) > 0);
+        assertTrue(uno.counter(Counter.RADIO_FRAGMENTS_DROPPED) > 0);
         assertEquals(List.of(), uno.messages());
     }
 

@@ -76,13 +76,14 @@ public final class Exploration {
      * A shortest way to a state that refutes {@code A[]} or shows {@code E<>}, or a run that refutes {@code A<>} or
      * {@code -->} (see {@link LivenessCheck}); empty when there is none.
      */
-    public Optional<Trace> evidence(int property) {
+    public Optional<DiagnosticTrace> evidence(int property) {
         if (endless[property] != null) {
             return endless[property].found().map(run -> trace(run.states(),
-                    run.again() == NOWHERE ? Trace.Ending.STAYS : Trace.Ending.AGAIN, run.again()));
+                    run.loopStart() == NOWHERE ? DiagnosticTrace.Ending.STAYS : DiagnosticTrace.Ending.LOOPS,
+                    run.loopStart()));
         }
         return settled[property] == NOWHERE ? Optional.empty()
-                : Optional.of(trace(List.of(settled[property]), Trace.Ending.REACHED, NOWHERE));
+                : Optional.of(trace(List.of(settled[property]), DiagnosticTrace.Ending.REACHED, NOWHERE));
     }
 
     private void run() {
@@ -134,7 +135,7 @@ public final class Exploration {
     }
 
     /** The way to the first of some states, and then through these. */
-    private Trace trace(List<Integer> run, Trace.Ending ending, int again) {
+    private DiagnosticTrace trace(List<Integer> run, DiagnosticTrace.Ending ending, int loopStart) {
         ArrayDeque<Integer> numbers = new ArrayDeque<>();
         for (int at = parents[run.get(0)]; at != NOWHERE; at = parents[at]) {
             numbers.addFirst(at);
@@ -149,7 +150,7 @@ public final class Exploration {
                     .orElseThrow());
             state = target;
         }
-        return new Trace(network, List.copyOf(moves), state, ending, before + again);
+        return new DiagnosticTrace(network, List.copyOf(moves), state, ending, before + loopStart);
     }
 
     private int[] state(int number) {

@@ -43,9 +43,9 @@ final class LivenessCheck {
      * A run.
      *
      * @param states their numbers, in order
-     * @param again the place of the one that follows the last one, or −1 where the run ends
+     * @param loopStart the place of the one that follows the last one, or −1 where the run ends
      */
-    record Run(List<Integer> states, int again) {
+    record Run(List<Integer> states, int loopStart) {
     }
 
     /** @param graph is complete when it is asked for a run */
@@ -150,9 +150,9 @@ final class LivenessCheck {
         if (graph.stays(last)) {
             return new Run(states, NOWHERE);
         }
-        int again = states.size() - 1;
+        int loopStart = states.size() - 1;
         states.addAll(way(last, last));
-        return new Run(states, again);
+        return new Run(states, loopStart);
     }
 
     private boolean ends(int state) {

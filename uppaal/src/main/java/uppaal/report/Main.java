@@ -27,7 +27,7 @@ public final class Main {
             System.exit(2);
         }
         try {
-            Report report = new Report(System.out);
+            CheckReport report = new CheckReport(System.out);
             Path output = Path.of(arguments[1]);
             List<String> wrong = new ArrayList<>(run(Path.of(arguments[0]), output, report));
             wrong.addAll(check(Path.of(arguments[0]), output, report));
@@ -44,7 +44,7 @@ public final class Main {
     }
 
     /** Prints what is found of our boards; returns what is not as expected, a line each. */
-    static List<String> check(Path models, Path folder, Report report) throws IOException {
+    static List<String> check(Path models, Path folder, CheckReport report) throws IOException {
         List<String> wrong = new ArrayList<>();
         for (Scene scene : Scene.OURS) {
             Check check = Check.of(scene, models, folder);
@@ -64,7 +64,7 @@ public final class Main {
     }
 
     /** Prints everything of the paper's network; returns what is not as expected, a line each. */
-    static List<String> run(Path models, Path folder, Report report) throws IOException {
+    static List<String> run(Path models, Path folder, CheckReport report) throws IOException {
         Check paper = Check.of(Scene.PAPER, models, folder);
         Check quiet = Check.of(Scene.QUIET, models, folder);
         report.verdicts(paper);

@@ -47,9 +47,9 @@ public record Scene(String name, String title, String model, Map<String, String>
     private static final Map<String, String> FASTER = Map.of("ROUNDS_WITH_RELAY", "4", "LATE", "4", "LATE_ROUNDS", "1",
             "LATE_ATTEMPT", "1", "WITHIN", "1");
 
-    public static final Scene PIECES =
-            new Scene("pieces", "A message in two pieces, of which one is forged", "pieces.xml",
-                    Map.of(), Map.of(), List.of("pieces.q"));
+    public static final Scene FRAGMENTS =
+            new Scene("fragments", "A message in two fragments, of which one is forged", "fragments.xml",
+                    Map.of(), Map.of(), List.of("fragments.q"));
     public static final Scene BROADCAST = new Scene("broadcast", "How a broadcast's repeat is known", "broadcast.xml",
             Map.of(), Map.of(), List.of("broadcast.q"));
     /** Its bound is tight. */
@@ -89,7 +89,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofMoves("contact", "An agent moves, and contact returns", Map.of("FAIR", "true")),
             ofMoves("round", "An agent moves and comes back, and contact returns",
                     Map.of("FAIR", "true", "LOSSES", "1", "COPIES", "0", "TRIES", "3")),
-            ofMoves("silence", "An agent is offered, and its first piece never comes",
+            ofMoves("silence", "An agent is offered, and its first part never comes",
                     Map.of("FAIR", "true", "LOSSES", "0")));
 
     private static final Map<String, String> FEW = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW", "1",
@@ -118,16 +118,17 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofDelivery("cuts", "One unicast, and a reset or a loss of power", Map.of(), SMALL, "cuts.q"),
             ofDelivery("fair", "Two unicasts over a channel that is fair in the end", Map.of("FAIR", "true"), SMALL,
                     "fair.q"),
-            ofDelivery("sender", "The sender of a unicast in pieces, and all that others may do (small numbers)", END,
+            ofDelivery("sender", "The sender of a unicast in fragments, and all that others may do (small numbers)",
+                    END,
                     Map.of(), "sender.q"),
-            ofDelivery("group", "The sender of a multicast in pieces, likewise", END, Map.of(), "group.q"),
+            ofDelivery("group", "The sender of a multicast in fragments, likewise", END, Map.of(), "group.q"),
             ofDelivery("receiver", "A receiver, likewise", with(END, Map.of("MORE", "false")), Map.of(), "receiver.q"),
             ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
                     "28", "ACK_TIME", "19", "DEADLINE", "1760"), SMALL, "bound.q"));
 
     /** Those of boards, of relays and of moves. */
     public static final List<Scene> OURS =
-            Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HIDDEN, HOST, HANDSHAKE),
+            Stream.of(List.of(RENEWAL, ROLLOVER, FRAGMENTS, BROADCAST, LATE, HIDDEN, HOST, HANDSHAKE),
                     OF_RELAYS, OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();

@@ -94,7 +94,7 @@ class ExplorationTest {
     void evidence_counterexample_isPlayableAndEndsInARefutingState() {
         Network network = NetworkBuilder.build(PAPER);
         Property property = Property.parse("A[] !(Bus_Sender.Broadcast_Sent && Bus_Sender.acks == 4)", network, "here");
-        Trace trace = Exploration.of(network, List.of(property)).evidence(0).orElseThrow();
+        DiagnosticTrace trace = Exploration.of(network, List.of(property)).evidence(0).orElseThrow();
 
         int[] state = network.initial();
         for (JointMove move : trace.moves()) {

@@ -94,7 +94,7 @@ class LivenessCheckTest {
         assertTrue(refuted > 50 && refuted < 250, "refuted " + refuted);
     }
 
-    private static void assertRun(Network network, Property property, Trace trace) {
+    private static void assertRun(Network network, Property property, DiagnosticTrace trace) {
         Successors successors = new Successors(network);
         int[] state = network.initial();
         boolean begun = property.premise().holds(state);
@@ -105,10 +105,11 @@ class LivenessCheckTest {
         }
         assertTrue(begun);
         assertFalse(property.formula().holds(state));
-        if (trace.ending() == Trace.Ending.AGAIN) {
-            int[] first = trace.again() == 0 ? network.initial() : trace.moves().get(trace.again() - 1).target();
-            assertTrue(Arrays.equals(first, state) && trace.again() < trace.moves().size());
-            trace.moves().subList(trace.again(), trace.moves().size())
+        if (trace.ending() == DiagnosticTrace.Ending.LOOPS) {
+            int[] first =
+                    trace.loopStart() == 0 ? network.initial() : trace.moves().get(trace.loopStart() - 1).target();
+            assertTrue(Arrays.equals(first, state) && trace.loopStart() < trace.moves().size());
+            trace.moves().subList(trace.loopStart(), trace.moves().size())
                     .forEach(move -> assertFalse(property.formula().holds(move.target())));
         } else {
             assertTrue(successors.of(state).isEmpty() || stays(successors, state));

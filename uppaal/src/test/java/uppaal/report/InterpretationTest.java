@@ -16,8 +16,9 @@ class InterpretationTest {
     void readme_readings_areThoseThatAreFound() throws IOException {
         String readme = Files.readString(Path.of("README.md"));
         for (Interpretation reading : READINGS) {
-            String row = "| " + reading.sentence() + " | " + Report.names(reading.failing()) + " | " + reading.states()
-                    + " |";
+            String row =
+                    "| " + reading.sentence() + " | " + CheckReport.names(reading.failing()) + " | " + reading.states()
+                            + " |";
             assertTrue(readme.contains(row), () -> "README.md needs the row " + row);
         }
     }

@@ -22,7 +22,7 @@ class MainTest {
 
     private List<String> run(Path models) throws IOException {
         PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
-        return Main.run(models, folder.resolve("output"), new Report(out));
+        return Main.run(models, folder.resolve("output"), new CheckReport(out));
     }
 
     @Test

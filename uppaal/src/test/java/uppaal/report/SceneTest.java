@@ -37,7 +37,7 @@ class SceneTest {
     void check_ourModels_areAsReadmeSays() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         assertEquals(List.of(),
-                Main.check(MODELS, folder, new Report(new PrintStream(printed, true, StandardCharsets.UTF_8))));
+                Main.check(MODELS, folder, new CheckReport(new PrintStream(printed, true, StandardCharsets.UTF_8))));
         List<String> states = printed.toString(StandardCharsets.UTF_8).lines().filter(line -> line.endsWith(" states"))
                 .map(line -> line.strip().replace(" states", "")).toList();
         assertEquals(Scene.OURS.size(), states.size());

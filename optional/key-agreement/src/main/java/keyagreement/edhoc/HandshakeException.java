@@ -14,7 +14,7 @@ public final class HandshakeException extends JavinoException {
     public enum Reason {
         /** The message is damaged or forged, or its certificate is not what it must be. */
         NOT_CERTIFIED,
-        /** A notice of the authority names the certificate. */
+        /** A revocation list of the authority names the certificate. */
         REVOKED,
         /** The certificate's last day is past. */
         EXPIRED

@@ -94,11 +94,11 @@ class CertificateCommandsTest {
         assertEquals("certificate 0 of SUPO until " + TODAY.plusYears(1) + " is in "
                 + folder.resolve("home").resolve("SUPO.identity") + "; its authority is " + fingerprint,
                 enroll("SUPO", "--certificate", "SUPO.certificate"));
-        certify("ROMA", "--keeper", "--until", TODAY.plusDays(5).toString());
-        assertTrue(certificate("ROMA").keeper());
+        certify("ROMA", "--group-key-server", "--until", TODAY.plusDays(5).toString());
+        assertTrue(certificate("ROMA").groupKeyServer());
         assertEquals(TODAY.plusDays(5), certificate("ROMA").until());
-        String notice = "notice 0 of " + TODAY + ", 0 certificates revoked";
-        assertEquals("authority " + fingerprint + "\n" + notice + "\ncertificate 0 of SUPO until "
+        String revocationList = "revocation list 0 of " + TODAY + ", 0 certificates revoked";
+        assertEquals("authority " + fingerprint + "\n" + revocationList + "\ncertificate 0 of SUPO until "
                 + TODAY.plusYears(1) + ": valid, 365 days left\n" + certificate("ROMA") + ": valid, 5 days left",
                 says("ca", "list", "--ca", file("ca")).replace("366", "365"));
     }
@@ -143,18 +143,19 @@ class CertificateCommandsTest {
     }
 
     @Test
-    void certificate_thatIsRevoked_isNamedByANotice() throws IOException {
+    void certificate_thatIsRevoked_isNamedByARevocationList() throws IOException {
         says("ca", "init", "--ca", file("ca"));
         certify("SUPO");
         certify("ROMA");
-        String notice = "notice 1 of " + TODAY + ", 1 certificate revoked";
-        assertEquals(notice + ", written to " + file("notice"),
-                says("ca", "revoke", "--ca", file("ca"), "--out", file("notice"), "--id", "ROMA"));
-        assertEquals(notice + ", is taken in", enroll("SUPO", "--notice", "notice"));
-        assertEquals(notice + ", is no newer than what SUPO has", enroll("SUPO", "--notice", "notice"));
+        String revocationList = "revocation list 1 of " + TODAY + ", 1 certificate revoked";
+        assertEquals(revocationList + ", written to " + file("revoked"),
+                says("ca", "revoke", "--ca", file("ca"), "--out", file("revoked"), "--id", "ROMA"));
+        assertEquals(revocationList + ", is taken in", enroll("SUPO", "--revocation-list", "revoked"));
+        assertEquals(revocationList + ", is no newer than what SUPO has",
+                enroll("SUPO", "--revocation-list", "revoked"));
         assertEquals("javino: ROMA has no certificate that is valid; javino ca list shows all",
                 fails(1, "ca", "revoke", "--ca", file("ca"), "--out", file("2"), "--id", "ROMA"));
-        assertEquals("notice 2 of " + TODAY + ", 1 certificate revoked, written to " + file("2"),
+        assertEquals("revocation list 2 of " + TODAY + ", 1 certificate revoked, written to " + file("2"),
                 says("ca", "revoke", "--ca", file("ca"), "--out", file("2")));
         says("ca", "revoke", "--ca", file("ca"), "--out", file("3"), "--least-until", TODAY.plusYears(2).toString());
         assertTrue(says("ca", "list", "--ca", file("ca")).endsWith("of ROMA until " + TODAY.plusYears(1)
@@ -195,8 +196,9 @@ class CertificateCommandsTest {
                 + "--authority " + fingerprint, enrollFails("SUPO", "--certificate", "SUPO.certificate"));
         says("enroll", "--id", "SUPO", "--folder", file("home"), "--certificate", file("SUPO.certificate"),
                 "--authority", fingerprint);
-        says("ca", "revoke", "--ca", file("old"), "--out", file("notice"));
-        assertTrue(enroll("SUPO", "--notice", "notice").endsWith("is taken in"), "the old one is still trusted");
+        says("ca", "revoke", "--ca", file("old"), "--out", file("revoked"));
+        assertTrue(enroll("SUPO", "--revocation-list", "revoked").endsWith("is taken in"),
+                "the old one is still trusted");
     }
 
     @Test
@@ -225,7 +227,7 @@ class CertificateCommandsTest {
         assertTrue(fails(1, issue).contains("no text in UTF-8"));
         Files.writeString(folder.resolve("no"), "request 00\n");
         assertTrue(fails(1, issue).contains("no request of a device"));
-        assertTrue(fails(1, "enroll", "--id", "SUPO", "--folder", file("home"), "--notice", file("no"))
+        assertTrue(fails(1, "enroll", "--id", "SUPO", "--folder", file("home"), "--revocation-list", file("no"))
                 .contains("SUPO has no certificate"));
     }
 }

@@ -22,67 +22,67 @@ class EdhocTest {
     private static final SecureRandom RANDOM = new SecureRandom();
 
     private static Secret secret(Bytes message3) throws HandshakeException {
-        return Trace.answer(Trace.of("message_1")).finish(message3);
+        return Rfc9529.answer(Rfc9529.of("message_1")).finish(message3);
     }
 
     @Test
     void initiator_ofTheTrace_sendsItsMessages() throws HandshakeException {
-        Initiator initiator = Trace.start();
-        assertEquals(Trace.of("message_1"), initiator.message1());
-        assertEquals(Trace.of("message_3"), initiator.message3(Trace.of("message_2")));
-        assertEquals(new Secret(Trace.of("prk_out")), initiator.secret());
-        assertEquals(Trace.of("cred_r"), initiator.peer().encoded());
+        Initiator initiator = Rfc9529.start();
+        assertEquals(Rfc9529.of("message_1"), initiator.message1());
+        assertEquals(Rfc9529.of("message_3"), initiator.message3(Rfc9529.of("message_2")));
+        assertEquals(new Secret(Rfc9529.of("prk_out")), initiator.secret());
+        assertEquals(Rfc9529.of("cred_r"), initiator.peer().encoded());
     }
 
     @Test
     void responder_ofTheTrace_sendsItsMessage() throws HandshakeException {
-        Responder responder = Trace.answer(Trace.of("message_1"));
-        assertEquals(Trace.of("message_2"), responder.message2());
-        assertEquals(new Secret(Trace.of("prk_out")), responder.finish(Trace.of("message_3")));
-        assertEquals(Trace.of("cred_i"), responder.peer().encoded());
+        Responder responder = Rfc9529.answer(Rfc9529.of("message_1"));
+        assertEquals(Rfc9529.of("message_2"), responder.message2());
+        assertEquals(new Secret(Rfc9529.of("prk_out")), responder.finish(Rfc9529.of("message_3")));
+        assertEquals(Rfc9529.of("cred_i"), responder.peer().encoded());
     }
 
     @Test
     void keySchedule_ofTheTrace_hasItsValues() throws HandshakeException {
-        Named initiator = Trace.initiator();
-        Credential responder = Trace.responder().own();
-        Ephemeral x = Trace.ephemeral("x", "g_x");
-        Bytes gXY = P256.agree(x.secret(), P256.withX(Trace.of("g_y")));
-        Second second = Second.of(Trace.of("message_1"), Trace.of("g_y"), gXY);
-        assertEquals(new Second(Trace.of("th_2"), Trace.of("prk_2e")), second);
+        Named initiator = Rfc9529.initiator();
+        Credential responder = Rfc9529.responder().own();
+        Ephemeral x = Rfc9529.ephemeral("x", "g_x");
+        Bytes gXY = P256.agree(x.secret(), P256.withX(Rfc9529.of("g_y")));
+        Second second = Second.of(Rfc9529.of("message_1"), Rfc9529.of("g_y"), gXY);
+        assertEquals(new Second(Rfc9529.of("th_2"), Rfc9529.of("prk_2e")), second);
         Bytes prk3e2m = second.prk3e2m(P256.agree(x.secret(), responder.key()));
-        assertEquals(Trace.of("prk_3e2m"), prk3e2m);
-        assertEquals(Trace.of("mac_2"), second.mac(prk3e2m, Trace.of("c_r"), responder, Bytes.EMPTY));
-        Third third = second.third(prk3e2m, Trace.of("plaintext_2"), responder);
-        assertEquals(new Third(Trace.of("th_3"), prk3e2m), third);
-        assertEquals(Trace.of("k_3"), Kdf.derive(prk3e2m, 3, third.th3(), 16));
-        assertEquals(Trace.of("iv_3"), Kdf.derive(prk3e2m, 4, third.th3(), 13));
-        Bytes prk4e3m = third.prk4e3m(P256.agree(initiator.secret(), P256.withX(Trace.of("g_y"))));
-        assertEquals(Trace.of("prk_4e3m"), prk4e3m);
-        assertEquals(Trace.of("mac_3"), third.mac(prk4e3m, initiator.own(), Bytes.EMPTY));
-        assertEquals(new Secret(Trace.of("prk_out")),
-                third.secret(prk4e3m, Trace.of("plaintext_3"), initiator.own()));
+        assertEquals(Rfc9529.of("prk_3e2m"), prk3e2m);
+        assertEquals(Rfc9529.of("mac_2"), second.mac(prk3e2m, Rfc9529.of("c_r"), responder, Bytes.EMPTY));
+        Third third = second.third(prk3e2m, Rfc9529.of("plaintext_2"), responder);
+        assertEquals(new Third(Rfc9529.of("th_3"), prk3e2m), third);
+        assertEquals(Rfc9529.of("k_3"), Kdf.derive(prk3e2m, 3, third.th3(), 16));
+        assertEquals(Rfc9529.of("iv_3"), Kdf.derive(prk3e2m, 4, third.th3(), 13));
+        Bytes prk4e3m = third.prk4e3m(P256.agree(initiator.secret(), P256.withX(Rfc9529.of("g_y"))));
+        assertEquals(Rfc9529.of("prk_4e3m"), prk4e3m);
+        assertEquals(Rfc9529.of("mac_3"), third.mac(prk4e3m, initiator.own(), Bytes.EMPTY));
+        assertEquals(new Secret(Rfc9529.of("prk_out")),
+                third.secret(prk4e3m, Rfc9529.of("plaintext_3"), initiator.own()));
     }
 
     @Test
     void secret_ofTheTrace_exportsAndIsUpdated() throws HandshakeException {
-        Secret secret = secret(Trace.of("message_3"));
-        assertEquals(Trace.of("master_secret"), secret.export(0, Bytes.EMPTY, 16));
-        assertEquals(Trace.of("master_salt"), secret.export(1, Bytes.EMPTY, 8));
-        Secret updated = secret.updated(Trace.of("update"));
-        assertEquals(new Secret(Trace.of("updated_prk_out")), updated);
-        assertEquals(Trace.of("updated_master_secret"), updated.export(0, Bytes.EMPTY, 16));
-        assertEquals(Trace.of("updated_master_salt"), updated.export(1, Bytes.EMPTY, 8));
-        assertFalse((secret + " " + updated).contains(Trace.of("prk_out").hex().substring(0, 4)));
+        Secret secret = secret(Rfc9529.of("message_3"));
+        assertEquals(Rfc9529.of("master_secret"), secret.export(0, Bytes.EMPTY, 16));
+        assertEquals(Rfc9529.of("master_salt"), secret.export(1, Bytes.EMPTY, 8));
+        Secret updated = secret.updated(Rfc9529.of("update"));
+        assertEquals(new Secret(Rfc9529.of("updated_prk_out")), updated);
+        assertEquals(Rfc9529.of("updated_master_secret"), updated.export(0, Bytes.EMPTY, 16));
+        assertEquals(Rfc9529.of("updated_master_salt"), updated.export(1, Bytes.EMPTY, 8));
+        assertFalse((secret + " " + updated).contains(Rfc9529.of("prk_out").hex().substring(0, 4)));
     }
 
     /** The responder has one suite, so the first message 1 of the trace ends in its error. */
     @Test
     void suite_thatIsNotTwo_isRefused() {
-        Bytes first = Bytes.join(Bytes.ofHex("0306"), Trace.of("message_1").from(4));
-        assertReason("its suite is not 2", () -> Trace.answer(first));
-        Bytes preferred = Bytes.join(Bytes.ofHex("03820202"), Trace.of("message_1").from(4));
-        assertReason("its suite is not 2", () -> Trace.answer(preferred));
+        Bytes first = Bytes.join(Bytes.ofHex("0306"), Rfc9529.of("message_1").from(4));
+        assertReason("its suite is not 2", () -> Rfc9529.answer(first));
+        Bytes preferred = Bytes.join(Bytes.ofHex("03820202"), Rfc9529.of("message_1").from(4));
+        assertReason("its suite is not 2", () -> Rfc9529.answer(preferred));
     }
 
     /** RFC 9529 section 4, in its order. */
@@ -99,14 +99,14 @@ class EdhocTest {
             "too long, 190003025820741a13d7ba048fbb615e94386aa3b61bea5b3d8f65f32620b749bee8d278efa90e",
             "another item at byte 1, 039f0602ff5820741a13d7ba048fbb615e94386aa3b61bea5b3d8f65f32620b749bee8d278efa90e"})
     void message1_ofTheInvalidTraces_isRefused(String why, String message1) {
-        assertReason(why, () -> Trace.answer(Bytes.ofHex(message1)));
+        assertReason(why, () -> Rfc9529.answer(Bytes.ofHex(message1)));
     }
 
     @Test
     void message2_ofTheInvalidTraces_isRefused() {
         Bytes two = Bytes.ofHex(
                 "5820419701d7f00a26c2dc587a36dd752549f33763c893422c8ea0f955a13a4ff5d54b9862a11de42a95d785386a");
-        assertReason("12 bytes are too much", () -> Trace.start().message3(two));
+        assertReason("12 bytes are too much", () -> Rfc9529.start().message3(two));
     }
 
     @ParameterizedTest
@@ -114,14 +114,14 @@ class EdhocTest {
             "byte string and not, 27413248fa5efa2ebf920bf3",
             "4 bytes not 8, 273244fa5efa2e"})
     void plaintext2_ofTheInvalidTraces_isRefused(String why, String plaintext2) {
-        assertReason(why, () -> Trace.start().message3(message2(Bytes.ofHex(plaintext2))));
+        assertReason(why, () -> Rfc9529.start().message3(message2(Bytes.ofHex(plaintext2))));
     }
 
     /** A message 2 whose plaintext is anything. */
     private static Bytes message2(Bytes plaintext2) throws HandshakeException {
-        Bytes gXY = P256.agree(Trace.ephemeral("y", "g_y").secret(), P256.withX(Trace.of("g_x")));
-        Second second = Second.of(Trace.of("message_1"), Trace.of("g_y"), gXY);
-        return Cbor.bytes(Bytes.join(Trace.of("g_y"), second.crypt(plaintext2)));
+        Bytes gXY = P256.agree(Rfc9529.ephemeral("y", "g_y").secret(), P256.withX(Rfc9529.of("g_x")));
+        Second second = Second.of(Rfc9529.of("message_1"), Rfc9529.of("g_y"), gXY);
+        return Cbor.bytes(Bytes.join(Rfc9529.of("g_y"), second.crypt(plaintext2)));
     }
 
     private interface Refused {
@@ -136,39 +136,39 @@ class EdhocTest {
 
     @Test
     void externalData_isRefusedIfCriticalElseBoundAndIgnored() throws HandshakeException {
-        Bytes message1 = Trace.of("message_1");
-        assertReason("critical external data -1", () -> Trace.answer(Bytes.join(message1, Bytes.ofHex("2041ff"))));
-        assertReason("cut off", () -> Trace.answer(Bytes.join(message1, Bytes.ofHex("0042ff"))));
-        assertReason("another item", () -> Trace.answer(Bytes.join(message1, Bytes.ofHex("f6"))));
+        Bytes message1 = Rfc9529.of("message_1");
+        assertReason("critical external data -1", () -> Rfc9529.answer(Bytes.join(message1, Bytes.ofHex("2041ff"))));
+        assertReason("cut off", () -> Rfc9529.answer(Bytes.join(message1, Bytes.ofHex("0042ff"))));
+        assertReason("another item", () -> Rfc9529.answer(Bytes.join(message1, Bytes.ofHex("f6"))));
         for (String ignored : new String[] {"00", "0040", "0041ff01", "000000", "1903e84161"}) {
-            Responder responder = Trace.answer(Bytes.join(message1, Bytes.ofHex(ignored)));
-            assertNotEquals(Trace.of("message_2"), responder.message2());
-            assertThrows(HandshakeException.class, () -> Trace.start().message3(responder.message2()));
+            Responder responder = Rfc9529.answer(Bytes.join(message1, Bytes.ofHex(ignored)));
+            assertNotEquals(Rfc9529.of("message_2"), responder.message2());
+            assertThrows(HandshakeException.class, () -> Rfc9529.start().message3(responder.message2()));
         }
     }
 
     @Test
     void externalData_ofMessage2_isBoundByItsMac() throws HandshakeException {
-        Credential own = Trace.responder().own();
-        Bytes gXY = P256.agree(Trace.ephemeral("y", "g_y").secret(), P256.withX(Trace.of("g_x")));
-        Second second = Second.of(Trace.of("message_1"), Trace.of("g_y"), gXY);
-        Bytes prk3e2m = second.prk3e2m(P256.agree(Trace.responder().secret(), P256.withX(Trace.of("g_x"))));
+        Credential own = Rfc9529.responder().own();
+        Bytes gXY = P256.agree(Rfc9529.ephemeral("y", "g_y").secret(), P256.withX(Rfc9529.of("g_x")));
+        Second second = Second.of(Rfc9529.of("message_1"), Rfc9529.of("g_y"), gXY);
+        Bytes prk3e2m = second.prk3e2m(P256.agree(Rfc9529.responder().secret(), P256.withX(Rfc9529.of("g_x"))));
         Bytes padding = Bytes.ofHex("0040");
-        Proof right = new Proof(own.kid(), second.mac(prk3e2m, Trace.of("c_r"), own, padding), padding);
-        assertEquals(19, Trace.start().message3(message2(Bytes.join(Trace.of("c_r"), right.encode()))).length());
-        Proof wrong = new Proof(own.kid(), Trace.of("mac_2"), padding);
+        Proof right = new Proof(own.kid(), second.mac(prk3e2m, Rfc9529.of("c_r"), own, padding), padding);
+        assertEquals(19, Rfc9529.start().message3(message2(Bytes.join(Rfc9529.of("c_r"), right.encode()))).length());
+        Proof wrong = new Proof(own.kid(), Rfc9529.of("mac_2"), padding);
         assertReason("has not the key",
-                () -> Trace.start().message3(message2(Bytes.join(Trace.of("c_r"), wrong.encode()))));
+                () -> Rfc9529.start().message3(message2(Bytes.join(Rfc9529.of("c_r"), wrong.encode()))));
     }
 
     @Test
     void message_thatIsChangedCutOffOrLonger_isRefusedAndTheGenuineOneStillTaken() throws HandshakeException {
-        Initiator initiator = Trace.start();
-        assertNoneTaken(Trace.of("message_2"), initiator::message3);
-        assertEquals(Trace.of("message_3"), initiator.message3(Trace.of("message_2")));
-        Responder responder = Trace.answer(Trace.of("message_1"));
-        assertNoneTaken(Trace.of("message_3"), responder::finish);
-        assertEquals(initiator.secret(), responder.finish(Trace.of("message_3")));
+        Initiator initiator = Rfc9529.start();
+        assertNoneTaken(Rfc9529.of("message_2"), initiator::message3);
+        assertEquals(Rfc9529.of("message_3"), initiator.message3(Rfc9529.of("message_2")));
+        Responder responder = Rfc9529.answer(Rfc9529.of("message_1"));
+        assertNoneTaken(Rfc9529.of("message_3"), responder::finish);
+        assertEquals(initiator.secret(), responder.finish(Rfc9529.of("message_3")));
     }
 
     private interface Taking {
@@ -191,19 +191,19 @@ class EdhocTest {
     /** Only message 1 has no proof: what changes it is found with message 2. */
     @Test
     void message1_withABitChanged_endsInNoAgreement() throws HandshakeException {
-        for (int bit = 0; bit < 8 * Trace.of("message_1").length(); bit += 5) {
-            byte[] changed = Trace.of("message_1").toArray();
+        for (int bit = 0; bit < 8 * Rfc9529.of("message_1").length(); bit += 5) {
+            byte[] changed = Rfc9529.of("message_1").toArray();
             changed[bit / 8] ^= 1 << bit % 8;
             assertThrows(HandshakeException.class,
-                    () -> Trace.start().message3(Trace.answer(Bytes.copyOf(changed)).message2()));
+                    () -> Rfc9529.start().message3(Rfc9529.answer(Bytes.copyOf(changed)).message2()));
         }
     }
 
     @Test
     void message_ofRandomBytes_isRefused() throws HandshakeException {
         Random random = new Random(9528);
-        Initiator initiator = Trace.start();
-        Responder responder = Trace.answer(Trace.of("message_1"));
+        Initiator initiator = Rfc9529.start();
+        Responder responder = Rfc9529.answer(Rfc9529.of("message_1"));
         for (int i = 0; i < 1000; i++) {
             byte[] bytes = new byte[random.nextInt(100)];
             random.nextBytes(bytes);
@@ -214,51 +214,51 @@ class EdhocTest {
             Bytes message = Bytes.copyOf(bytes);
             assertThrows(HandshakeException.class, () -> initiator.message3(message));
             assertThrows(HandshakeException.class, () -> responder.finish(message));
-            assertThrows(HandshakeException.class, () -> initiator.message3(Trace.answer(message).message2()));
+            assertThrows(HandshakeException.class, () -> initiator.message3(Rfc9529.answer(message).message2()));
         }
     }
 
     @Test
     void message_thatWasTaken_isAnsweredAlikeAndNoOther() throws HandshakeException {
-        Initiator initiator = new Initiator(Trace.initiator(), RANDOM);
+        Initiator initiator = new Initiator(Rfc9529.initiator(), RANDOM);
         assertThrows(IllegalStateException.class, initiator::secret);
-        Responder responder = new Responder(Trace.responder(), initiator.message1(), RANDOM);
+        Responder responder = new Responder(Rfc9529.responder(), initiator.message1(), RANDOM);
         assertThrows(IllegalStateException.class, responder::peer);
-        Responder twin = new Responder(Trace.responder(), initiator.message1(), RANDOM);
+        Responder twin = new Responder(Rfc9529.responder(), initiator.message1(), RANDOM);
         Bytes message3 = initiator.message3(responder.message2());
         assertEquals(message3, initiator.message3(responder.message2()));
         assertReason("another message 2 was taken", () -> initiator.message3(twin.message2()));
         assertEquals(initiator.secret(), responder.finish(message3));
         assertEquals(initiator.secret(), responder.finish(message3));
         assertReason("another handshake", () -> twin.finish(message3));
-        assertNotEquals(initiator.message1(), new Initiator(Trace.initiator(), RANDOM).message1());
+        assertNotEquals(initiator.message1(), new Initiator(Rfc9529.initiator(), RANDOM).message1());
     }
 
     /** Also where the other side knows the sender: a message of one run or direction proves nothing in another. */
     @Test
     void message_ofAnotherRunOrDirection_isRefused() throws HandshakeException {
-        Named both = Trace.initiator().knowing(Trace.initiator());
+        Named both = Rfc9529.initiator().knowing(Rfc9529.initiator());
         Initiator own = new Initiator(both, RANDOM);
-        Responder reflected = new Responder(Trace.responder(), own.message1(), RANDOM);
+        Responder reflected = new Responder(Rfc9529.responder(), own.message1(), RANDOM);
         assertReason("nobody has the name", () -> own.message3(reflected.message2()));
         assertThrows(HandshakeException.class, () -> own.message3(own.message1()));
-        Initiator first = new Initiator(Trace.initiator(), RANDOM);
-        Initiator second = new Initiator(Trace.initiator(), RANDOM);
-        Bytes answer = new Responder(Trace.responder(), first.message1(), RANDOM).message2();
+        Initiator first = new Initiator(Rfc9529.initiator(), RANDOM);
+        Initiator second = new Initiator(Rfc9529.initiator(), RANDOM);
+        Bytes answer = new Responder(Rfc9529.responder(), first.message1(), RANDOM).message2();
         assertThrows(HandshakeException.class, () -> second.message3(answer));
         assertEquals(19, first.message3(answer).length());
     }
 
     @Test
     void sender_withoutTheKeyOfTheCredential_isRefused() throws HandshakeException {
-        Named false1 = new Named(Trace.initiator().own(), P256.secret(P256.ORDER.shiftRight(1)),
-                Trace.initiator().others());
+        Named false1 = new Named(Rfc9529.initiator().own(), P256.secret(P256.ORDER.shiftRight(1)),
+                Rfc9529.initiator().others());
         Initiator initiator = new Initiator(false1, RANDOM);
-        Responder responder = new Responder(Trace.responder(), initiator.message1(), RANDOM);
+        Responder responder = new Responder(Rfc9529.responder(), initiator.message1(), RANDOM);
         Bytes message3 = initiator.message3(responder.message2());
         assertReason("has not the key", () -> responder.finish(message3));
-        Named false2 = new Named(Trace.responder().own(), false1.secret(), Trace.responder().others());
-        Initiator genuine = new Initiator(Trace.initiator(), RANDOM);
+        Named false2 = new Named(Rfc9529.responder().own(), false1.secret(), Rfc9529.responder().others());
+        Initiator genuine = new Initiator(Rfc9529.initiator(), RANDOM);
         Responder forger = new Responder(false2, genuine.message1(), RANDOM);
         assertReason("has not the key", () -> genuine.message3(forger.message2()));
     }

@@ -24,21 +24,21 @@ final class Speaker {
         Speaker speaker = new Speaker();
         for (String role = speaker.in.readLine(); role != null; role = speaker.in.readLine()) {
             Secret secret = role.equals("initiator") ? speaker.initiate() : speaker.respond();
-            say(Bytes.join(secret.export(0, Bytes.EMPTY, 16), secret.export(23, Bytes.of(1, 2, 3), 100)));
-            say(secret.updated(Trace.of("update")).export(0, Bytes.EMPTY, 16));
+            print(Bytes.join(secret.export(0, Bytes.EMPTY, 16), secret.export(23, Bytes.of(1, 2, 3), 100)));
+            print(secret.updated(Rfc9529.of("update")).export(0, Bytes.EMPTY, 16));
         }
     }
 
     private Secret initiate() throws IOException, HandshakeException {
-        Initiator initiator = new Initiator(Trace.initiator(), RANDOM);
-        say(initiator.message1());
-        say(initiator.message3(hear()));
+        Initiator initiator = new Initiator(Rfc9529.initiator(), RANDOM);
+        print(initiator.message1());
+        print(initiator.message3(hear()));
         return initiator.secret();
     }
 
     private Secret respond() throws IOException, HandshakeException {
-        Responder responder = new Responder(Trace.responder(), hear(), RANDOM);
-        say(responder.message2());
+        Responder responder = new Responder(Rfc9529.responder(), hear(), RANDOM);
+        print(responder.message2());
         return responder.finish(hear());
     }
 
@@ -46,7 +46,7 @@ final class Speaker {
         return Bytes.ofHex(in.readLine());
     }
 
-    private static void say(Bytes line) {
+    private static void print(Bytes line) {
         System.out.println(line);
         System.out.flush();
     }

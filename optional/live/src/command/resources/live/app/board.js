@@ -3,7 +3,7 @@
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { percepts, stateOf } from './cards.js';
 import { plain, seconds } from './text.js';
-import { REFUSALS } from './words.js';
+import { REFUSALS } from './phrases.js';
 
 const MESSAGES = 50;
 /** A rate is taken over so many seconds. */
@@ -38,7 +38,7 @@ export function boardPage(app, model, state, t) {
       <p id="acted" aria-live="polite">${board.acted ? `${seconds(board.acted.t, 1)}: ${plain(board.acted.action, 60)} ${board.acted.error ? '✗ ' + plain(board.acted.error) : '✓ done'}` : nothing}</p>` : nothing}
   </section>
   <section class="agent hue-0"><h3>messages</h3>
-    <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.force, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
+    <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.performative, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
       ${messages.length === 0 ? html`<li class="hint">none yet</li>` : nothing}</ul>
     <h3>the air</h3>
     <div class="plots">${AIR.map(([name, words]) => html`<figure><figcaption>${words} <b>${rate(board, name, t).toFixed(1)}</b> a second</figcaption>

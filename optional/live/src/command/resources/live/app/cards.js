@@ -5,7 +5,7 @@ import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass, letter } from './colours.js';
 import { NEW_FOR } from './state.js';
 import { plain } from './text.js';
-import { REFUSALS } from './words.js';
+import { REFUSALS } from './phrases.js';
 
 const LINES = 3;
 const BELIEFS = 14;

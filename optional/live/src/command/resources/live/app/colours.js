@@ -11,15 +11,15 @@ export function readColours() {
   const style = getComputedStyle(document.documentElement);
   const value = (name) => style.getPropertyValue(name).trim();
   theme = { hues: Array.from({ length: HUES }, (_, i) => value('--hue-' + i)) };
-  for (const name of ['ink', 'soft', 'line', 'paper', 'road', 'bad', 'good', 'stranger']) theme[name] = value('--' + name);
+  for (const name of ['ink', 'soft', 'line', 'paper', 'road', 'bad', 'good', 'injector']) theme[name] = value('--' + name);
 }
 
 export const ink = (name) => theme[name];
 
-/** The colour of a board; a stranger has none. */
-export const hue = (board) => (board ? theme.hues[board.index % HUES] : theme.stranger);
+/** The colour of a board; the injector has none. */
+export const hue = (board) => (board ? theme.hues[board.index % HUES] : theme.injector);
 
-export const hueClass = (board) => (board ? 'hue-' + (board.index % HUES) : 'hue-stranger');
+export const hueClass = (board) => (board ? 'hue-' + (board.index % HUES) : 'hue-injector');
 
 /** The dashes of its outline. */
 export const dash = (board) => DASHES[board ? Math.floor(board.index / HUES) % DASHES.length : 1];

@@ -13,11 +13,11 @@ const WITH_CHOSEN = { Delete: 'removeChosen', j: 'jamChosen' };
 /** Moves what the pointer or the keyboard holds. */
 function hold(app, thing, to, down) {
   app.ui.held = { ...thing, place: to, down, until: performance.now() + HOLD };
-  if (thing.kind === 'stranger') app.ui.stood = to;
+  if (thing.kind === 'injector') app.ui.stood = to;
   else app.often(app.moved(thing, to));
 }
 
-const movable = (app, thing) => thing && app.controls.includes({ board: 'move', obstacle: 'obstacle', stranger: 'send' }[thing.kind]);
+const movable = (app, thing) => thing && app.controls.includes({ board: 'move', obstacle: 'obstacle', injector: 'send' }[thing.kind]);
 
 /** The road can be dragged on, and used by keys alone. `shown` gives what the page shows now. */
 export function hands(canvas, road, app, shown) {
@@ -32,7 +32,7 @@ export function hands(canvas, road, app, shown) {
       return;
     }
     const thing = road.under(...at);
-    if (thing && thing.kind !== 'stranger') app.choose(thing.kind, thing.name);
+    if (thing && thing.kind !== 'injector') app.choose(thing.kind, thing.name);
     if (!movable(app, thing)) return;
     canvas.setPointerCapture(e.pointerId);
     app.ui.held = { kind: thing.kind, name: thing.name, place: thing.place, down: true };

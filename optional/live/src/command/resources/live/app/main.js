@@ -1,7 +1,7 @@
 // Puts the parts together: events into the model, the clock's moment onto the page, hands into commands.
 
 import { html, nothing, render } from '/lib/lit-html/lit-html.js';
-import { sniffer, stranger } from './air.js';
+import { sniffer, injector } from './air.js';
 import { boardPage, rate } from './board.js';
 import { card } from './cards.js';
 import { Clock } from './clock.js';
@@ -14,7 +14,7 @@ import { Road } from './road.js';
 import * as source from './source.js';
 import { plain, seconds } from './text.js';
 import { Timeline, behaviours } from './timeline.js';
-import { story } from './words.js';
+import { story } from './phrases.js';
 
 /** The text of the page is made anew so often, in ms; the road with each frame. */
 const TEXT_EVERY = 100;
@@ -34,10 +34,10 @@ let road;
 let timeline;
 let errorTimer;
 
-function say(error) {
+function showError(error) {
   $('error').textContent = plain(error, 300);
   clearTimeout(errorTimer);
-  if (error) errorTimer = setTimeout(() => say(''), ERROR_STAYS);
+  if (error) errorTimer = setTimeout(() => showError(''), ERROR_STAYS);
 }
 
 /** What hands can do. The parts of the page call these. */
@@ -53,7 +53,7 @@ const app = {
   },
 
   async send(body) {
-    say(await source.command(body));
+    showError(await source.command(body));
   },
   /** For what is dragged: at most ten commands a second, and always the last one. */
   often(body) {
@@ -96,18 +96,18 @@ const app = {
     if (at && app.controls.includes('jam')) app.send({ do: 'jam', duration: JAM, position: at });
   },
 
-  standing: (state) => ui.stood ?? state.stranger ?? corner(state),
-  typingStand: () => (app.typedStand = { x: $('stranger-x').value, y: $('stranger-y').value }),
+  standing: (state) => ui.stood ?? state.injector ?? corner(state),
+  typingStand: () => (app.typedStand = { x: $('injector-x').value, y: $('injector-y').value }),
   stand(event) {
     event.preventDefault();
-    ui.stood = [Number($('stranger-x').value), Number($('stranger-y').value)];
+    ui.stood = [Number($('injector-x').value), Number($('injector-y').value)];
     app.typedStand = undefined;
   },
   shout(payload) {
     try {
       app.send({ do: 'send', position: app.standing(shown.model.head), payload: payload() });
     } catch (error) {
-      say(error.message);
+      showError(error.message);
     }
   },
   replay(packet, flip) {
@@ -158,7 +158,7 @@ function flush() {
   }, COMMAND_EVERY);
 }
 
-/** Where a stranger stands at first: at a corner, in nobody's way. */
+/** Where the injector stands at first: at a corner, in nobody's way. */
 function corner(state) {
   const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
   return places.length === 0 ? [0, 0] : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];
@@ -169,16 +169,16 @@ async function openFile(file) {
   const model = new Model();
   for (const event of events) model.add(event);
   if (model.length === 0) {
-    say(`${file.name} is no trace: none of its lines is an event. Open the trace.jsonl of a run`);
+    showError(`${file.name} is no trace: none of its lines is an event. Open the trace.jsonl of a run`);
     return;
   }
   const odd = bad.length + model.refused;
-  say(odd ? `${odd} lines of ${file.name} are no events and were left out` + (bad.length ? `; the first is line ${bad[0]}` : '') : '');
+  showError(odd ? `${odd} lines of ${file.name} are no events and were left out` + (bad.length ? `; the first is line ${bad[0]}` : '') : '');
   shown = { model, clock: new Clock(false), about: { source: 'trace', live: false, controls: [] }, ended: true };
   drawText();
 }
 
-const TABS = { timeline: 'Time line', air: 'Sniffer: what anyone hears', stranger: 'Be a stranger' };
+const TABS = { timeline: 'Time line', air: 'Sniffer: what anyone hears', injector: 'Inject packets' };
 
 const LEGEND = html`<ul aria-label="Legend">
   <li><svg width="30" height="16"><circle class="mark-ring" cx="15" cy="8" r="6"></circle></svg>closed lock: only the key opens it</li>
@@ -210,7 +210,7 @@ function drawText() {
   $('what').textContent = WHAT[about.source] ?? '';
   $('clock').textContent = seconds(t);
   $('clock').dataset.t = t.toFixed(3);
-  ui.standing = app.controls.includes('send') ? app.standing(state) : state.stranger;
+  ui.standing = app.controls.includes('send') ? app.standing(state) : state.injector;
   const lines = story(model, state, t);
   const more = [
     state.skipped ? `${state.skipped} events were left out: too many came for this page` : '',
@@ -225,14 +225,14 @@ function drawText() {
     : [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name))), $('cards'));
   if (ofBoard) return;
   render(html`${LEGEND}${helpOnKeys()}`, $('legend'));
-  const tabs = Object.keys(TABS).filter((tab) => tab !== 'stranger' || app.controls.includes('send') || state.stranger);
+  const tabs = Object.keys(TABS).filter((tab) => tab !== 'injector' || app.controls.includes('send') || state.injector);
   if (!tabs.includes(ui.tab)) ui.tab = 'timeline';
   render(tabs.map((tab) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === ui.tab} aria-controls="panel"
     @click=${() => { ui.tab = tab; drawText(); }}>${TABS[tab]}</button>`), $('tabs'));
   render(html`<div id="timeline-panel" ?hidden=${ui.tab !== 'timeline'}><div class="sides"><div id="timeline" tabindex="0" aria-label="Time line"></div><div>${behaviours(state, t, app.goTo)}
       ${state.verdict ? html`<p id="verdict" class=${state.verdict.accepted ? 'good' : 'bad'}>${plain(state.verdict.text, 200)}</p>` : nothing}</div></div></div>
     ${ui.tab === 'air' ? sniffer(model, state, t, ui.packet, app.choosePacket) : nothing}
-    ${ui.tab === 'stranger' ? stranger(app, model, state, t) : nothing}`, $('panel'));
+    ${ui.tab === 'injector' ? injector(app, model, state, t) : nothing}`, $('panel'));
   timeline ??= new Timeline($('timeline'), app.goTo);
   if (ui.tab === 'timeline') timeline.draw(model, state, t);
 }
@@ -292,5 +292,5 @@ try {
     run.ended = lost;
   });
 } catch (error) {
-  say(error.message);
+  showError(error.message);
 }

@@ -174,7 +174,7 @@ export class Model {
         this.#pin(e, s);
         break;
       case 'message':
-        this.#mark(s, 'heard', e.board, `${text(e.from)} → ${text(e.to)}: ${text(e.force)} ${text(e.text)}`, { event: e });
+        this.#mark(s, 'heard', e.board, `${text(e.from)} → ${text(e.to)}: ${text(e.performative)} ${text(e.text)}`, { event: e });
         break;
       case 'acted':
         this.#mark(s, 'acted', e.board, e.error === undefined ? text(e.action) : `${text(e.action)}: ${text(e.error)}`);
@@ -209,7 +209,7 @@ export class Model {
       start: number(e.start, s.t),
       end: number(e.end, s.t),
       board: name,
-      place: name === 'stranger' ? s.stranger : s.boards.get(name)?.place,
+      place: name === 'injector' ? s.injector : s.boards.get(name)?.place,
       payload: text(e.payload),
       destination: text(e.destination),
       origin: text(e.origin),
@@ -236,7 +236,7 @@ export class Model {
   #answered(answer) {
     for (let i = this.packets.length - 1; i >= Math.max(0, this.packets.length - 64); i--) {
       const p = this.packets[i];
-      if (p.kind !== 'acknowledgement' && p.board !== 'stranger' && (p.destination === answer.origin || p.kind === 'piece')) {
+      if (p.kind !== 'acknowledgement' && p.board !== 'injector' && (p.destination === answer.origin || p.kind === 'fragment')) {
         p.answeredAt ??= answer.t;
         return [p.board];
       }
@@ -279,7 +279,7 @@ export class Model {
     const fitting = this.packets.slice(-64).filter((p) => p.origin === e.origin && p.destination === e.destination
       && p.heard.some((h) => h.board === e.board && !h.why));
     // A message's id is in the nonce of its packet (SPEC 4.3). A later one with the same id is a copy.
-    const packet = fitting.find((p) => p.sealed && idIn(p) === e.id) ?? fitting.findLast((p) => !p.sealed || p.kind === 'piece');
+    const packet = fitting.find((p) => p.sealed && idIn(p) === e.id) ?? fitting.findLast((p) => !p.sealed || p.kind === 'fragment');
     packet?.handed.push({ t, board: text(e.board) });
     return packet !== undefined;
   }

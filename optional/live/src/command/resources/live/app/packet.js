@@ -55,12 +55,12 @@ export function fieldsOf(packet) {
     if (packet.answers === 'stale') {
       take('floor', NONCE_LENGTH, (b) => 'only numbers above ' + hexOf(b) + ' are accepted');
       take('uptime', 2, (b) => numberOf(b) / 10 + ' s since the board started');
-    } else if (packet.answers === 'pieces') {
-      take('pieces', 1, (b) => 'has the pieces ' + b[0].toString(2).padStart(8, '0'));
+    } else if (packet.answers === 'fragments') {
+      take('fragments', 1, (b) => 'has the fragments ' + b[0].toString(2).padStart(8, '0'));
     }
     take('proof', rest(), () => 'only who has the key can make it');
-  } else if (packet.kind === 'piece') {
-    take('piece', rest(), () => 'a part of a longer frame');
+  } else if (packet.kind === 'fragment') {
+    take('fragment', rest(), () => 'a part of a longer frame');
   } else if (packet.sealed) {
     take('nonce', NONCE_LENGTH, (b) => 'start ' + numberOf(b.slice(0, 3)) + ', message ' + numberOf(b.slice(3)) + ' of it');
     take('ciphertext', rest() - TAG_LENGTH, (b) => b.length + ' bytes that only the key opens');
@@ -74,13 +74,13 @@ export function fieldsOf(packet) {
 const sizeOf = (digits) =>
   ALPHABET.indexOf(String.fromCharCode(digits[0])) * 64 + ALPHABET.indexOf(String.fromCharCode(digits[1]));
 
-/** The payload, in hex, of a broadcast that says `force;term`; an error says in one line what is wrong. */
-export function broadcast(origin, force, term) {
+/** The payload, in hex, of a broadcast that says `performative;term`; an error says in one line what is wrong. */
+export function broadcast(origin, performative, term) {
   if (!isDevice(origin)) {
     throw new Error(`“${origin}” is no address of a device: use four letters or digits, such as EVIL`);
   }
   if (term === '') throw new Error('There is nothing to shout: write a term, such as help');
-  const content = new TextEncoder().encode(force + ';' + term);
+  const content = new TextEncoder().encode(performative + ';' + term);
   const most = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
   if (content.length > most) {
     throw new Error(`The term is ${content.length - most} bytes too long for one packet: use a shorter one`);

@@ -1,7 +1,7 @@
 // The road from above, on a canvas: one moment of the run.
 
 import { dash, hue, ink, letter } from './colours.js';
-import { REFUSALS } from './words.js';
+import { REFUSALS } from './phrases.js';
 import { plain } from './text.js';
 
 /** Pixels around all that stands on the road: above are locks and words, below names. */
@@ -35,7 +35,7 @@ export class Road {
   #width = 1;
   #height = 1;
 
-  /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the stranger's place). */
+  /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the injector's place). */
   constructor(canvas, ui) {
     this.#canvas = canvas;
     this.#g = canvas.getContext('2d');
@@ -84,7 +84,7 @@ export class Road {
     return [
       ...[...s.boards.values()].filter((b) => b.place).map((b) => ({ kind: 'board', name: b.name, place: b.place })),
       ...[...s.obstacles.values()].map((o) => ({ kind: 'obstacle', name: o.name, place: o.place })),
-      ...(this.#ui.standing ? [{ kind: 'stranger', name: 'stranger', place: this.#ui.standing }] : []),
+      ...(this.#ui.standing ? [{ kind: 'injector', name: 'injector', place: this.#ui.standing }] : []),
     ];
   }
 
@@ -98,7 +98,7 @@ export class Road {
     for (const obstacle of state.obstacles.values()) this.#obstacle(obstacle);
     const packets = model.onAir(t, AFTERGLOW);
     for (const packet of packets) this.#ring(packet, state, t);
-    if (this.#ui.standing) this.#stranger();
+    if (this.#ui.standing) this.#injector();
     for (const board of state.boards.values()) if (board.place) this.#board(board, t);
     for (const packet of packets) this.#label(packet, state, t);
     for (const packet of packets) this.#arrivals(packet, state, t);
@@ -322,20 +322,20 @@ export class Road {
     });
   }
 
-  #stranger() {
+  #injector() {
     const g = this.#g;
-    const [x, y] = this.#at(this.#heldPlace('stranger', 'stranger', this.#ui.standing));
+    const [x, y] = this.#at(this.#heldPlace('injector', 'injector', this.#ui.standing));
     g.beginPath();
     g.arc(x, y, 12, 0, 2 * Math.PI);
     g.fillStyle = ink('paper');
     g.fill();
-    g.strokeStyle = ink('stranger');
+    g.strokeStyle = ink('injector');
     g.lineWidth = 2;
     g.setLineDash([4, 3]);
     g.stroke();
     g.setLineDash([]);
-    this.#words('?', x, y + 1, { bold: true, size: 14, colour: ink('stranger') });
-    this.#words('Stranger', x, y + 21, { size: 11, colour: ink('stranger') });
+    this.#words('?', x, y + 1, { bold: true, size: 14, colour: ink('injector') });
+    this.#words('Injector', x, y + 21, { size: 11, colour: ink('injector') });
   }
 
   #ring(packet, state, t) {

@@ -32,7 +32,7 @@ export const START = {
   light: undefined,
   boards: new Map(),
   obstacles: new Map(),
-  stranger: undefined,
+  injector: undefined,
   jams: [],
   jamPlace: undefined,
   behaviours: new Map(),
@@ -66,7 +66,7 @@ const board = (name, index) => ({
   acted: undefined,
 });
 
-/** What an event does to a board. (Without a prototype: a stranger's trace may name an event `constructor`.) */
+/** What an event does to a board. (Without a prototype: a trace may name an event `constructor`.) */
 const ofBoard = {
   __proto__: null,
   place: (b, e) => {
@@ -127,7 +127,7 @@ const ofCommand = {
     const at = place(e.position) ?? before?.place;
     return at ? { obstacles: put(s.obstacles, name, { name, place: at, radius: number(e.radius, before?.radius ?? 0.5) }) } : {};
   },
-  send: (s, e) => ({ stranger: place(e.position) ?? s.stranger }),
+  send: (s, e) => ({ injector: place(e.position) ?? s.injector }),
   jam: (s, e) => jam(s, e.t, e.t + number(e.duration, 0), place(e.position)),
 };
 
@@ -177,7 +177,7 @@ export function fold(state, event) {
   let next = { ...state, t: Math.max(state.t, event.t), ...(ofRun[event.event]?.(state, event) ?? {}) };
   const change = ofBoard[event.event];
   const name = event.board;
-  // A stranger has no board.
+  // The injector has no board.
   if (typeof name === 'string' && change && (next.boards.has(name) || next.boards.size < MOST_BOARDS)) {
     const b = next.boards.get(name) ?? board(name, next.boards.size);
     next.boards = put(next.boards, name, { ...b, ...change(b, event) });

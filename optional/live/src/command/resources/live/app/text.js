@@ -1,4 +1,4 @@
-// Makes text of strangers harmless. It is always shown as text, never as markup; here it also loses all power over
+// Makes text from outside harmless. It is always shown as text, never as markup; here it also loses all power over
 // the line in which it stands.
 
 // Characters that turn the direction of writing, have no width, or begin a new line.

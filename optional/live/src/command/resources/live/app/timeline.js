@@ -5,7 +5,7 @@ import { html, nothing, render, svg } from '/lib/lit-html/lit-html.js';
 import { hueClass } from './colours.js';
 import { isFor } from './packet.js';
 import { plain, seconds } from './text.js';
-import { sentence } from './words.js';
+import { sentence } from './phrases.js';
 
 const ROW = 24;
 const HEAD = 30;
@@ -43,8 +43,8 @@ export class Timeline {
     if (key === this.#drawn) return;
     this.#drawn = key;
     const height = HEAD + this.#count * ROW + 8;
-    // A stranger has half a column of its own.
-    const column = (width - TIME - 10) / Math.max(1, boards.length + (state.stranger ? 0.5 : 0));
+    // The injector has half a column of its own.
+    const column = (width - TIME - 10) / Math.max(1, boards.length + (state.injector ? 0.5 : 0));
     const x = (name) => TIME + column * ((state.boards.get(name)?.index ?? boards.length - 0.1) + 0.35);
     if (this.#sticky) {
       if (this.#space) this.#space.style.height = height + 'px';
@@ -109,7 +109,7 @@ export class Timeline {
     const near = right.length ? Math.min(...right) : ends.length ? Math.max(...ends.map(x)) : x0 + 60;
     const words = mark.kind === 'ack' ? 'got it'
       : plain(p.destination, 4) + (p.sealed ? ' sealed' : ' ' + plain(p.content ?? p.kind, 30));
-    const label = (from === 'stranger' ? 'stranger: ' : '') + words;
+    const label = (from === 'injector' ? 'injector: ' : '') + words;
     const middle = Math.min((x0 + near) / 2, width - (label.length * LETTER) / 2);
     return svg`${ends.map((name) => {
       const end = x(name);

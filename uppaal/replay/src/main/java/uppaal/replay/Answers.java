@@ -78,13 +78,13 @@ final class Answers {
         for (Frame frame : proved) {
             int come = come(desk, frame);
             boolean wasWhole = come == (1 << frame.pieces()) - 1;
-            if (frame.pieceId >= 0 && (told & ~come) == 0 && ((told & 1) != 0 || wasWhole)) {
+            if (frame.fragmentId >= 0 && (told & ~come) == 0 && ((told & 1) != 0 || wasWhole)) {
                 return;
             }
             possible |= come;
         }
         throw new RefusedException(
-                String.format("%s answers that it has the pieces %02x of %s; expected %02x or fewer, "
+                String.format("%s answers that it has the fragments %02x of %s; expected %02x or fewer, "
                         + "with the first", desk.name, told, proved.get(proved.size() - 1), possible));
     }
 
@@ -92,7 +92,7 @@ final class Answers {
     private static int come(Desk desk, Frame frame) {
         int come = 0;
         for (int index = 0; index < frame.pieces(); index++) {
-            Double last = desk.pieces.get(place(frame.origin, frame.pieceId, index));
+            Double last = desk.pieces.get(place(frame.origin, frame.fragmentId, index));
             come |= last != null && last >= frame.begun - KEPT ? 1 << index : 0;
         }
         return come;

@@ -107,7 +107,7 @@ final class Bytes {
         } else {
             first(desk, new Frame(payload, event.real("start")), payload);
         }
-        Frame cut = isOwn && payload.isPiece() ? desk.cut.get(payload.pieceId()) : null;
+        Frame cut = isOwn && payload.isFragment() ? desk.cut.get(payload.fragmentId()) : null;
         if (cut != null) {
             order(desk, cut, payload);
         }
@@ -119,7 +119,7 @@ final class Bytes {
     private static void order(Desk desk, Frame frame, Payload piece) throws RefusedException {
         String wrong = frame.wrongNow(piece);
         if (!wrong.isEmpty()) {
-            throw new RefusedException(desk.name + " sends piece " + piece.index() + " of " + frame + " " + wrong);
+            throw new RefusedException(desk.name + " sends fragment " + piece.index() + " of " + frame + " " + wrong);
         }
         frame.last = piece;
     }
@@ -128,7 +128,7 @@ final class Bytes {
     private void first(Desk desk, Frame frame, Payload payload) throws RefusedException {
         checkForm(desk, frame, payload);
         Frame known = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex)
-                : frame.pieceId >= 0 ? desk.cut.get(frame.pieceId) : null;
+                : frame.fragmentId >= 0 ? desk.cut.get(frame.fragmentId) : null;
         if (known != null && known.isSame(frame)) {
             return;
         }
@@ -136,7 +136,7 @@ final class Bytes {
             throw new RefusedException(
                     desk.name + " sends other bytes under the nonce of an earlier message; expected: " + known);
         }
-        if (frame.pieceId < 0 && frame.isBroadcast() && isAgain(desk, frame)) {
+        if (frame.fragmentId < 0 && frame.isBroadcast() && isAgain(desk, frame)) {
             return;
         }
         Desk.Asked asked = opener.asked(desk, frame);
@@ -144,7 +144,7 @@ final class Bytes {
             desk.checkNonce(frame,
                     asked.frame != null || opener.hasKeys() ? asked.frame : desk.lastTo(frame.destination));
         }
-        if (frame.pieceId >= 0) {
+        if (frame.fragmentId >= 0) {
             desk.checkId(frame);
         }
         desk.take(asked, frame);
@@ -175,24 +175,25 @@ final class Bytes {
         if (frame.isSealed() && frame.contentLength() < 0) {
             return "no room for nonce and tag";
         }
-        if (payload.isPiece() && frame.length <= Payload.PART_LENGTH + Frame.HEADER) {
+        if (payload.isFragment() && frame.length <= Payload.PART_LENGTH + Frame.HEADER) {
             return "a frame that fits one packet";
         }
-        if (payload.isPiece() && frame.first.length != Payload.PART_LENGTH) {
+        if (payload.isFragment() && frame.first.length != Payload.PART_LENGTH) {
             return frame.first.length + " bytes; expected " + Payload.PART_LENGTH;
         }
-        return payload.isPiece() && payload.asks() && !frame.isUnicast() ? "a wish for an answer, though to many" : "";
+        return payload.isFragment() && payload.asks() && !frame.isUnicast() ? "a wish for an answer, though to many"
+                : "";
     }
 
     /** A board of ours sends a further piece of a frame. */
     private static void later(Desk desk, Payload payload) throws RefusedException {
-        Frame frame = desk.cut.get(payload.pieceId());
+        Frame frame = desk.cut.get(payload.fragmentId());
         if (frame == null) {
             throw new RefusedException(
-                    desk.name + " sends a piece of a message that it has not begun; expected a first piece");
+                    desk.name + " sends a fragment of a message that it has not begun; expected a first fragment");
         }
         if (payload.asks() && !frame.isUnicast()) {
-            throw new RefusedException(desk.name + " asks for an answer to a piece of a message to many");
+            throw new RefusedException(desk.name + " asks for an answer to a fragment of a message to many");
         }
         if (payload.index() >= frame.pieces() || !frame.hasPiece(payload.index(), payload.message().toArray())) {
             throw new RefusedException(desk.name + " sends other bytes as piece " + payload.index() + " of " + frame
@@ -202,9 +203,9 @@ final class Bytes {
 
     /** A stranger begins to send a frame: one of ours again, or anything. */
     private void remember(Payload payload, double start) {
-        if (payload.isPiece() && payload.index() != 0) {
+        if (payload.isFragment() && payload.index() != 0) {
             desks.values().stream().filter(desk -> desk.ids.contains(payload.origin()))
-                    .map(desk -> desk.cut.get(payload.pieceId())).filter(Objects::nonNull)
+                    .map(desk -> desk.cut.get(payload.fragmentId())).filter(Objects::nonNull)
                     // Of one whose bytes are not known a board's own piece is still to be the first that counts.
                     .filter(cut -> cut.isBroadcast() && cut.bytes != null && payload.index() < cut.pieces())
                     .filter(cut -> !cut.hasPiece(payload.index(), payload.message().toArray()))
@@ -240,8 +241,8 @@ final class Bytes {
         if (event.has("payload")) {
             Fields.payload(event);
         }
-        if (sent.isPiece()) {
-            desk(event).pieces.put(Answers.place(sent.origin(), sent.pieceId(), sent.index()), event.seconds());
+        if (sent.isFragment()) {
+            desk(event).pieces.put(Answers.place(sent.origin(), sent.fragmentId(), sent.index()), event.seconds());
         }
     }
 

@@ -104,9 +104,9 @@ final class Desk {
             }
         }
         current.put(asked.destination, asked);
-        if (frame.pieceId >= 0) {
-            lastId = frame.pieceId;
-            cut.put(frame.pieceId, frame);
+        if (frame.fragmentId >= 0) {
+            lastId = frame.fragmentId;
+            cut.put(frame.fragmentId, frame);
         }
     }
 
@@ -161,8 +161,8 @@ final class Desk {
 
     /** Each frame that is cut has the next id. */
     void checkId(Frame frame) throws RefusedException {
-        if (lastId >= 0 && !wasStale && frame.pieceId != (lastId + 1) % IDS) {
-            throw new RefusedException(name + " cuts a frame into pieces with id " + frame.pieceId + "; expected "
+        if (lastId >= 0 && !wasStale && frame.fragmentId != (lastId + 1) % IDS) {
+            throw new RefusedException(name + " cuts a frame into fragments with id " + frame.fragmentId + "; expected "
                     + (lastId + 1) % IDS);
         }
     }

@@ -8,7 +8,7 @@ import trace.TraceEvent;
 
 /** What a line says of a packet beside its bytes must be what the bytes say. */
 final class Fields {
-    private static final Map<Integer, String> ANSWERS = Map.of(8, "delivered", 9, "pieces", 16, "stale");
+    private static final Map<Integer, String> ANSWERS = Map.of(8, "delivered", 9, "fragments", 16, "stale");
 
     private Fields() {
     }
@@ -23,8 +23,8 @@ final class Fields {
             said.put("destination", payload.destination());
             said.put("origin", payload.origin());
         }
-        if (payload.isPiece()) {
-            said.put("id", "" + payload.pieceId());
+        if (payload.isFragment()) {
+            said.put("id", "" + payload.fragmentId());
             said.put("index", "" + payload.index());
             said.put("asks", "" + payload.asks());
         } else if (payload.isAcknowledgement()) {

@@ -24,7 +24,7 @@ final class Frame {
     /** What its first packet has of it: all, or the first piece. */
     final byte[] first;
     /** The id of its pieces; none where it is in one packet. */
-    final int pieceId;
+    final int fragmentId;
     /** When its first packet began to be sent for the first time, in seconds. */
     final double begun;
     /** All of it; null where that is not known. */
@@ -48,16 +48,16 @@ final class Frame {
     /** @param first the first packet's payload */
     Frame(Payload first, double begun) {
         Payload whole = first.whole();
-        var part = first.isPiece() ? first.message() : first.bytes();
+        var part = first.isFragment() ? first.message() : first.bytes();
         this.first = part.toArray();
         this.begun = begun;
         origin = whole.origin();
         destination = whole.destination();
         length = Payload.lengthIn(part);
         nonceHex = isSealed() && this.first.length >= CONTENT ? HexFormat.of().formatHex(nonce()) : "";
-        pieceId = first.isPiece() ? first.pieceId() : -1;
-        bytes = first.isPiece() ? null : this.first;
-        content = first.isPiece() || isSealed() ? null : Arrays.copyOfRange(bytes, HEADER, length);
+        fragmentId = first.isFragment() ? first.fragmentId() : -1;
+        bytes = first.isFragment() ? null : this.first;
+        content = first.isFragment() || isSealed() ? null : Arrays.copyOfRange(bytes, HEADER, length);
     }
 
     boolean isBroadcast() {
@@ -95,7 +95,7 @@ final class Frame {
 
     /** How many pieces the frame has of which this is the first packet. */
     static int pieces(Payload first) {
-        return first.isPiece() ? Math.max(1, pieces(Payload.lengthIn(first.message()))) : 1;
+        return first.isFragment() ? Math.max(1, pieces(Payload.lengthIn(first.message()))) : 1;
     }
 
     /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
@@ -116,7 +116,7 @@ final class Frame {
 
     /** Whether another frame is this one, as far as the first packets tell. */
     boolean isSame(Frame other) {
-        return other.pieceId == pieceId && Arrays.equals(other.first, first);
+        return other.fragmentId == fragmentId && Arrays.equals(other.first, first);
     }
 
     /** Whether these are the bytes of a later piece: those of the frame, or as many, and the same each time. */
@@ -137,10 +137,10 @@ final class Frame {
     String wrongNow(Payload piece) {
         boolean over = last == null || last.asks() || !isUnicast() && last.index() == pieces() - 1;
         if (!over && piece.index() <= last.index()) {
-            return "after piece " + last.index() + "; expected a later one";
+            return "after fragment " + last.index() + "; expected a later one";
         }
         return last != null && last.asks() && !isAnswered && !(piece.index() == 0 && piece.asks())
-                ? "though nobody has answered; expected that its first piece asks"
+                ? "though nobody has answered; expected that its first fragment asks"
                 : "";
     }
 

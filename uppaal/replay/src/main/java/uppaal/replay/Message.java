@@ -202,7 +202,7 @@ final class Message {
         List<String> steps = new ArrayList<>();
         Set<Integer> here = reached.computeIfAbsent(board.name(), name -> new TreeSet<>());
         here.add(payload.index());
-        if (payload.isPiece() && payload.asks() && here.contains(0)) {
+        if (payload.isFragment() && payload.asks() && here.contains(0)) {
             steps.add("question_comes");
         }
         if (isWhole(board) && !forged) {
@@ -290,7 +290,7 @@ final class Message {
 
     /** Of what sort it is: of those one after the other, some are surely heard. */
     String sort() {
-        return kind + (pieces > 1 ? " in pieces" : "");
+        return kind + (pieces > 1 ? " in fragments" : "");
     }
 
     /** Its receiver hands it on or answers. */

@@ -25,8 +25,8 @@ import trace.TraceEvent;
  */
 final class RadioCell {
     private static final Map<String, String> COMES =
-            Map.of("ack", "ack_comes", "pieces", "pieces_come", "stale", "stale_comes");
-    private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
+            Map.of("ack", "ack_comes", "fragments", "fragments_come", "stale", "stale_comes");
+    private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "fragments", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
     static final double DISORDER = 0.002;
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
@@ -324,8 +324,8 @@ final class RadioCell {
             message = begun(start, board, payload);
         }
         byPayload.put(payload.identity(), message);
-        if (payload.isPiece() && payload.index() == 0) {
-            board.begin(payload.pieceId(), message);
+        if (payload.isFragment() && payload.index() == 0) {
+            board.begin(payload.fragmentId(), message);
         }
         if (message.confirmed() > LOST) {
             throw new RefusedException(board.name() + " sends again what was acknowledged " + message.confirmed()
@@ -335,8 +335,8 @@ final class RadioCell {
             throw new RefusedException(board.name() + " sends again what was said to be stale " + message.stale()
                     + " times: " + message + "; expected that it is sealed anew or undelivered");
         }
-        if (payload.isPiece() && message.told(payload) > LOST) {
-            throw new RefusedException(board.name() + " sends again a piece that has come, though it was told "
+        if (payload.isFragment() && message.told(payload) > LOST) {
+            throw new RefusedException(board.name() + " sends again a fragment that has come, though it was told "
                     + (LOST + 1) + " times that others have not: " + message);
         }
         checkPatience(start, board, message);
@@ -382,9 +382,10 @@ final class RadioCell {
                 return messages.get(key(whole));
             }
             return board.current(whole.destination()).map(transmission -> transmission.message)
-                    .filter(message -> payload.isPiece() && message == byPayload.get(payload.identity())).orElse(null);
+                    .filter(message -> payload.isFragment() && message == byPayload.get(payload.identity()))
+                    .orElse(null);
         }
-        return board.cut(payload.pieceId()).orElseThrow();
+        return board.cut(payload.fragmentId()).orElseThrow();
     }
 
     private static String key(Payload whole) {
@@ -393,7 +394,7 @@ final class RadioCell {
 
     private Message entered(double start, Payload payload, String prefix) throws RefusedException {
         Payload whole = payload.whole();
-        String content = payload.isPiece() ? "" : payload.message().hex();
+        String content = payload.isFragment() ? "" : payload.message().hex();
         Message message = new Message(whole, Frame.pieces(payload), content, scenes);
         messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
         for (Station board : boards.values()) {
@@ -437,8 +438,8 @@ final class RadioCell {
         boolean broadcast = whole.kind() == Payload.Kind.BROADCAST;
         boolean honest = broadcast || !isOurs(payload.origin());
         boolean begins = payload.index() == 0 && whole.isData() && (broadcast || !whole.nonce().isEmpty());
-        if (!begins || !honest && !payload.isPiece()) {
-            return honest && payload.isPiece() ? later(payload) : null;
+        if (!begins || !honest && !payload.isFragment()) {
+            return honest && payload.isFragment() ? later(payload) : null;
         }
         // A nonce that an attacker makes up may be that of a later message.
         String prefix = honest ? "" : "forged ";
@@ -491,14 +492,15 @@ final class RadioCell {
                 message.receiver(board).perhapsSends(start, answer);
             }
         }
-        if (answer.equals("pieces") && able.size() == 1) {
+        if (answer.equals("fragments") && able.size() == 1) {
             checkAnswered(board, board.questions.unanswered(able.get(0)));
         }
         able.forEach(message -> heed(board, message));
         meet(board, able::contains);
-        if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message().at(0), start) > LOST) {
+        if (answer.equals("fragments") && able.size() == 1
+                && able.get(0).missed(payload.message().at(0), start) > LOST) {
             throw new RefusedException(board.name() + " answers " + (LOST + 1)
-                    + " times in a row without a piece that came undamaged: " + able.get(0));
+                    + " times in a row without a fragment that came undamaged: " + able.get(0));
         }
         if (answer.equals("stale")) {
             board.forgetExpected();
@@ -551,7 +553,7 @@ final class RadioCell {
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
-                if (packet.answer().equals("pieces")) {
+                if (packet.answer().equals("fragments")) {
                     message.goesOn();
                 }
             }
@@ -571,9 +573,9 @@ final class RadioCell {
     /** Of what messages somebody else's packet seems to be a piece. */
     private List<Message> forged(Packet packet) {
         Payload payload = packet.payload();
-        return !payload.isPiece() ? List.of()
+        return !payload.isFragment() ? List.of()
                 : boards.values().stream().filter(board -> board.hasBeen(payload.origin()))
-                        .flatMap(board -> board.cut(payload.pieceId()).stream())
+                        .flatMap(board -> board.cut(payload.fragmentId()).stream())
                         .filter(message -> message != packet.message()).toList();
     }
 
@@ -581,7 +583,7 @@ final class RadioCell {
     private void hear(Packet packet, Station board, boolean undamaged, double seconds) {
         Message message = packet.message();
         Payload payload = packet.payload();
-        if (message == null ? payload.isPiece() : message.concerns(board)) {
+        if (message == null ? payload.isFragment() : message.concerns(board)) {
             board.comes(message, payload, seconds);
         }
         if (message != null && message.concerns(board) && board.isConcernedBy(message.destination)) {
@@ -599,7 +601,7 @@ final class RadioCell {
                 packet.answered().get(0).confirm();
             } else if (packet.answer().equals("stale")) {
                 packet.answered().get(0).outdate();
-            } else if (packet.answer().equals("pieces")) {
+            } else if (packet.answer().equals("fragments")) {
                 packet.answered().get(0).told(payload.message().at(0));
             }
         }
@@ -613,18 +615,19 @@ final class RadioCell {
      */
     private static void ask(Message message, Payload payload, Station board, boolean surely, boolean isNew,
             double seconds) {
-        if (!message.isUnicast() || payload.isPiece() && !payload.asks()) {
+        if (!message.isUnicast() || payload.isFragment() && !payload.asks()) {
             return;
         }
-        if (!surely || payload.isPiece() && payload.index() > 0 && !message.hasFirst(seconds)) {
+        if (!surely || payload.isFragment() && payload.index() > 0 && !message.hasFirst(seconds)) {
             board.questions.doubt(message);
             return;
         }
         message.comes(seconds);
         if (!message.isDoubted()) {
-            board.questions.come(message, !payload.isPiece() ? "a unicast"
-                    : !isNew ? "a piece that asks, which may be there,"
-                            : payload.index() == 0 ? "a new first piece that asks" : "another new piece that asks",
+            board.questions.come(message, !payload.isFragment() ? "a unicast"
+                    : !isNew ? "a fragment that asks, which may be there,"
+                            : payload.index() == 0 ? "a new first fragment that asks"
+                                    : "another new fragment that asks",
                     seconds);
         }
     }

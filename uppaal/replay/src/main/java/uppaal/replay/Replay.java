@@ -273,7 +273,7 @@ public final class Replay {
     /** Whether the trace ends before it has told what somebody hears; what follows from that cannot be checked. */
     private boolean isOfUnfinishedPacket(TraceEvent event) {
         boolean mayHaveTrailer = event.name().equals("rf-damaged")
-                || event.name().equals("rf-rx") && List.of("unicast", "piece").contains(event.text("kind"));
+                || event.name().equals("rf-rx") && List.of("unicast", "fragment").contains(event.text("kind"));
         return mayHaveTrailer && cell.source(event).isEmpty()
                 && event.seconds() + TRAILER * (event.seconds() - event.real("start")) > now;
     }

@@ -37,8 +37,9 @@ final class Scenes {
     private static final Set<String> SEEN = Set.of("reseal", "sent", "delivered", "undelivered", "hand", "hand_again",
             "taking", "confirmed", "sender_reset", "receiver_reset", "receiver_power", "carrier", "silence",
             "own_message", "own_answer", "own_end", "crowd", "alone", "newer", "next", "message_comes",
-            "question_comes", "ack_comes", "pieces_come", "stale_comes", "copy_comes");
-    private static final Map<Integer, String> BEGUN = Map.of(1, "send", 2, "ack", 3, "pieces", 4, "stale", 5, "part");
+            "question_comes", "ack_comes", "fragments_come", "stale_comes", "copy_comes");
+    private static final Map<Integer, String> BEGUN =
+            Map.of(1, "send", 2, "ack", 3, "fragments", 4, "stale", 5, "part");
     private static final Map<String, String> TEMPLATES =
             Map.of("Air", "Air", "Reply", "Answer", "Sender", "Sender", "Receiver", "Receiver");
     /** A message is known from the moment when it is on the air, and so never while it is new. */

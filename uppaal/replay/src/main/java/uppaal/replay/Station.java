@@ -175,13 +175,13 @@ final class Station {
     }
 
     /** It sends the first piece of a message. */
-    void begin(int pieceId, Message message) {
-        cut.put(pieceId, message);
+    void begin(int fragmentId, Message message) {
+        cut.put(fragmentId, message);
     }
 
     /** The message whose pieces have this id. */
-    Optional<Message> cut(int pieceId) {
-        return Optional.ofNullable(cut.get(pieceId));
+    Optional<Message> cut(int fragmentId) {
+        return Optional.ofNullable(cut.get(fragmentId));
     }
 
     void open(boolean now, double seconds) {
@@ -292,8 +292,8 @@ final class Station {
     /** A packet comes to it, perhaps damaged, of a message that it may be for; of a strange piece nobody knows. */
     void comes(Message message, Payload payload, double seconds) {
         came.add(message);
-        if (payload.isPiece()) {
-            pieces.put(payload.origin() + payload.pieceId(), seconds);
+        if (payload.isFragment()) {
+            pieces.put(payload.origin() + payload.fragmentId(), seconds);
         }
     }
 
@@ -305,7 +305,7 @@ final class Station {
         if (handed.containsValue(message)) {
             return false;
         }
-        if (payload.isPiece()) {
+        if (payload.isFragment()) {
             return pieces.values().stream().filter(last -> last > seconds - Message.FORGOTTEN).count() <= places;
         }
         int all = came.size() + handed.size();

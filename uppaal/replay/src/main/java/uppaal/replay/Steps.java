@@ -6,7 +6,7 @@ import java.util.Map;
 final class Steps {
     private static final Map<String, String> SENDERS = Map.of(
             "send", "sends it",
-            "part", "sends a piece of it",
+            "part", "sends a fragment of it",
             "next", "goes on to another message",
             "reseal", "seals it anew",
             "sent", "reports it sent",
@@ -18,7 +18,7 @@ final class Steps {
             "taking", "is told that its host takes it",
             "confirmed", "confirms that its host has taken it",
             "ack", "acknowledges it as delivered",
-            "pieces", "answers which pieces it has",
+            "fragments", "answers which fragments it has",
             "stale", "answers that it is stale");
 
     /** What nobody does of a board's own accord is not expected, but may be refused. */

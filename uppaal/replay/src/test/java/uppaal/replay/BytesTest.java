@@ -6,7 +6,7 @@ import static uppaal.replay.Talk.LONG;
 import static uppaal.replay.Talk.acknowledgement;
 import static uppaal.replay.Talk.broadcast;
 import static uppaal.replay.Talk.changed;
-import static uppaal.replay.Talk.piece;
+import static uppaal.replay.Talk.fragment;
 import static uppaal.replay.Talk.sealed;
 import static uppaal.replay.Talk.withZeros;
 
@@ -23,17 +23,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What boards must not put on the air: traces that firmware with a mistake would leave, and spoilt genuine ones. */
+/** What boards must not put on the air: traces that mutants of the firmware would leave, and spoilt genuine ones. */
 class BytesTest {
     private static final String FIRST = "000001000000";
     private static final String SECOND = "000001000001";
     private static final String HELP = "tell;help";
     private static final byte[] LONG_FRAME = sealed("SUPP", FIRST, LONG);
-    /** A first piece of it, and its second, which wants an answer. */
-    private static final byte[] BEGIN = piece("AA", LONG_FRAME, 0);
-    private static final byte[] END = piece("AJ", LONG_FRAME, 1);
-    /** Its first piece, when that asks. */
-    private static final byte[] AGAIN = piece("AI", LONG_FRAME, 0);
+    /** A first fragment of it, and its second, which wants an answer. */
+    private static final byte[] BEGIN = fragment("AA", LONG_FRAME, 0);
+    private static final byte[] END = fragment("AJ", LONG_FRAME, 1);
+    /** Its first fragment, when that asks. */
+    private static final byte[] AGAIN = fragment("AI", LONG_FRAME, 0);
 
     private static void assertRefused(Talk talk, String words) {
         String verdict = talk.verdict();
@@ -81,13 +81,14 @@ class BytesTest {
     }
 
     @Test
-    void piece_thatAsksThoughNobodyHasAnswered_isTheFirst() {
+    void fragment_thatAsksThoughNobodyHasAnswered_isTheFirst() {
         Talk talk = asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).unheard("police", END);
-        assertRefusedEvenWithoutKeys(talk, "police sends piece 1 of SUPO to SUPP, nonce 000001000000 though nobody has "
-                + "answered; expected that its first piece asks");
+        assertRefusedEvenWithoutKeys(talk,
+                "police sends fragment 1 of SUPO to SUPP, nonce 000001000000 though nobody has "
+                        + "answered; expected that its first fragment asks");
         assertRefusedEvenWithoutKeys(
                 asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).unheard("police", BEGIN),
-                "expected that its first piece asks");
+                "expected that its first fragment asks");
     }
 
     @Test
@@ -158,17 +159,19 @@ class BytesTest {
         assertRefusedEvenWithoutKeys(asked("////", HELP).unheard("police", broadcast("tell;halp")),
                 "police sends a message to //// that says 'tell;halp'; expected 'tell;help'");
         byte[] whole = broadcast(LONG);
-        assertRefusedEvenWithoutKeys(asked("////", LONG).sends("police", piece("AA", whole, 0))
-                .unheard("police", changed(piece("AB", whole, 1), -1)), "sends other bytes as piece 1 of SUPO to ////");
-        assertRefusedEvenWithoutKeys(asked("////", LONG).unheard("police", piece("AI", whole, 0)),
+        assertRefusedEvenWithoutKeys(asked("////", LONG).sends("police", fragment("AA", whole, 0))
+                .unheard("police", changed(fragment("AB", whole, 1), -1)),
+                "sends other bytes as fragment 1 of SUPO to ////");
+        assertRefusedEvenWithoutKeys(asked("////", LONG).unheard("police", fragment("AI", whole, 0)),
                 "a wish for an answer, though to many");
         assertRefusedEvenWithoutKeys(
-                asked("////", LONG).sends("police", piece("AA", whole, 0)).unheard("police", piece("AJ", whole, 1)),
-                "police asks for an answer to a piece of a message to many");
+                asked("////", LONG).sends("police", fragment("AA", whole, 0)).unheard("police",
+                        fragment("AJ", whole, 1)),
+                "police asks for an answer to a fragment of a message to many");
     }
 
     @Test
-    void pieces_thatAreNotTheFramesSlices_areRefusedByName() {
+    void fragments_thatAreNotTheFramesSlices_areRefusedByName() {
         assertRefused(asked("SUPP", LONG).unheard("police", changed(BEGIN, -1)),
                 "that opens under none of the 1 keys for it");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", changed(END, 20)),
@@ -177,12 +180,13 @@ class BytesTest {
                 "sends other bytes as piece 1");
         byte[] shorter = SharedKey.join(SharedKey.header("+FAJ", "SUPO", 2), new byte[2]);
         assertRefusedEvenWithoutKeys(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", shorter),
-                "sends other bytes as piece 1");
+                "sends other bytes as fragment 1");
         assertRefusedEvenWithoutKeys(
-                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", piece("AK", LONG_FRAME, 1)),
-                "sends other bytes as piece 2");
-        assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", piece("AA", sealed("SUPP", FIRST, HELP), 0)),
-                "sends a piece with a frame that fits one packet");
+                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", fragment("AK", LONG_FRAME, 1)),
+                "sends other bytes as fragment 2");
+        assertRefusedEvenWithoutKeys(
+                asked("SUPP", HELP).unheard("police", fragment("AA", sealed("SUPP", FIRST, HELP), 0)),
+                "sends a fragment with a frame that fits one packet");
     }
 
     @Test
@@ -194,44 +198,45 @@ class BytesTest {
     }
 
     @Test
-    void pieces_ofAnAttempt_areSentInOrder() {
+    void fragments_ofAnAttempt_areSentInOrder() {
         byte[] frame = sealed("SUPP", FIRST, "tell;" + "x".repeat(200));
-        Talk talk = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", piece("AA", frame, 0))
-                .unheard("police", piece("AC", frame, 2));
+        Talk talk = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", fragment("AA", frame, 0))
+                .unheard("police", fragment("AC", frame, 2));
         assertAccepted(talk, "1 messages opened, 0 proofs");
-        assertRefusedEvenWithoutKeys(talk.unheard("police", piece("AB", frame, 1)),
-                "police sends piece 1 of SUPO to SUPP, nonce 000001000000 after piece 2");
-        Talk again = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", piece("AA", frame, 0))
-                .sends("police", piece("AL", frame, 3)).unheard("police", piece("AI", frame, 0));
+        assertRefusedEvenWithoutKeys(talk.unheard("police", fragment("AB", frame, 1)),
+                "police sends fragment 1 of SUPO to SUPP, nonce 000001000000 after fragment 2");
+        Talk again = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", fragment("AA", frame, 0))
+                .sends("police", fragment("AL", frame, 3)).unheard("police", fragment("AI", frame, 0));
         assertAccepted(again, "1 messages opened, 0 proofs");
     }
 
     @Test
-    void pieces_ofAMessageToMany_beginAgainAfterTheLast() {
+    void fragments_ofAMessageToMany_beginAgainAfterTheLast() {
         byte[] whole = sealed("//SU", FIRST, LONG);
-        Talk talk = asked("//SU", LONG).sends("police", piece("AA", whole, 0)).unheard("police", piece("AB", whole, 1))
-                .unheard("police", piece("AA", whole, 0));
+        Talk talk = asked("//SU", LONG).sends("police", fragment("AA", whole, 0))
+                .unheard("police", fragment("AB", whole, 1))
+                .unheard("police", fragment("AA", whole, 0));
         assertAccepted(talk, "1 messages opened, 0 proofs");
-        assertRefusedEvenWithoutKeys(talk.unheard("police", piece("AA", whole, 0)),
-                "police sends piece 0 of SUPO to //SU, nonce 000001000000 after piece 0");
+        assertRefusedEvenWithoutKeys(talk.unheard("police", fragment("AA", whole, 0)),
+                "police sends fragment 0 of SUPO to //SU, nonce 000001000000 after fragment 0");
     }
 
     @Test
-    void pieces_ofTheNextFrame_haveTheNextId() {
+    void fragments_ofTheNextFrame_haveTheNextId() {
         byte[] next = sealed("//SU", SECOND, LONG);
         for (String id : List.of("A", "B", "C", "/")) {
             Talk talk = asked("SUPP", LONG).asks("//SU", LONG).sends("police", BEGIN)
-                    .unheard("police", piece("AJ", LONG_FRAME, 1))
-                    .unheard("police", piece(id + "A", next, 0));
+                    .unheard("police", fragment("AJ", LONG_FRAME, 1))
+                    .unheard("police", fragment(id + "A", next, 0));
             if (id.equals("B")) {
                 assertAccepted(talk, "2 messages opened, 0 proofs");
             } else {
-                assertRefusedEvenWithoutKeys(talk, id.equals("A") ? "" : "police cuts a frame into pieces with id ");
+                assertRefusedEvenWithoutKeys(talk, id.equals("A") ? "" : "police cuts a frame into fragments with id ");
             }
         }
-        Talk last = asked("SUPP", LONG).asks("//SU", LONG).sends("police", piece("/A", LONG_FRAME, 0))
-                .unheard("police", piece("/J", LONG_FRAME, 1));
-        assertAccepted(last.unheard("police", piece("AA", next, 0)), "2 messages opened, 0 proofs");
+        Talk last = asked("SUPP", LONG).asks("//SU", LONG).sends("police", fragment("/A", LONG_FRAME, 0))
+                .unheard("police", fragment("/J", LONG_FRAME, 1));
+        assertAccepted(last.unheard("police", fragment("AA", next, 0)), "2 messages opened, 0 proofs");
     }
 
     @Test
@@ -308,8 +313,8 @@ class BytesTest {
     }
 
     @Test
-    void pieces_thatABoardCannotHave_areRefusedByName() {
-        byte[] first = piece("AI", LONG_FRAME, 0);
+    void fragments_thatABoardCannotHave_areRefusedByName() {
+        byte[] first = fragment("AI", LONG_FRAME, 0);
         Talk one = asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).sends("police", first);
         assertRefused(one.unheard("support", changed(acknowledgement(FIRST, "01"), Frame.HEADER)), "wrong proof");
         for (String told : List.of("00", "01", "02", "03", "05", "81")) {
@@ -319,7 +324,7 @@ class BytesTest {
                 assertAccepted(talk, "1 messages opened, 1 proofs");
             } else {
                 assertRefusedEvenWithoutKeys(talk,
-                        "support answers that it has the pieces " + told + " of SUPO to SUPP, nonce 000001000000; "
+                        "support answers that it has the fragments " + told + " of SUPO to SUPP, nonce 000001000000; "
                                 + "expected 01 or fewer, with the first");
             }
         }
@@ -327,28 +332,29 @@ class BytesTest {
 
     /** A board that was reset begins to count ids anew. Of two nonces with the same end only the proof tells. */
     @Test
-    void pieces_ofAnOlderFrameWithTheSameId_areNotThoseOfTheNext() {
+    void fragments_ofAnOlderFrameWithTheSameId_areNotThoseOfTheNext() {
         String nonce = "000002000000";
         byte[] next = sealed("SUPP", nonce, LONG);
         Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("police", END).resets("police", "power")
                 .pauses(10).greets("police", "SUPO", "000002").asks("SUPP", LONG)
-                .sends("police", piece("AA", next, 0)).unheard("police", piece("AJ", next, 1))
-                .sends("police", piece("AI", next, 0));
+                .sends("police", fragment("AA", next, 0)).unheard("police", fragment("AJ", next, 1))
+                .sends("police", fragment("AI", next, 0));
         assertRefused(talk.unheard("support", acknowledgement(nonce, "03")),
-                "support answers that it has the pieces 03 of SUPO to SUPP, nonce 000002000000; expected 01 or fewer");
+                "support answers that it has the fragments 03 of SUPO to SUPP, nonce 000002000000;"
+                        + " expected 01 or fewer");
     }
 
     @Test
-    void pieces_ofOneFrameUnderAnotherId_areRefused() {
+    void fragments_ofOneFrameUnderAnotherId_areRefused() {
         assertRefusedEvenWithoutKeys(
-                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", piece("BA", LONG_FRAME, 0)),
+                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", fragment("BA", LONG_FRAME, 0)),
                 "police sends other bytes under the nonce of an earlier message");
     }
 
     @Test
-    void handed_thoughAFirstPieceWasForged_isOnlyWhatWasSaid() {
+    void handed_thoughAFirstFragmentWasForged_isOnlyWhatWasSaid() {
         for (String content : List.of(LONG, LONG + "y")) {
-            Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("stranger", changed(BEGIN, -1))
+            Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("injector", changed(BEGIN, -1))
                     .sends("police", END).hands(0, FIRST, content);
             if (content.equals(LONG)) {
                 assertAccepted(talk, "1 messages opened, 0 proofs");
@@ -358,14 +364,14 @@ class BytesTest {
         }
     }
 
-    /** Nothing proves a broadcast: a piece of it may be anybody's. */
+    /** Nothing proves a broadcast: a fragment of it may be anybody's. */
     @Test
-    void handed_broadcastOfWhichAPieceWasForged_mayBeAnything() {
+    void handed_broadcastOfWhichAFragmentWasForged_mayBeAnything() {
         byte[] whole = broadcast(LONG);
         for (boolean isForged : List.of(true, false)) {
-            Talk talk = asked("////", LONG).sends("police", piece("AA", whole, 0)).sends("stranger",
-                    isForged ? changed(piece("AB", whole, 1), -1) : piece("AB", whole, 1))
-                    .sends("police", piece("AB", whole, 1));
+            Talk talk = asked("////", LONG).sends("police", fragment("AA", whole, 0)).sends("injector",
+                    isForged ? changed(fragment("AB", whole, 1), -1) : fragment("AB", whole, 1))
+                    .sends("police", fragment("AB", whole, 1));
             talk.lines.add(9, "support", "host-handed",
                     Map.of("number", 0, "destination", "////", "origin", "SUPO", "id", "000000", "content",
                             LONG + "y"));
@@ -377,23 +383,23 @@ class BytesTest {
         }
     }
 
-    /** Its board's own piece is what it is, though a stranger has sent another one before. */
+    /** Its board's own fragment is what it is, though the injector has sent another one before. */
     @Test
     void broadcast_ofWhichNobodyKnowsWhatItSays_isItsBoards() {
         byte[] whole = broadcast(LONG);
         Talk talk = asked("////", LONG);
         talk.last().remove("content");
-        talk.sends("police", piece("AA", whole, 0)).sends("stranger", changed(piece("AB", whole, 1), -1))
-                .sends("police", piece("AB", whole, 1));
+        talk.sends("police", fragment("AA", whole, 0)).sends("injector", changed(fragment("AB", whole, 1), -1))
+                .sends("police", fragment("AB", whole, 1));
         assertTrue(talk.lines.replay().refusal().isEmpty(), talk.lines.replay()::verdict);
     }
 
-    /** Only the whole frame tells that a piece is forged. */
+    /** Only the whole frame tells that a fragment is forged. */
     @Test
-    void acknowledgement_ofAForgedPieceOfWhatWasTaken_isAccepted() {
+    void acknowledgement_ofAForgedFragmentOfWhatWasTaken_isAccepted() {
         Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("police", END).hands(0, FIRST, LONG)
                 .sends("support", acknowledgement(FIRST, ""))
-                .sends("stranger", changed(piece("AI", LONG_FRAME, 0), -1))
+                .sends("injector", changed(fragment("AI", LONG_FRAME, 0), -1))
                 .sends("support", acknowledgement(FIRST, "")).sends("support", acknowledgement(FIRST, ""));
         assertAccepted(talk, "1 messages opened, 3 proofs");
     }
@@ -442,7 +448,7 @@ class BytesTest {
     void sealedAnew_withoutKeys_isAcceptedWhicheverItIs() {
         Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).resets("support", "power").pauses(10)
                 .greets("support", "SUPP", "000002").pauses(20)
-                .sends("stranger", sealed("SUPP", FIRST, HELP))
+                .sends("injector", sealed("SUPP", FIRST, HELP))
                 .unheard("support", acknowledgement(FIRST, "00000100001f00d2"))
                 .asks("SUPP", "tell;helq").asks("//SU", HELP).sends("police", sealed("SUPP", SECOND, "tell;helq"))
                 .sends("support", acknowledgement(SECOND, "00000100001f0100"))
@@ -458,7 +464,7 @@ class BytesTest {
         Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).asks("SUPP", HELP)
                 .sends("police", sealed("SUPP", SECOND, HELP)).hands(1, SECOND, HELP)
                 .sends("support", acknowledgement(SECOND, "")).resets("support", "power").pauses(10)
-                .greets("support", "SUPP", "000002").pauses(20).sends("stranger", frame)
+                .greets("support", "SUPP", "000002").pauses(20).sends("injector", frame)
                 .sends("support", acknowledgement(FIRST, "00000100001f00d2"));
         assertAccepted(talk, "2 messages opened, 3 proofs");
     }
@@ -492,7 +498,7 @@ class BytesTest {
 
     /** A board without a host, of which nobody has said who it is. */
     @Test
-    void stranger_maySendAnything_butAForgeryIsNeverHanded() {
+    void injector_maySendAnything_butAForgeryIsNeverHanded() {
         byte[] right = sealed("SUPP", FIRST, HELP);
         byte[] header =
                 SharedKey.join(SharedKey.header("+FAA", "SUPO", Frame.HEADER), SharedKey.header("SUPP", "SUPO", 200));
@@ -519,7 +525,7 @@ class BytesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"highway, '7 messages opened, 5 proofs'", "pieces, '3 messages opened, 4 proofs'",
+    @CsvSource({"highway, '7 messages opened, 5 proofs'", "fragments, '3 messages opened, 4 proofs'",
             "partners, '10 messages opened, 6 proofs'", "relays, '3 messages opened, 3 proofs'"})
     @Tag("soak")
     void genuineTrace_withItsKeys_isAcceptedHoweverEarlyItEnds(String name, String checked) {
@@ -535,7 +541,7 @@ class BytesTest {
 
     /** Each packet that a board sends, with one bit changed, wherever it is heard. */
     @ParameterizedTest
-    @ValueSource(strings = {"highway", "pieces", "partners", "relays"})
+    @ValueSource(strings = {"highway", "fragments", "partners", "relays"})
     @Tag("soak")
     void genuineTrace_withAChangedBit_isRefusedThere(String name) {
         Random random = new Random(1);

@@ -132,10 +132,10 @@ class CopiesTest {
     }
 
     @Test
-    void copy_ofAMulticastABroadcastOrAPiece_isRefused() {
+    void copy_ofAMulticastABroadcastOrAFragment_isRefused() {
         for (String[] each : new String[][] {{"broadcast", "2f2f2f2f524f4d4141513031"},
                 {"multicast", "2f2f5355524f4d414277" + "00".repeat(14)},
-                {"piece", "2b464141524f4d414277" + "00".repeat(14)}}) {
+                {"fragment", "2b464141524f4d414277" + "00".repeat(14)}}) {
             Lines before = Lines.of("relays");
             lines.all.clear();
             lines.all.addAll(before.all);
@@ -230,7 +230,7 @@ class CopiesTest {
         }
         String last = "53555a5a524f4d414277" + "0".repeat(11) + "5" + "00".repeat(8);
         sends("relay1", last, "unicast", AFTER + 6, Map.of("hops", 1));
-        sends("stranger", last, "unicast", AFTER + 7, Map.of("hops", 2));
+        sends("injector", last, "unicast", AFTER + 7, Map.of("hops", 2));
         hears("relay1");
         String answer = "2b4b414653555a5a4241" + "00".repeat(8);
         heard(answer, "acknowledgement", AFTER + 8);
@@ -303,9 +303,9 @@ class CopiesTest {
         assertTrue(refusal.contains("which was answered or handed on; expected silence"), refusal);
     }
 
-    /** A stranger sends a packet that relay1 hears. */
+    /** The injector sends a packet that relay1 hears. */
     private void heard(String payload, String kind, double start) {
-        sends("stranger", payload, kind, start, Map.of());
+        sends("injector", payload, kind, start, Map.of());
         hears("relay1");
     }
 
@@ -314,7 +314,7 @@ class CopiesTest {
         JsonObject heard = lines.all.get(lines.all.size() - 1).deepCopy();
         heard.addProperty("board", board);
         heard.addProperty("event", "rf-rx");
-        heard.addProperty("from", "stranger");
+        heard.addProperty("from", "injector");
         lines.all.add(heard);
     }
 

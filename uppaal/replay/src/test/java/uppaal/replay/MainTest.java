@@ -28,7 +28,7 @@ class MainTest {
     @Test
     void run_withKeys_opensWhatIsSealed() throws IOException {
         assertEquals(0, Main.run(TRACES.resolve("highway.jsonl"), TRACES.resolve("highway.keys")));
-        assertEquals(1, Main.run(TRACES.resolve("highway.jsonl"), TRACES.resolve("pieces.keys")));
+        assertEquals(1, Main.run(TRACES.resolve("highway.jsonl"), TRACES.resolve("fragments.keys")));
         assertEquals(2, Main.run(TRACES.resolve("highway.jsonl"), folder.resolve("missing")));
     }
 

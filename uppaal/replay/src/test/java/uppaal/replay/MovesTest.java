@@ -175,7 +175,7 @@ class MovesTest {
     }
 
     @Test
-    void message_toManyFromStrangers_isNotHeard() {
+    void message_toManyFromAttackers_isNotHeard() {
         after("away says R 1").then("away hears G 1");
         lines.get(at).addProperty("destination", "////");
         then("away says A 1", hex("walker")).assertRefused("says 'awake' as 'walker'");
@@ -188,7 +188,7 @@ class MovesTest {
     }
 
     @Test
-    void content_ofAnotherForceOrType_isNone() {
+    void content_ofAnotherPerformativeOrType_isNone() {
         after("home says O 1").then("home says Q 1").assertAccepted();
         say(lines.get(at), hex("tell;Gabcde"));
         assertAccepted();

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Genuine traces and spoilt ones. {@code highway.jsonl} is what {@code gradle highway} has left in its build folder,
- * {@code pieces.jsonl} what two boards did of which one sent 200 bytes three times at a bit error rate of 1e-3,
+ * {@code fragments.jsonl} what two boards did of which one sent 200 bytes three times at a bit error rate of 1e-3,
  * {@code partners.jsonl} what a board did that sent to two who were there and to two who were not
  * ({@code test/system}'s {@code PartnersTest}), {@code relays.jsonl} what came of three unicasts over two relays (as in
  * {@code RelayTest}); all without the events that the model does not speak of.
@@ -33,11 +33,11 @@ class ReplayTest {
     private static final int PARITY_BITS = 156;
     private static final String UNICAST = "535550505355504f4341000001000000";
 
-    private static final String FIRST_PIECE =
+    private static final String FIRST_FRAGMENT =
             unicast("SUPP", 0).substring(0, 16) + "4967" + unicast("SUPP", 0).substring(20) + "77".repeat(41);
-    private static final String SECOND_PIECE = piece("41", "4a", "4259", "77".repeat(11));
-    /** The first piece, which asks. */
-    private static final String QUESTION = piece("41", "49", "4959", FIRST_PIECE);
+    private static final String SECOND_FRAGMENT = fragment("41", "4a", "4259", "77".repeat(11));
+    /** The first fragment, which asks. */
+    private static final String QUESTION = fragment("41", "49", "4959", FIRST_FRAGMENT);
 
     private static void assertRefused(Lines lines, int at, String words) {
         String refusal = lines.replay().refusal().orElse("accepted");
@@ -60,7 +60,7 @@ class ReplayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"highway", "pieces", "partners", "relays"})
+    @ValueSource(strings = {"highway", "fragments", "partners", "relays"})
     @Tag("soak")
     void replay_genuineTrace_isAcceptedHoweverEarlyItEnds(String name) {
         Lines lines = Lines.of(name);
@@ -363,14 +363,14 @@ class ReplayTest {
     }
 
     @Test
-    void replay_pieceOfWhatWasNotBegun_isRefusedThere() {
-        Lines lines = Lines.of("pieces");
-        int first = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "kind").equals("piece")).get(0);
+    void replay_fragmentOfWhatWasNotBegun_isRefusedThere() {
+        Lines lines = Lines.of("fragments");
+        int first = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "kind").equals("fragment")).get(0);
         String payload = lines.text(first, "payload");
         Lines spoilt =
                 lines.without(line -> lines.text(line, "payload").equals(payload) || lines.is(line, "rf-damaged"));
         assertRefused(spoilt, spoilt.where(line -> spoilt.is(line, "rf-tx")).get(0),
-                "sends a piece of a message that it has not begun");
+                "sends a fragment of a message that it has not begun");
     }
 
     @Test
@@ -450,21 +450,22 @@ class ReplayTest {
     }
 
     @Test
-    void replay_piecesOfTwoMessages_areToldApartByTheirIds() {
+    void replay_fragmentsOfTwoMessages_areToldApartByTheirIds() {
         for (String id : List.of("42", "41")) {
             Lines lines = severalAsked("SUPP", "SUHO");
             for (int message = 0; message < 2; message++) {
                 String digit = message == 0 ? "41" : "42";
                 String whole = unicast(message == 0 ? "SUPP" : "SUHO", message);
                 String header = whole.substring(0, 16) + "4967" + whole.substring(20);
-                send(lines, 2 + 2 * message, "police", piece(digit, "41", "4959", header + "77".repeat(41)), "piece");
+                send(lines, 2 + 2 * message, "police", fragment(digit, "41", "4959", header + "77".repeat(41)),
+                        "fragment");
                 send(lines, 3 + 2 * message, "police",
-                        piece(message == 0 ? "41" : id, "4a", "4259", "0" + message + "77".repeat(10)), "piece");
+                        fragment(message == 0 ? "41" : id, "4a", "4259", "0" + message + "77".repeat(10)), "fragment");
             }
             if (id.equals("42")) {
                 assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
             } else {
-                assertRefused(lines, lines.all.size(), "police sends other bytes as piece 1 of SUPO to SUPP, ");
+                assertRefused(lines, lines.all.size(), "police sends other bytes as fragment 1 of SUPO to SUPP, ");
             }
         }
     }
@@ -476,8 +477,8 @@ class ReplayTest {
         return lines.add(0.7, "support", "host-radio", Map.of("radio", "open"));
     }
 
-    /** The police has been asked for a message in two pieces, and the support's board has its key. */
-    private static Lines pieces(String model) {
+    /** The police has been asked for a message in two fragments, and the support's board has its key. */
+    private static Lines fragments(String model) {
         Lines lines = keyed(severalAsked("SUPP"));
         lines.madeUp = false;
         lines.all.add(JsonParser.parseString("{'t': 0, 'event': 'scenario', 'boards': [{'name': 'support', 'model': '"
@@ -487,17 +488,17 @@ class ReplayTest {
 
     @ParameterizedTest
     @CsvSource({"mega, 1, true", "mega, 2, false", "uno, 0, false"})
-    void replay_piecesThatABoardWithRoomNeverAnswers_areNotUndelivered(String model, int others, boolean refused) {
-        Lines lines = pieces(model);
-        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
-        reach(lines, 2.4, "police", SECOND_PIECE, "piece");
+    void replay_fragmentsThatABoardWithRoomNeverAnswers_areNotUndelivered(String model, int others, boolean refused) {
+        Lines lines = fragments(model);
+        reach(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
+        reach(lines, 2.4, "police", SECOND_FRAGMENT, "fragment");
         for (int attempt = 1; attempt < 8; attempt++) {
             for (int other = 0; other < others; other++) {
                 reach(lines, 2.4 + attempt + other * 0.3, "thief",
-                        piece("4" + (2 + other), "49", "4259", "78".repeat(11)),
-                        "piece");
+                        fragment("4" + (2 + other), "49", "4259", "78".repeat(11)),
+                        "fragment");
             }
-            reach(lines, 2 + attempt, "police", QUESTION, "piece");
+            reach(lines, 2 + attempt, "police", QUESTION, "fragment");
             lines.add(2.39 + attempt, "support", "host-nothing", Map.of());
         }
         outcome(lines, 11, 0, "undelivered");
@@ -511,28 +512,29 @@ class ReplayTest {
     }
 
     /**
-     * A first piece asks, which was there before or not, and its board answers some of these questions.
+     * A first fragment asks, which was there before or not, and its board answers some of these questions.
      *
-     * @param apart seconds from one question to the next: after 6 s a piece is surely new again
+     * @param apart seconds from one question to the next: after 6 s a fragment is surely new again
      * @param quiet whether others leave the air for longer than anybody waits for an answer
      */
     @ParameterizedTest
-    @CsvSource({"2, 3, -1, true, 3 times that a piece that asks, which may be there, came", "2, 2, -1, true, accepted",
+    @CsvSource({"2, 3, -1, true, 3 times that a fragment that asks, which may be there, came",
+            "2, 2, -1, true, accepted",
             "2, 4, 2, true, accepted", "2, 3, -1, false, accepted",
-            "7, 3, -1, true, 3 times that a new first piece that asks came"})
-    void replay_firstPiecesThatAskAndAreNotAnswered_areRefused(int apart, int questions, int answered, boolean quiet,
+            "7, 3, -1, true, 3 times that a new first fragment that asks came"})
+    void replay_firstFragmentsThatAskAndAreNotAnswered_areRefused(int apart, int questions, int answered, boolean quiet,
             String words) {
-        Lines lines = pieces("mega");
-        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
-        send(lines, 2.4, "police", SECOND_PIECE, "piece");
+        Lines lines = fragments("mega");
+        reach(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
+        send(lines, 2.4, "police", SECOND_FRAGMENT, "fragment");
         for (int i = 1; i <= questions; i++) {
             double start = 2 + apart * i;
-            reach(lines, start, "police", QUESTION, "piece");
+            reach(lines, start, "police", QUESTION, "fragment");
             if (i == answered) {
                 answer(lines, start + 0.5, "01");
             }
             for (double other = 0.4; !quiet && other < apart - 0.1; other += 0.2) {
-                reach(lines, start + other, "thief", piece("42", "49", "4259", "78".repeat(11)), "piece");
+                reach(lines, start + other, "thief", fragment("42", "49", "4259", "78".repeat(11)), "fragment");
             }
             lines.add(start + 1.7, "support", "host-nothing", Map.of());
         }
@@ -540,41 +542,41 @@ class ReplayTest {
         assertTrue(lines.replay().verdict().contains(words), lines.replay().verdict());
     }
 
-    /** The last piece asks, and comes so that its board must know that it is new; but only the first is answered. */
+    /** The last fragment asks, and comes so that its board must know that it is new; but only the first is answered. */
     @Test
-    void replay_furtherPiecesThatAskAndAreNotAnswered_areRefusedThoughFirstOnesAre() {
-        Lines lines = pieces("mega");
-        send(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+    void replay_furtherFragmentsThatAskAndAreNotAnswered_areRefusedThoughFirstOnesAre() {
+        Lines lines = fragments("mega");
+        send(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
         for (int i = 0; i < 3; i++) {
             double start = 2.4 + 3 * i;
-            reach(lines, start, "police", SECOND_PIECE, "piece");
+            reach(lines, start, "police", SECOND_FRAGMENT, "fragment");
             lines.add(start + 1.2, "support", "host-nothing", Map.of());
-            reach(lines, start + 1.5, "police", QUESTION, "piece");
+            reach(lines, start + 1.5, "police", QUESTION, "fragment");
             answer(lines, start + 2.1, "01");
         }
-        reach(lines, 11.4, "police", SECOND_PIECE, "piece");
+        reach(lines, 11.4, "police", SECOND_FRAGMENT, "fragment");
         lines.add(12.6, "support", "host-nothing", Map.of());
         sort(lines);
         String verdict = lines.replay().verdict();
-        assertTrue(verdict.contains("3 times that another new piece that asks came undamaged")
-                || verdict.contains("without a piece that came undamaged"), verdict);
+        assertTrue(verdict.contains("3 times that another new fragment that asks came undamaged")
+                || verdict.contains("without a fragment that came undamaged"), verdict);
     }
 
     /** An answer of the support's board, which the police hears. */
-    private static void answer(Lines lines, double start, String pieces) {
-        String answer = "2b4b41415355505042" + "49" + pieces + "00".repeat(8);
+    private static void answer(Lines lines, double start, String fragments) {
+        String answer = "2b4b41415355505042" + "49" + fragments + "00".repeat(8);
         send(lines, start, "support", answer, "acknowledgement");
         hear(lines, start, "police", "support", answer, "acknowledgement");
     }
 
     @ParameterizedTest
-    @CsvSource({"3, sends again a piece that has come, though it was told 3 times", "2, accepted"})
+    @CsvSource({"3, sends again a fragment that has come, though it was told 3 times", "2, accepted"})
     void replay_questionsThatAreAnsweredAndRepeated_areRefused(int answers, String words) {
-        Lines lines = pieces("mega");
-        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
-        send(lines, 2.4, "police", SECOND_PIECE, "piece");
+        Lines lines = fragments("mega");
+        reach(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
+        send(lines, 2.4, "police", SECOND_FRAGMENT, "fragment");
         for (int i = 0; i < 4; i++) {
-            reach(lines, 3 + 2 * i, "police", QUESTION, "piece");
+            reach(lines, 3 + 2 * i, "police", QUESTION, "fragment");
             if (i < answers) {
                 answer(lines, 4 + 2 * i, "01");
             }
@@ -584,12 +586,12 @@ class ReplayTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"01, support answers 3 times in a row without a piece that came undamaged", "03, accepted"})
-    void replay_piecesThatCameAndAreNotTold_areRefused(String told, String words) {
-        Lines lines = pieces("mega");
-        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+    @CsvSource({"01, support answers 3 times in a row without a fragment that came undamaged", "03, accepted"})
+    void replay_fragmentsThatCameAndAreNotTold_areRefused(String told, String words) {
+        Lines lines = fragments("mega");
+        reach(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
         for (int i = 0; i < 3; i++) {
-            reach(lines, 2.5 + 1.5 * i, "police", SECOND_PIECE, "piece");
+            reach(lines, 2.5 + 1.5 * i, "police", SECOND_FRAGMENT, "fragment");
             answer(lines, 3.2 + 1.5 * i, told);
         }
         sort(lines);
@@ -649,9 +651,9 @@ class ReplayTest {
     @ParameterizedTest
     @CsvSource({"3, -1, false, support has nothing to tell; expected a message", "2, -1, false, accepted",
             "3, 1, false, accepted",
-            "3, -1, true, 3 times that another new piece that asks came undamaged",
+            "3, -1, true, 3 times that another new fragment that asks came undamaged",
             "3, 1, true, accepted"})
-    void replay_unicastsThatAreHeededOnlyWhenTheyComeAgain_areRefused(int messages, int heeded, boolean inPieces,
+    void replay_unicastsThatAreHeededOnlyWhenTheyComeAgain_areRefused(int messages, int heeded, boolean inFragments,
             String words) {
         String[] all = new String[messages];
         Arrays.fill(all, "SUPP");
@@ -665,16 +667,16 @@ class ReplayTest {
             String whole = unicast("SUPP", i);
             String first = whole.substring(0, 16) + "4967" + whole.substring(20) + "77".repeat(41);
             String digit = "4" + (1 + i);
-            if (inPieces) {
-                reach(lines, start, "police", piece(digit, "41", "4959", first), "piece");
-                reach(lines, start + 0.4, "police", piece(digit, "4a", "4259", "77".repeat(11)), "piece");
+            if (inFragments) {
+                reach(lines, start, "police", fragment(digit, "41", "4959", first), "fragment");
+                reach(lines, start + 0.4, "police", fragment(digit, "4a", "4259", "77".repeat(11)), "fragment");
             } else {
                 reach(lines, start, "police", whole, "unicast");
             }
             if (i != heeded) {
                 lines.add(start + 1.3, "support", "host-nothing", Map.of());
-                reach(lines, start + 1.5, "police", inPieces ? piece(digit, "49", "4959", first) : whole,
-                        inPieces ? "piece" : "unicast");
+                reach(lines, start + 1.5, "police", inFragments ? fragment(digit, "49", "4959", first) : whole,
+                        inFragments ? "fragment" : "unicast");
             }
             hand(lines, start + 1.9, i, "01000" + i);
             take(lines, start + 1.95, i);
@@ -773,15 +775,15 @@ class ReplayTest {
         }
     }
 
-    /** An answer that tells which pieces lack lets the sender go on at once; without one its attempt has failed. */
+    /** An answer that tells which fragments lack lets the sender go on at once; without one its attempt has failed. */
     @ParameterizedTest
     @CsvSource({"true, accepted", "false, refused"})
-    void replay_piecesThatGoOnUponAnAnswer_takeNoTurnFromOthers(boolean isHeard, String verdict) {
+    void replay_fragmentsThatGoOnUponAnAnswer_takeNoTurnFromOthers(boolean isHeard, String verdict) {
         Lines lines = keyed(sessionKeys("SUPP", "SUHO"));
         key(lines, 0.6, "session", "SUHO", "040506");
-        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+        reach(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
         for (double start = 2.4; start < 7.4; start++) {
-            send(lines, start, "police", SECOND_PIECE, "piece");
+            send(lines, start, "police", SECOND_FRAGMENT, "fragment");
             damage(lines, start, "support", "police");
             if (isHeard) {
                 answer(lines, start + 0.4, "01");
@@ -887,10 +889,10 @@ class ReplayTest {
     void replay_sentIntoCarriers_isAcceptedIfTheyOverlap(double second, String verdict) {
         Lines lines = severalAsked("//SU");
         lines.madeUp = false;
-        String noise = piece("41", "4a", "4259", "77".repeat(11));
-        send(lines, 2, "thief", noise, "piece");
+        String noise = fragment("41", "4a", "4259", "77".repeat(11));
+        send(lines, 2, "thief", noise, "fragment");
         send(lines, 2.0005, "police", unicast("//SU", 0), "multicast");
-        send(lines, second, "robber", noise, "piece");
+        send(lines, second, "robber", noise, "fragment");
         send(lines, 2.13, "police", unicast("//SU", 0), "multicast");
         damage(lines, 2, "police", "thief");
         damage(lines, second, "police", "robber");
@@ -956,7 +958,7 @@ class ReplayTest {
         assertRefused(lines, lines.all.size(), "support hands its host a message that nobody has sent");
     }
 
-    /** An attacker sends frames and pieces of any length, and answers to what never was. */
+    /** An attacker sends frames and fragments of any length, and answers to what never was. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void replay_noiseOfAnAttacker_isReadToItsEnd(long seed) {
@@ -975,7 +977,7 @@ class ReplayTest {
             reach(lines, 2 + 0.7 * i, "thief", HexFormat.of().formatHex(packet), Talk.kind(packet));
         }
         Replay replay = lines.replay();
-        assertEquals("", replay.refusal().filter(why -> !why.contains("without a piece that came undamaged"))
+        assertEquals("", replay.refusal().filter(why -> !why.contains("without a fragment that came undamaged"))
                 .orElse(""));
     }
 
@@ -996,12 +998,12 @@ class ReplayTest {
     }
 
     @Test
-    void replay_forgedPiece_isAnsweredAndTakesNoNonceAway() {
+    void replay_forgedFragment_isAnsweredAndTakesNoNonceAway() {
         Lines lines = twoBoards();
         String forged =
                 "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
         String answer = "2b4b4141" + "53555050" + "4249" + "01" + "00".repeat(8);
-        reach(lines, 2, "thief", forged, "piece");
+        reach(lines, 2, "thief", forged, "fragment");
         send(lines, 3, "support", answer, "acknowledgement");
         lines.add(4.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 4.0));
         send(lines, 5, "police", UNICAST + "00".repeat(10), "unicast");
@@ -1048,7 +1050,7 @@ class ReplayTest {
     }
 
     @Test
-    void replay_strangerWithAnIdOfItsOwn_isHeard() {
+    void replay_injectorWithAnIdOfItsOwn_isHeard() {
         Lines lines = twoBoards();
         String payload = UNICAST.replace("5355504f", "43414645") + "00".repeat(10);
         reach(lines, 2, "thief", payload, "unicast");
@@ -1058,9 +1060,9 @@ class ReplayTest {
     }
 
     @Test
-    void replay_strangerWithWhatIsNoFrame_isHeard() {
+    void replay_injectorWithWhatIsNoFrame_isHeard() {
         Lines lines = twoBoards();
-        reach(lines, 2, "stranger", "00", "no frame");
+        reach(lines, 2, "injector", "00", "no frame");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 
@@ -1085,15 +1087,15 @@ class ReplayTest {
 
     /** Only the whole tells by its tag that it is refused: until then a board asks for the rest of it. */
     @Test
-    void replay_firstPieceOfWhatABoardWillRefuse_isAnswered() {
+    void replay_firstFragmentOfWhatABoardWillRefuse_isAnswered() {
         String first =
                 "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
         String rest = "2b46414a" + "5355504f" + "476f" + "77".repeat(53);
         for (boolean stale : List.of(true, false)) {
             Lines lines = twoBoards().add(1.1, "police", "host-transmit",
                     Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
-            reach(lines, 2, "police", first.replaceFirst("2b464149", "2b464141"), "piece");
-            reach(lines, 3, "police", rest, "piece");
+            reach(lines, 2, "police", first.replaceFirst("2b464149", "2b464141"), "fragment");
+            reach(lines, 3, "police", rest, "fragment");
             hand(lines, 4, 0, "010000");
             if (stale) {
                 lines.add(4.5, "support", "reset", Map.of("why", "power"));
@@ -1108,7 +1110,7 @@ class ReplayTest {
                 hand(lines, 7, 1, "010001");
                 take(lines, 7.1, 1);
             }
-            reach(lines, 8, "thief", first, "piece");
+            reach(lines, 8, "thief", first, "fragment");
             send(lines, 9, "support", "2b4b4141" + "53555050" + "4249" + "01" + "00".repeat(8), "acknowledgement");
             assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
         }
@@ -1118,7 +1120,7 @@ class ReplayTest {
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
     void replay_randomDamage_isRefused(long seed) {
         Random random = new Random(seed);
-        for (String name : List.of("highway", "pieces", "partners")) {
+        for (String name : List.of("highway", "fragments", "partners")) {
             for (Damage damage : Damage.values()) {
                 Lines lines = Lines.of(name);
                 List<Integer> places = lines.where(line -> damage.fits(lines, line));
@@ -1203,16 +1205,16 @@ class ReplayTest {
     /** The police has been asked to send to these, at once. */
     /** As an attacker may repeat it, for example after a reset: that it is old, too, only the whole can tell. */
     @Test
-    void replay_firstPieceOfWhatIsOlderThanWhatTheHostHas_isAnsweredInTime() {
-        Lines lines = pieces("mega");
+    void replay_firstFragmentOfWhatIsOlderThanWhatTheHostHas_isAnsweredInTime() {
+        Lines lines = fragments("mega");
         lines.add(1.1, "police", "host-transmit", Map.of("number", 1, "destination", "SUPP", "asked", 1.0));
-        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
-        reach(lines, 2.4, "police", piece("41", "4a", "4259", "77".repeat(11)), "piece");
+        reach(lines, 2, "police", fragment("41", "41", "4959", FIRST_FRAGMENT), "fragment");
+        reach(lines, 2.4, "police", fragment("41", "4a", "4259", "77".repeat(11)), "fragment");
         handAndAcknowledge(lines, 2.8, 0, "41");
         lines.add(3.5, "support", "reset", Map.of("why", "fault"));
         reach(lines, 5, "police", unicast("SUPP", 1), "unicast");
         handAndAcknowledge(lines, 5.4, 1, "42");
-        reach(lines, 8, "thief", QUESTION, "piece");
+        reach(lines, 8, "thief", QUESTION, "fragment");
         JsonObject heard = lines.get(lines.all.size());
         heard.addProperty("t", heard.get("end").getAsDouble());
         send(lines, 8.4, "support", "2b4b41415355505042" + "49" + "01" + "00".repeat(8), "acknowledgement");
@@ -1226,7 +1228,7 @@ class ReplayTest {
     void replay_answerOfABoardThatIsBusyWithAnotherMessage_mayComeOneSlotAfterALaterPacket(double taken, String words) {
         Lines lines = keyed(severalAsked("SUPP"));
         lines.madeUp = false;
-        String junk = piece("42", "49", "4259", "78".repeat(11));
+        String junk = fragment("42", "49", "4259", "78".repeat(11));
         String delivered = "2b4b4141535550504241" + "00".repeat(8);
         reach(lines, 2, "police", unicast("SUPP", 0), "unicast");
         hand(lines, 2.3, 0, "010000");
@@ -1238,7 +1240,7 @@ class ReplayTest {
         lines.add(4.21, "support", "host-taking", Map.of("number", 1));
         lines.add(taken, "support", "host-taken", Map.of("number", 1));
         reach(lines, 4.3, "thief", unicast("SUPP", 0), "unicast");
-        reach(lines, 4.51, "thief", junk, "piece");
+        reach(lines, 4.51, "thief", junk, "fragment");
         double end = 4.51 + (lines.get(lines.all.size()).get("bits").getAsInt() - 1) / 2000.0;
         send(lines, end + 0.0105, "support", delivered, "acknowledgement");
         for (JsonObject line : lines.all) {
@@ -1275,7 +1277,7 @@ class ReplayTest {
                 + String.format("%06x", counter) + "00".repeat(10);
     }
 
-    private static String piece(String id, String index, String size, String message) {
+    private static String fragment(String id, String index, String size, String message) {
         return "2b46" + id + index + "5355504f" + size + message;
     }
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 /** The shared vectors, of which the firmware's tests take the other side. */
 class SharedKeyTest {
     private static final int HEADER = 10;
-    private static final Map<String, Integer> TYPES = Map.of("delivered", 6, "pieces", 7, "stale", 8);
+    private static final Map<String, Integer> TYPES = Map.of("delivered", 6, "fragments", 7, "stale", 8);
     /** The proof's type by the length of the message; others have none. */
     private static final Map<Integer, Integer> TYPE_OF_LENGTH = Map.of(8, 6, 9, 7, 16, 8);
 

@@ -102,7 +102,7 @@ final class Talk {
     }
 
     /** @param digits of the id and the index */
-    static byte[] piece(String digits, byte[] frame, int index) {
+    static byte[] fragment(String digits, byte[] frame, int index) {
         byte[] message = Arrays.copyOfRange(frame, index * PIECE, Math.min(frame.length, (index + 1) * PIECE));
         return SharedKey.join(SharedKey.header("+F" + digits, "SUPO", message.length), message);
     }

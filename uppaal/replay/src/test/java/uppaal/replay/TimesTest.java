@@ -169,7 +169,7 @@ class TimesTest {
     /** Who hears a packet with a trailer may tell of it before its sender does. */
     @Test
     void times_packetThatIsSentAgainAtOnce_isRefusedAtTheEndOfATraceToo() {
-        Lines lines = Lines.of("pieces");
+        Lines lines = Lines.of("fragments");
         int sent = lines.where(line -> lines.text(line, "trailer").equals("parity")).get(2);
         double start = lines.get(sent).get("start").getAsDouble();
         for (int line : lines.where(line -> lines.get(line).has("start")
@@ -177,7 +177,8 @@ class TimesTest {
             lines.all.add(lines.copy(line));
             shift(lines, lines.all.size(), SLOT - gap(lines, sent, sent));
         }
-        assertTrue(refusal(lines).contains("board4 sends piece 2 of SUPO to SUPP, nonce 000002000002 after piece 2"),
+        assertTrue(
+                refusal(lines).contains("board4 sends fragment 2 of SUPO to SUPP, nonce 000002000002 after fragment 2"),
                 refusal(lines));
     }
 
@@ -185,11 +186,11 @@ class TimesTest {
     @Test
     void times_attemptAfterTooFewQuietSlotsThatWereHeard_isRefused() {
         for (int slots : List.of(5, 7)) {
-            Lines lines = Lines.of("pieces");
+            Lines lines = Lines.of("fragments");
             int acknowledged = packet(lines, "board5", "acknowledgement", 2);
             int sent = lines.where(line -> line > acknowledged && lines.is(line, "board4", "rf-tx")).get(0);
             shiftAll(lines, sent, slots * SLOT - gap(lines, acknowledged, sent));
-            assertEquals(slots == 5, refusal(lines).contains("SUPO sends a piece of it"), refusal(lines));
+            assertEquals(slots == 5, refusal(lines).contains("SUPO sends a fragment of it"), refusal(lines));
         }
     }
 
@@ -205,18 +206,18 @@ class TimesTest {
     /** Bits of several packets together may be no carrier to a board, though it has heard the first one begin. */
     @Test
     void times_attemptSoonAfterCarriersThatOverlapped_isAccepted() {
-        for (int strangers : List.of(1, 2)) {
+        for (int injectors : List.of(1, 2)) {
             Lines lines = Lines.of("highway");
             double start = lines.get(packet(lines, "support", "unicast", 0)).get("start").getAsDouble();
-            for (int stranger = 1; stranger <= strangers; stranger++) {
-                double begin = start - (5 + 0.5 * stranger) * SLOT;
+            for (int injector = 1; injector <= injectors; injector++) {
+                double begin = start - (5 + 0.5 * injector) * SLOT;
                 Map<String, Object> noise =
-                        Map.of("payload", "a" + stranger, "kind", "no frame", "from", "stranger" + stranger, "start",
+                        Map.of("payload", "a" + injector, "kind", "no frame", "from", "injector" + injector, "start",
                                 begin);
-                lines.add(begin + 3 * SLOT, "stranger" + stranger, "rf-tx", noise)
+                lines.add(begin + 3 * SLOT, "injector" + injector, "rf-tx", noise)
                         .add(begin + 3 * SLOT, "support", "rf-rx", noise);
             }
-            assertEquals(strangers == 2, refusal(lines).equals("accepted"), refusal(lines));
+            assertEquals(injectors == 2, refusal(lines).equals("accepted"), refusal(lines));
         }
     }
 
@@ -306,9 +307,9 @@ class TimesTest {
         double end = start - 1.2 * SLOT;
         shift(lines, taking - 1, end - 2 * SLOT - lines.get(taking - 1).get("t").getAsDouble());
         shift(lines, taking, end - SLOT / 4 - lines.get(taking).get("t").getAsDouble());
-        Map<String, Object> noise = Map.of("payload", "aa", "kind", "no frame", "from", "stranger", "start",
+        Map<String, Object> noise = Map.of("payload", "aa", "kind", "no frame", "from", "injector", "start",
                 end - 95 / 4000.0);
-        lines.add(end, "stranger", "rf-tx", noise).add(end, "hospital", "rf-rx", noise);
+        lines.add(end, "injector", "rf-tx", noise).add(end, "hospital", "rf-rx", noise);
         assertEquals("accepted", refusal(lines));
     }
 

@@ -1,0 +1,87 @@
+package javino.cli;
+
+import java.time.Duration;
+import java.util.Map;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.board.LostState;
+import javino.board.SessionCounter;
+import javino.protocol.Counter;
+
+/** Examines how well packets come through, on the serial line and on the radio. */
+final class TrafficCheck {
+
+    private static final int ASK_INTERVAL_MILLIS = 200;
+    /** A line is bad from so many damaged packets on, if they are more than one in so many. */
+    private static final int FEW_DAMAGED = 3;
+    private static final int ONE_IN = 20;
+
+    private final Board board;
+    private final Findings findings;
+    /** What had passed the line when the board was greeted; its boot loader may have answered before. */
+    private final Map<SessionCounter, Long> before;
+
+    /** @param board greeted just now. */
+    TrafficCheck(Board board, Findings findings) {
+        this.board = board;
+        this.findings = findings;
+        before = board.counters();
+    }
+
+    /** @param listen how long to wait for a radio packet. */
+    void examine(Duration listen) throws JavinoException, InterruptedException {
+        Map<Counter, Long> counters = listen(listen);
+        examineMemory(counters);
+        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
+        examineRadio(counters, listen);
+    }
+
+    /** The counters once a radio packet was received undamaged, or when the time is over. */
+    private Map<Counter, Long> listen(Duration longest)
+            throws JavinoException, InterruptedException {
+        long end = System.nanoTime() + longest.toNanos();
+        Map<Counter, Long> counters = Await.result(board.statistics());
+        while (counters.getOrDefault(Counter.RADIO_RECEIVED, 0L) == 0 && System.nanoTime() < end) {
+            Thread.sleep(ASK_INTERVAL_MILLIS);
+            counters = Await.result(board.statistics());
+        }
+        return counters;
+    }
+
+    private void examineMemory(Map<Counter, Long> counters) {
+        if (counters.getOrDefault(Counter.MEMORY_DAMAGED, 0L) > 0) {
+            findings.trouble("memory", LostState.ofMemory());
+        }
+    }
+
+    private void examineLine(long damagedAtBoard) {
+        long damaged = damagedAtBoard + since(SessionCounter.DAMAGED_PACKETS);
+        long packets = since(SessionCounter.REQUESTS) + since(SessionCounter.REPEATS);
+        String count = damaged + " of " + packets + " packets were damaged";
+        if (damaged >= FEW_DAMAGED && damaged * ONE_IN > packets) {
+            findings.trouble("serial line", count + "; a shorter or better cable, away from motors");
+        } else {
+            findings.ok("serial line", count);
+        }
+    }
+
+    private long since(SessionCounter counter) {
+        return board.counters().get(counter) - before.get(counter);
+    }
+
+    private void examineRadio(Map<Counter, Long> counters, Duration listened) {
+        long received = counters.getOrDefault(Counter.RADIO_RECEIVED, 0L);
+        long damaged = counters.getOrDefault(Counter.RADIO_DAMAGED, 0L);
+        String count = received + " packets received, " + damaged + " damaged";
+        if (received + damaged == 0) {
+            findings.trouble("radio", "nothing was heard in " + listened.toSeconds()
+                    + " s; if another board was sending, "
+                    + "look at the receiver's supply, ground and data wire (pin 11), the antennas, the distance");
+        } else if (damaged > received) {
+            findings.trouble("radio",
+                    count + "; antenna, distance, the same bit rate in all sketches, other transmitters");
+        } else {
+            findings.ok("radio", count);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package keyagreement;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.IntStream;
+import javino.JavinoException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+
+/** Hears all, and says what he likes in whosoever name: forged, replayed, reflected, mixed. He has no certificate. */
+public final class Attacker {
+
+    private static final int MOST = 400;
+    private static final long PATIENCE_MILLIS = 60_000;
+    private static final int MOST_NOISE = 40;
+    /** As many packets as the air takes. */
+    private static final long EVERY_MILLIS = 300;
+
+    private final Random random;
+    private final List<Said> heard = new ArrayList<>();
+    private final List<Address> names;
+    private final Voice voice;
+
+    /** How his words come to be on the air. */
+    public interface Voice {
+
+        /** Says a word to all, in somebody's name. */
+        void broadcast(Address from, Bytes word);
+
+        /** Says noise to somebody in somebody's name, as if it were sealed. */
+        void unicast(Address from, Address to, Bytes noise);
+    }
+
+    private record Said(Address from, Bytes word) {
+    }
+
+    /**
+     * What came of an attack on hosts that have keys with each other.
+     *
+     * @param sent      messages of the attacker.
+     * @param wrong     what was accepted, or is otherwise not as it must be.
+     * @param lost      hosts with other keys than before.
+     * @param keysSet   keys that boards were given.
+     * @param eeprom    writes to EEPROM.
+     * @param delivered whether a message afterwards needed no further key, and came.
+     */
+    public record Siege(int sent, List<String> wrong, long lost, int keysSet, int eeprom, boolean delivered) {
+    }
+
+    /** Lays siege to two hosts that have agreed on a key by certificates, and once more by a renewal. */
+    public static Siege siege(long seed, int messages, Path folder) throws IOException, JavinoException {
+        TestAuthority authority = new TestAuthority(folder);
+        Simulation simulation = new Simulation(seed);
+        Simulation.Host roma = simulation.add(authority.certified("ROMA"));
+        Simulation.Host supo = simulation.add(authority.certified("SUPO"));
+        Attacker attacker = new Attacker(simulation.random, List.of(roma.address, supo.address), simulation.voice());
+        simulation.listener = packet -> attacker.hear(packet.from, packet.message);
+        simulation.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        simulation.run(PATIENCE_MILLIS);
+        roma.board.reset();
+        simulation.run(PATIENCE_MILLIS);
+        simulation.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        simulation.run(PATIENCE_MILLIS);
+        List<Simulation.Host> hosts = List.of(roma, supo);
+        List<Map<Address, Key>> keys = hosts.stream().map(host -> Map.copyOf(host.board.keys)).toList();
+        int before = roma.keysSet() + supo.keysSet();
+        for (int i = 0; i < messages; i++) {
+            attacker.act();
+            simulation.run(EVERY_MILLIS);
+        }
+        long lost = IntStream.range(0, hosts.size())
+                .filter(i -> keys.get(i).isEmpty() || !keys.get(i).equals(hosts.get(i).board.keys)).count();
+        Simulation.Letter after = roma.send(supo.address);
+        simulation.runUntilEnd(after, PATIENCE_MILLIS);
+        return new Siege(messages, simulation.wrong, lost, roma.keysSet() + supo.keysSet() - before,
+                roma.board.eepromWrites + supo.board.eepromWrites, after.isDelivered());
+    }
+
+    /** @param names in which he speaks, and to whom. */
+    public Attacker(Random random, List<Address> names, Voice voice) {
+        this.random = random;
+        this.names = names;
+        this.voice = voice;
+    }
+
+    /** He hears a word. */
+    public void hear(Address from, Bytes word) {
+        if (heard.size() < MOST) {
+            heard.add(new Said(from, word));
+        }
+    }
+
+    /** Sends one message. */
+    public void act() {
+        Address victim = pick(names);
+        Address name = random.nextInt(4) == 0 ? new Address(random.nextInt(0xF00000)) : pick(names);
+        switch (random.nextInt(heard.isEmpty() ? 2 : 6)) {
+            case 0 -> forge(name, victim);
+            case 1 -> voice.unicast(name, victim, noise(random.nextInt(MOST_NOISE)));
+            case 2 -> replay(pick(heard));
+            case 3 -> reflect(pick(heard));
+            case 4 -> change(pick(heard));
+            default -> mix(pick(heard), pick(heard));
+        }
+    }
+
+    private <T> T pick(List<T> from) {
+        return from.get(random.nextInt(from.size()));
+    }
+
+    private Bytes noise(int length) {
+        byte[] bytes = new byte[length];
+        random.nextBytes(bytes);
+        return Bytes.copyOf(bytes);
+    }
+
+    private static Bytes address(Address address) {
+        return Bytes.ofNumber(address.value(), 3);
+    }
+
+    private void forge(Address name, Address victim) {
+        KeyAgreementMessage.Kind[] plain = {KeyAgreementMessage.Kind.MESSAGE_1, KeyAgreementMessage.Kind.MESSAGE_2,
+                KeyAgreementMessage.Kind.MESSAGE_3,
+                KeyAgreementMessage.Kind.RENEWAL_1, KeyAgreementMessage.Kind.RENEWAL_2,
+                KeyAgreementMessage.Kind.RENEWAL_3, KeyAgreementMessage.Kind.WANT};
+        KeyAgreementMessage.Kind kind = plain[random.nextInt(plain.length)];
+        int fragment = random.nextInt(kind.fragments());
+        Bytes body = kind == KeyAgreementMessage.Kind.WANT
+                ? Bytes.of(plain[random.nextInt(plain.length)].first(random.nextInt(2)))
+                : KeyAgreementMessage.of(kind, fragment, noise(100)).body();
+        voice.broadcast(name, new KeyAgreementMessage(kind, fragment, body).to(victim).bytes());
+    }
+
+    private void replay(Said said) {
+        voice.broadcast(said.from, said.word);
+    }
+
+    /** Back to whoever said it, in the name of whom it was for, or of somebody of those. */
+    private void reflect(Said said) {
+        Address to = new Address((int) said.word.number(1, 4));
+        voice.broadcast(to.kind() == Address.Kind.DEVICE ? to : pick(names),
+                Bytes.join(said.word.slice(0, 1), address(said.from), said.word.from(4)));
+    }
+
+    private void change(Said said) {
+        byte[] bytes = said.word.toArray();
+        bytes[1 + random.nextInt(bytes.length - 1)] ^= (byte) (1 << random.nextInt(8));
+        voice.broadcast(said.from, Bytes.copyOf(bytes));
+    }
+
+    /** The one's words in the other's name, to another. */
+    private void mix(Said one, Said other) {
+        voice.broadcast(other.from, Bytes.join(one.word.slice(0, 1), other.word.slice(1, 4), one.word.from(4)));
+    }
+}

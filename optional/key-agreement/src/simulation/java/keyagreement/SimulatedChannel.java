@@ -1,0 +1,147 @@
+package keyagreement;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import javino.protocol.Address;
+import javino.protocol.Airtime;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+
+/** The air that boards share, as far as SPEC 6 and 7 make it slow: airtime, waits, collisions, damage. */
+final class SimulatedChannel {
+
+    /** At 2000 bit/s. */
+    static final double BITS_A_MILLI = 2;
+    private static final int SLOT_MILLIS = 8;
+    private static final int QUIET_SLOTS = 6;
+    private static final int WINDOW = 16;
+    private static final int FREE_SLOTS = 15;
+    /** Gap and acknowledgement. */
+    private static final long ACKNOWLEDGED_MILLIS = 160;
+    private static final long UNACKNOWLEDGED_MILLIS = 150;
+
+    private final Simulation simulation;
+    private final Random random;
+    private final List<Packet> waiting = new ArrayList<>();
+    private final List<Packet> onAir = new ArrayList<>();
+    private long began;
+    private long busyUntil;
+    private long freeSince;
+    /** Share of bits that are wrong. */
+    double errors;
+    long packets;
+
+    /** A packet of a board. */
+    static final class Packet {
+
+        final Address from;
+        final Address to;
+        final Bytes message;
+        /** Null for a broadcast. */
+        final Key key;
+        final long nonce;
+        int attempt;
+        private long start;
+        private int slots = -1;
+        private boolean damaged;
+
+        Packet(Address from, Address to, Bytes message, Key key, long nonce) {
+            this.from = from;
+            this.to = to;
+            this.message = message;
+            this.key = key;
+            this.nonce = nonce;
+        }
+
+        int bits() {
+            return Airtime.bits(10 + message.length() + (key == null ? 0 : 14));
+        }
+    }
+
+    SimulatedChannel(Simulation simulation) {
+        this.simulation = simulation;
+        random = simulation.random;
+    }
+
+    void send(Packet packet) {
+        waiting.add(packet);
+        draw(packet);
+    }
+
+    void forget(Packet packet) {
+        waiting.remove(packet);
+    }
+
+    private void draw(Packet packet) {
+        long now = simulation.millis();
+        if (now < busyUntil) {
+            return;
+        }
+        boolean free = packet.attempt == 0 && now - freeSince >= FREE_SLOTS * SLOT_MILLIS;
+        if (packet.slots < 0) {
+            packet.slots = random.nextInt(WINDOW << Math.min(packet.attempt, 3));
+        } else if (packet.start > began) {
+            // Of the slots, those are left that were not quiet.
+            packet.slots = (int) Math.min(packet.slots, (packet.start - began) / SLOT_MILLIS);
+        }
+        packet.start = free ? now : Math.max(now, freeSince + SLOT_MILLIS * (QUIET_SLOTS + packet.slots));
+        long start = packet.start;
+        simulation.after(start - now, () -> begin(packet, start));
+    }
+
+    private void begin(Packet packet, long start) {
+        long now = simulation.millis();
+        if (!waiting.contains(packet) || packet.start != start || now < busyUntil && now - began >= SLOT_MILLIS) {
+            return;
+        }
+        waiting.remove(packet);
+        packet.slots = -1;
+        if (now >= busyUntil) {
+            began = now;
+        }
+        onAir.add(packet);
+        onAir.forEach(each -> each.damaged = onAir.size() > 1);
+        packets++;
+        long takes = (long) (packet.bits() / BITS_A_MILLI);
+        busyUntil = Math.max(busyUntil, now + takes + 1);
+        simulation.after(takes, () -> end(packet));
+    }
+
+    private void end(Packet packet) {
+        onAir.remove(packet);
+        boolean taken = false;
+        for (Simulation.Host host : simulation.hosts()) {
+            boolean heard = !packet.damaged && !host.address.equals(packet.from) && !isSpoilt(packet.bits(),
+                    packet.key == null ? 0 : packet.attempt);
+            taken |= heard && host.board.hear(packet);
+        }
+        // What was acknowledged is known to the sender unless that is lost.
+        boolean known = taken && !isSpoilt(300, 2);
+        long rest = packet.key == null ? 0 : taken ? ACKNOWLEDGED_MILLIS : UNACKNOWLEDGED_MILLIS;
+        if (taken) {
+            busyUntil = Math.max(busyUntil, simulation.millis() + rest);
+        }
+        simulation.after(rest, () -> simulation.host(packet.from).board.sent(packet, known));
+        simulation.after(Math.max(0, busyUntil - simulation.millis()), this::freed);
+    }
+
+    private void freed() {
+        if (simulation.millis() >= busyUntil && onAir.isEmpty()) {
+            freeSince = Math.max(freeSince, busyUntil);
+            new ArrayList<>(waiting).forEach(this::draw);
+        }
+    }
+
+    /** Whether a packet is damaged beyond mending: more than one wrong symbol; of repeats, far more can be mended. */
+    private boolean isSpoilt(int bits, int attempt) {
+        double expected = errors * bits;
+        double borne = 1;
+        double term = 1;
+        for (int i = 1; i <= 1 + 4 * attempt; i++) {
+            term *= expected / i;
+            borne += term;
+        }
+        return random.nextDouble() >= Math.exp(-expected) * borne;
+    }
+}

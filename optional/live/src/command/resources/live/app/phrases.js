@@ -1,0 +1,137 @@
+// What happens, in plain words.
+
+import { listed, plain } from './text.js';
+
+/** Why a board refuses what it hears: the counters that tell it (SPEC 4.5). */
+export const REFUSALS = {
+  __proto__: null,
+  radioBadTag: { short: 'wrong tag', why: 'forged: its tag is wrong' },
+  radioReplayed: { short: 'heard before', why: 'replayed: its number was used before' },
+  radioStale: { short: 'too old', why: 'too old: its number is below what was accepted before' },
+  radioNoKey: { short: 'no key', why: 'it has no key for this sender' },
+  radioOwn: { short: 'my own name', why: 'a fake: it claims to come from this very board' },
+  radioBadFrames: { short: 'no frame', why: 'not understood: its bytes are no frame' },
+  radioReserved: { short: 'reserved address', why: 'not understood: its address is reserved' },
+  radioFragmentsDropped: { short: 'impossible fragment', why: 'a fragment of an impossible shape' },
+  radioReplayFull: { short: 'too many senders', why: 'it cannot remember the number of one more sender' },
+  radioQueueFull: { short: 'queue full', why: 'good, but no place was left: nobody took the messages before' },
+  radioBlocked: { short: 'radio closed', why: 'its agent wants no messages' },
+};
+
+/** Not refused, but not taken either. */
+const LEFT = {
+  __proto__: null,
+  radioNotForUs: 'ignored it: it is for another device or group',
+  radioRepeats: 'has had it already, and takes it only once',
+  radioDamaged: 'heard only damaged bytes',
+  radioBadProofs: 'left it: as an answer to its own message it proves nothing',
+  radioMissed: 'missed it: it was busy',
+};
+
+export const titleOf = (state, name) =>
+  name === 'injector' ? 'The injector' : plain(state.boards.get(name)?.title ?? name ?? '', 24);
+
+const titleOfAddress = (state, address) =>
+  plain([...state.boards.values()].find((b) => b.address === address)?.title ?? address, 24);
+
+/** What a packet is, for who has never seen one. */
+function packetWords(state, p) {
+  const who = titleOf(state, p.board);
+  const claims = p.board === 'injector' ? ` in the name of ${titleOfAddress(state, p.origin)}` : '';
+  if (p.kind === 'broadcast') {
+    return `${who} calls to all in range${claims}: “${plain(p.content ?? '', 40)}”. An open lock: everybody can read it, and nobody can be sure who sent it.`;
+  }
+  if (p.board === 'injector') {
+    return `The injector sends a packet${claims} to ${titleOfAddress(state, p.destination)}. Without the key, no change of it and no copy will be accepted.`;
+  }
+  const again = p.again ? ', once more in case the first was lost' : '';
+  if (p.kind === 'multicast') {
+    return `${who} sends to the group ${plain(p.destination, 4)}${again}. A closed lock: only those with the group’s key can read it.`;
+  }
+  if (p.kind === 'unicast') {
+    const done = p.answeredAt !== undefined && p.answeredAt <= state.t ? ' The answer came back: it has arrived.' : '';
+    return `${who} sends to ${titleOfAddress(state, p.destination)} alone${again}. A closed lock: only these two have the key.${done}`;
+  }
+  if (p.kind === 'fragment') return `${who} sends a part of a longer message.`;
+  return `${who} sends bytes that no board understands.`;
+}
+
+const FAULTS = {
+  __proto__: null,
+  reset: (who) => `${who} is reset: its sketch starts again, its agent finds it again.`,
+  unplug: (who) => `${who} loses its cable: the agent cannot reach its board.`,
+  plug: (who) => `${who} has its cable again.`,
+  'power-cut': (who) => `${who} loses its power: all that is not in its EEPROM is gone.`,
+  jam: () => 'Somebody jams the radio: whoever is near hears only noise.',
+  move: (who) => `${who} is moved by hand.`,
+  obstacle: (who, e) => (e.remove ? `The obstacle “${plain(e.name, 20)}” is taken away.` : `An obstacle stands in the way: “${plain(e.name, 20)}”.`),
+  light: (who, e) => `The light of the world is now ${plain(e.value, 6)} of 1023.`,
+  sensor: (who, e) => (e.value === null ? `A sensor of ${who} measures the world again.` : `A sensor of ${who} now measures ${plain(e.value, 8)}.`),
+  radio: () => 'The air is changed: how far the radio reaches, or how many bits are inverted.',
+  speed: (who, e) => (e.value === 0 ? 'The run is paused.' : `The run goes at ${plain(e.value, 6)} times the speed of life.`),
+};
+
+/** A row of the time line as a sentence; nothing for rows that need none. */
+export function sentence(state, mark) {
+  const who = titleOf(state, mark.board);
+  switch (mark.kind) {
+    case 'packet': return packetWords(state, mark.packet);
+    case 'said': return `The agent of ${who} says: “${plain(mark.text, 90)}”`;
+    case 'fault': return (FAULTS[mark.text] ?? (() => `${who} ${plain(mark.text, 60)}.`))(who, mark.event ?? {});
+    case 'heard': return `A message came: ${plain(mark.text, 120)}`;
+    case 'acted': return `The board did: ${plain(mark.text, 120)}`;
+    case 'verdict':
+      return mark.accepted ? 'The protocol’s model allows all that the boards did.' : plain(mark.text, 120);
+    default: return undefined;
+  }
+}
+
+/** The last sentences up to a time, newest first. */
+export function story(model, state, t, most = 3) {
+  const found = model.onAir(t, 0).filter((p) => p.kind !== 'acknowledgement').slice(-most).reverse()
+    .map((packet) => ({ n: packet.n, t: packet.start, words: packetWords(state, packet) }));
+  for (let i = model.marksUpTo(t) - 1; i >= 0 && found.length < most; i--) {
+    const words = sentence(state, model.marks[i]);
+    if (words) found.push({ n: model.marks[i].n, t: model.marks[i].t, words });
+  }
+  return found;
+}
+
+/** Within so many seconds after a packet each board has told its counters, also in a fast run. */
+const TOLD_WITHIN = 30;
+
+/** What became of a packet, at a time: a sentence for each board. */
+export function fate(model, state, packet, t) {
+  if (t < packet.t) return ['It is on the air …'];
+  const heard = packet.heard.filter((h) => h.t <= t);
+  const told = model.stateAt(Math.min(t, packet.t + TOLD_WITHIN));
+  const sentences = [];
+  for (const h of heard) {
+    const who = titleOf(state, h.board);
+    if (h.why) {
+      sentences.push(`${who} did not hear it undamaged: ${plain(h.why, 40)}.`);
+      continue;
+    }
+    // A board tells its counters once a second: the first time after it has heard the packet says what came of that.
+    const counted = told.boards.get(h.board)?.counted.find((c) => c.t >= h.t && c.t <= t);
+    const rose = (name) => counted?.rises.has(name) ?? false;
+    const handed = packet.handed.find((x) => x.board === h.board && x.t <= t);
+    // Another packet may have come within the same second.
+    const refusals = Object.keys(REFUSALS).filter(rose);
+    const refusal = refusals[0];
+    const why = refusals.map((name) => `${REFUSALS[name].why} (${name})`).join(', or ');
+    const left = Object.keys(LEFT).find(rose);
+    if (handed) {
+      sentences.push(`${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.'));
+    } else if (refusal && (!left || refusal === 'radioOwn' || packet.to.includes(h.board) || packet.kind === 'no frame')) {
+      sentences.push(`${who} refused it: ${why}.`);
+    } else if (left) {
+      sentences.push(`${who} ${LEFT[left]} (${left}).`);
+    } else {
+      sentences.push(`${who} heard it, and ` + (counted ? 'no counter of a refusal rose.' : 'has not yet told what it did …'));
+    }
+  }
+  const others = [...state.boards.values()].filter((b) => !heard.some((h) => h.board === b.name) && b.name !== packet.board);
+  if (others.length > 0) sentences.push(`Not heard by ${listed(others.map((b) => titleOf(state, b.name)))}.`);
+  return sentences;
+}

@@ -1,0 +1,139 @@
+package mobility;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+
+/** Moves of some agents to and fro in a {@link Simulation}, with whatever goes wrong, and what came of them. */
+public final class RandomMoves {
+
+    /** So many times agents are told to move in one run. */
+    public static final int MOVES = 40;
+
+    /** Of each run, the first or more of them. */
+    private static final List<String> AGENTS = List.of("inspector", "porter", "guide", "clerk");
+
+    /**
+     * What came of a run.
+     *
+     * @param begun     moves that were begun.
+     * @param arrived   moves at whose end the agent woke elsewhere.
+     * @param refusing  moves begun to a MAS that admitted nobody then.
+     * @param messages  that were said.
+     * @param lost      messages that did not arrive.
+     * @param kills     how often a program was killed, by what it was about to do or had just done.
+     * @param both      times at which two were awake, with what was known.
+     * @param agents    how many agents there were.
+     * @param lostAgents   of which none was awake when contact had been back for long.
+     * @param doubled   of which two or more were awake then.
+     * @param changed   agents awake then that were not as they had been.
+     * @param unasked   arrivals that no plan had admitted.
+     * @param unended   records of moves then that had not ended.
+     * @param told      what both programs said.
+     */
+    public record Tally(long begun, long arrived, long refusing, long messages, long lost,
+            Map<String, Integer> kills, List<String> both, int agents, long lostAgents, long doubled, long changed,
+            long unasked, int unended,
+            List<String> told) {
+    }
+
+    private RandomMoves() {
+    }
+
+    /** @param folder for the records of both; empty. */
+    public static Tally run(long seed, Path folder) throws IOException {
+        Simulation simulation = new Simulation(seed, folder);
+        List<String> agents = AGENTS.subList(0, 1 + (int) (seed % AGENTS.size()));
+        Set<List<Bytes>> known = new HashSet<>();
+        simulation.lived = old -> {
+            // Its state is another at each move, so that something of it travels each time.
+            byte[] state = new byte[100 + simulation.random.nextInt(1500)];
+            simulation.random.nextBytes(state);
+            List<Bytes> now = List.of(old.get(0), Bytes.ofText(Bytes.copyOf(state).hex()));
+            known.add(now);
+            return now;
+        };
+        List<Simulation.Side> sides = List.of(simulation.side(Simulation.STATION), simulation.side(Simulation.BUS));
+        for (String agent : agents) {
+            List<Bytes> texts = List.of(Bytes.ofText(("+!" + agent + "(" + seed + ") <- a(X); b(X).\n").repeat(5)),
+                    Bytes.ofText("x".repeat(simulation.random.nextInt(2000)) + seed));
+            known.add(texts);
+            sides.get(simulation.random.nextInt(2)).program.put(agent, texts);
+        }
+        simulation.watched.addAll(agents);
+        sides.forEach(Simulation.Side::start);
+        long begun = 0;
+        long refusing = 0;
+        for (int i = 0; i < MOVES; i++) {
+            disturb(simulation);
+            sides.forEach(side -> side.admits = simulation.random.nextInt(8) > 0);
+            sides.stream().filter(side -> side.on).forEach(
+                    side -> side.program.keySet().forEach(agent -> forge(simulation, side, agent)));
+            for (Simulation.Side side : sides) {
+                Simulation.Side other = sides.get(1 - sides.indexOf(side));
+                for (String agent : agents) {
+                    if (side.on && side.awake.containsKey(agent)) {
+                        begun++;
+                        refusing += other.admits ? 0 : 1;
+                        side.depart(agent, simulation.random.nextBoolean() ? Protocol.MUTUALISM : Protocol.INQUILINISM,
+                                other.address);
+                    }
+                }
+            }
+            simulation.runUntil(simulation.millis() + simulation.random.nextInt(20_000));
+            simulation.contact = simulation.random.nextInt(4) > 0;
+            simulation.runUntil(simulation.millis() + simulation.random.nextInt(100_000));
+        }
+        calm(simulation);
+        simulation.runUntil(simulation.millis() + agents.size() * 600_000L);
+        List<String> told = new ArrayList<>();
+        sides.forEach(side -> told.addAll(side.told));
+        return new Tally(begun, simulation.arrivals, refusing, simulation.messages, simulation.lostMessages,
+                simulation.kills, simulation.both,
+                agents.size(), agents.stream().filter(agent -> simulation.awake(agent) == 0).count(),
+                agents.stream().filter(agent -> simulation.awake(agent) > 1).count(),
+                sides.stream().flatMap(side -> side.awake.entrySet().stream())
+                        .filter(agent -> !known.contains(agent.getValue()) || !isOf(agent.getKey(), agent.getValue()))
+                        .count(),
+                simulation.unasked, sides.stream().mapToInt(side -> side.open().size()).sum(), told);
+    }
+
+    /** An agent that finds its name taken has digits behind it. */
+    private static boolean isOf(String name, List<Bytes> texts) {
+        return texts.get(0).hex().startsWith(Bytes.ofText("+!" + name.replaceAll("\\d+$", "") + "(").hex());
+    }
+
+    /** Somebody knows all of an agent that is at home there or away but its token; he knows those of earlier trips. */
+    private static void forge(Simulation simulation, Simulation.Side home, String agent) {
+        List<Bytes> drawn = home.drawn.getOrDefault(agent, List.of());
+        byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
+        simulation.random.nextBytes(token);
+        Bytes wrong = drawn.size() < 2 ? Bytes.copyOf(token) : drawn.get(simulation.random.nextInt(drawn.size() - 1));
+        Address from =
+                List.of(Simulation.STATION, Simulation.BUS, Simulation.HOSPITAL).get(simulation.random.nextInt(3));
+        simulation.forge(home, from, Protocol.values()[simulation.random.nextInt(Protocol.values().length)],
+                new Move.Identity(home.address, agent, wrong));
+    }
+
+    private static void disturb(Simulation simulation) {
+        simulation.lost = simulation.random.nextDouble() * 0.3;
+        simulation.untold = simulation.random.nextDouble() * 0.2;
+        simulation.twice = simulation.random.nextDouble() * 0.2;
+        simulation.victim = simulation.random.nextBoolean() ? Simulation.STATION : Simulation.BUS;
+        simulation.killAfter = simulation.random.nextInt(30) - 5;
+    }
+
+    private static void calm(Simulation simulation) {
+        simulation.lost = 0;
+        simulation.untold = 0;
+        simulation.contact = true;
+        simulation.killAfter = -1;
+    }
+}

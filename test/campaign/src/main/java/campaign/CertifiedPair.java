@@ -1,0 +1,225 @@
+package campaign;
+
+import harness.Certificates;
+import harness.CertifiedHost;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Frame;
+import javino.protocol.ProtocolException;
+import javino.protocol.HostMessage;
+import keyagreement.Attacker;
+import trace.TraceEvent;
+
+/** Two hosts that have certificates and no common key. */
+final class CertifiedPair implements AutoCloseable {
+
+    /** In emulated seconds: what takes longer counts as lost. */
+    static final double PATIENCE = 90;
+
+    private static final double REST = 6;
+    /** As many packets as the air takes. */
+    private static final double EVERY = 0.7;
+
+    private final Field field;
+    private final Timetable time;
+    private final int cell;
+    private final Field.Post one;
+    private final Field.Post other;
+    private final EmulatedClock firstClock;
+    private final EmulatedClock secondClock;
+    private final CertifiedHost first;
+    private final CertifiedHost second;
+    private final Map<String, Double> came = new ConcurrentHashMap<>();
+    private final List<Frame> heard = new CopyOnWriteArrayList<>();
+    private final Set<String> said = new HashSet<>();
+    private CompletableFuture<Void> fault;
+
+    /** @param number of the pair in its cell, from 0. */
+    CertifiedPair(Field field, Timetable time, int cell, int number, Certificates authority) throws IOException {
+        this.field = field;
+        this.time = time;
+        this.cell = cell;
+        one = field.cell(cell).get(2 * number);
+        other = field.cell(cell).get(2 * number + 1);
+        Path identities = field.folder().resolve("identities");
+        authority.enroll(one.address().toString(), identities);
+        authority.enroll(other.address().toString(), identities);
+        firstClock = new EmulatedClock(time);
+        secondClock = new EmulatedClock(time);
+        first = new CertifiedHost(field.link(one), one.address(), identities, firstClock, this::take);
+        second = new CertifiedHost(field.link(other), other.address(), identities, secondClock, this::take);
+    }
+
+    private synchronized void take(Content content) {
+        came.putIfAbsent(content.toString(), time.now());
+        notifyAll();
+    }
+
+    /** An attacker hears what its boards send, too. */
+    void traced(TraceEvent event) {
+        if (event.is("rf-tx", one.name()) || event.is("rf-tx", other.name())) {
+            try {
+                heard.add(Frame.decode(Bytes.ofHex(event.text("payload"))));
+            } catch (ProtocolException fragment) {
+                // None of their words is as long.
+            }
+        }
+    }
+
+    /**
+     * An attacker who has heard all so far has his say: in the names of both hosts, and of others.
+     *
+     * @param messages that he sends.
+     */
+    void besiege(Random random, int messages) throws InterruptedException {
+        List<Frame> sealed = heard.stream().filter(frame -> !frame.destination().equals(Address.BROADCAST)).toList();
+        Attacker attacker = new Attacker(random, List.of(one.address(), other.address()), new Attacker.Voice() {
+            @Override
+            public void broadcast(Address from, Bytes word) {
+                send(new Frame(Address.BROADCAST, from, word));
+            }
+
+            @Override
+            public void unicast(Address from, Address to, Bytes noise) {
+                send(random.nextBoolean() ? sealed.get(random.nextInt(sealed.size())) : new Frame(to, from, noise));
+            }
+        });
+        heard.stream().filter(frame -> HostMessage.isHostMessage(frame.message()))
+                .forEach(frame -> attacker.hear(frame.origin(), frame.message()));
+        for (int i = 0; i < messages; i++) {
+            attacker.act();
+            time.await(time.now() + EVERY, field.emulator().process());
+        }
+    }
+
+    private void send(Frame frame) {
+        field.emulator().command(Map.of("do", "send", "position", Field.position(cell), "payload",
+                frame.encode().hex()));
+    }
+
+    /** What both boards have in their EEPROMs. */
+    List<Bytes> eeproms() throws IOException {
+        List<Bytes> all = new ArrayList<>();
+        for (Field.Post post : List.of(one, other)) {
+            all.add(Bytes.copyOf(Files.readAllBytes(field.folder().resolve("eeprom/" + post.name() + ".bin"))));
+        }
+        return all;
+    }
+
+    /** What has come that nobody has said. */
+    long strange() {
+        return came.keySet().stream().filter(content -> !said.contains(content)).count();
+    }
+
+    /** Nothing is under way, and a host answers the other one again: it does so once in 5 s (SPEC 11.4). */
+    void rest() throws InterruptedException {
+        time.await(time.now() + REST, field.emulator().process());
+        first.awaitQuiet();
+        second.awaitQuiet();
+    }
+
+    /** Both know nothing of each other any more. */
+    void forget() {
+        first.forget();
+        second.forget();
+    }
+
+    /** Something befalls one of the two boards: "reset" or "power-cut". */
+    void befall(String what, boolean toFirst) {
+        String board = (toFirst ? one : other).name();
+        field.emulator().command(what.equals("reset") ? Map.of("do", what, "board", board)
+                : Map.of("do", what, "board", board, "duration", 0.3));
+    }
+
+    /** The sender's board is reset, and there again. */
+    void reset() {
+        befall("reset", true);
+        first.awaitOnline();
+    }
+
+    /** That befalls one of the two boards in so many emulated seconds. */
+    void later(double seconds, String what, boolean toFirst) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        fault = done;
+        time.at(time.now() + seconds, () -> {
+            befall(what, toFirst);
+            done.complete(null);
+        });
+    }
+
+    /** It has befallen. */
+    void awaitFault() {
+        fault.join();
+    }
+
+    /** Sends messages until one has come; nothing if none does. How long it took, in emulated seconds. */
+    OptionalDouble deliver() throws InterruptedException {
+        double begun = time.now();
+        while (time.now() < begun + PATIENCE) {
+            OptionalDouble took = deliverOnce(begun + PATIENCE);
+            if (took.isPresent()) {
+                return OptionalDouble.of(took.getAsDouble() - begun);
+            }
+        }
+        return OptionalDouble.empty();
+    }
+
+    private OptionalDouble deliverOnce(double end) throws InterruptedException {
+        Content content = Content.parse("tell;hello(" + said.size() + ")");
+        said.add(content.toString());
+        Address to = other.address();
+        try {
+            first.send(to, content).end().get();
+        } catch (ExecutionException failed) {
+            return OptionalDouble.empty();
+        }
+        return await(content.toString(), end);
+    }
+
+    /** What ends as undelivered may have come all the same. */
+    private synchronized OptionalDouble await(String content, double end) throws InterruptedException {
+        double soon = Math.min(end, time.now() + 0.5);
+        while (!came.containsKey(content) && time.now() < soon) {
+            wait(20);
+        }
+        Double when = came.get(content);
+        return when == null ? OptionalDouble.empty() : OptionalDouble.of(when);
+    }
+
+    /** Keys that both hosts have given their boards. */
+    long keysSet() {
+        return first.count("keyAgreementKeysSet") + second.count("keyAgreementKeysSet");
+    }
+
+    /** Milliseconds of the CPU that both hosts' threads have used. */
+    double cpu() {
+        return firstClock.used() + secondClock.used();
+    }
+
+    String warnings() {
+        return first.warnings() + " " + second.warnings();
+    }
+
+    @Override
+    public void close() {
+        first.close();
+        second.close();
+        firstClock.close();
+        secondClock.close();
+    }
+}

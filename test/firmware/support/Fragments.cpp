@@ -1,0 +1,44 @@
+#include "Fragments.h"
+
+#include <delivery/Pieces.h>
+#include <secure/Proof.h>
+
+#include "Reference.h"
+
+using namespace javinolib;
+
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest) {
+  std::vector<Bytes> all;
+  const uint16_t length = static_cast<uint16_t>(frame.size());
+  for (uint8_t index = 0; index < pieces::count(length, longest); index++) {
+    Bytes fragment(HEADER_LENGTH + longest);
+    fragment.resize(pieces::cut(frame.data(), length, id, index, longest, fragment.data()));
+    all.push_back(fragment);
+  }
+  return all;
+}
+
+Bytes wantingAnswer(Bytes fragment) {
+  fragment.at(3) = static_cast<uint8_t>(fragment.at(3) + pieces::WANTS_ANSWER);  // A…H become I…P
+  return fragment;
+}
+
+Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::string &acknowledger, const Bytes &nonce,
+                      uint8_t type, const Bytes &body) {
+  DerivedKeys keys;
+  keys.derive(key.data());
+  const bool asksParity = (type & Proof::ASKS_PARITY) != 0;
+  Proof::Claim claim = {static_cast<Proof::Type>(type & ~Proof::ASKS_PARITY),
+                        nonce.data(),
+                        Address(),
+                        Address(),
+                        body.data(),
+                        asksParity};
+  Address::parse(bytesOf(sender).data(), claim.sender);
+  Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
+  Bytes proof(PROOF_LENGTH);
+  Proof(keys).make(claim, proof.data());
+  Bytes address(4);
+  Address::acknowledgement(static_cast<uint16_t>((nonce[4] << 8 | nonce[5]) & 0xFFF)).write(address.data());
+  return reference::frame(textOf(address), acknowledger, body + proof);
+}

@@ -1,0 +1,152 @@
+package harness;
+
+import diffuser.KeyService;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
+import java.util.function.Consumer;
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.board.Transmission;
+import javino.link.LinkOpener;
+import javino.protocol.Address;
+import javino.protocol.BoardInfo;
+import javino.protocol.Content;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import javino.protocol.PollReply;
+import javino.protocol.HostMessage;
+import keyagreement.BoardMeetings;
+
+/** A host that agrees on keys as an agent's does, without an agent. */
+public final class CertifiedHost implements KeyService.Host, BoardListener, AutoCloseable {
+
+    private final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
+    private final Address self;
+    private final BoardMeetings meetings;
+    private final Consumer<Content> received;
+    private final CompletableFuture<Board> board = new CompletableFuture<>();
+    private final Queue<CompletableFuture<Outcome>> latest = new ConcurrentLinkedQueue<>();
+    private final Semaphore greetings = new Semaphore(0);
+
+    /**
+     * @param identities where its certificate is.
+     * @param received   takes what others say, on the clock's thread.
+     */
+    public CertifiedHost(LinkOpener link, Address self, Path identities, BoardMeetings.Clock clock,
+            Consumer<Content> received) {
+        this.self = self;
+        this.received = received;
+        meetings = new BoardMeetings(identities, clock, thrown -> warnings.add(thrown.toString()));
+        board.complete(Board.open(link, BoardConfig.create(), this));
+        Host.get(board.join().setRfId(self));
+        Host.get(board.join().radio(true));
+        awaitOnline();
+    }
+
+    /** Waits until the board is there, once more than before. */
+    public void awaitOnline() {
+        greetings.acquireUninterruptibly();
+    }
+
+    /** Sends a message to a device. */
+    public Transmission send(Address to, Content content) {
+        return meetings.transmit(this, to, content);
+    }
+
+    /** Forgets all others, as a host that is started anew. */
+    public void forget() {
+        awaitQuiet();
+        Host.get(meetings.welcome(false));
+        Host.get(meetings.welcome(true));
+    }
+
+    /** Waits until the board has sent all that it had to send. */
+    public void awaitQuiet() {
+        latest.forEach(end -> end.handle((outcome, thrown) -> outcome).join());
+        latest.clear();
+    }
+
+    /** What it has counted. */
+    public long count(String event) {
+        return (Long) meetings.status().get(event);
+    }
+
+    /** What went wrong so far. */
+    public List<String> warnings() {
+        return List.copyOf(warnings);
+    }
+
+    @Override
+    public void online(BoardInfo info) {
+        board.thenCompose(session -> session.setRfId(self).thenCompose(done -> session.keys())).thenAccept(keys -> {
+            meetings.online(this, self, info.bootEpoch(), keys);
+            greetings.release();
+        });
+    }
+
+    @Override
+    public void hostMessage(Address from, Address to, HostMessage message) {
+        meetings.hostMessage(from, to, message);
+    }
+
+    @Override
+    public void noKey(PollReply.NoKey frame) {
+        meetings.noKey(frame);
+    }
+
+    @Override
+    public Transmission transmit(Address to, HostMessage message) {
+        Transmission begun = board.join().transmit(to, message);
+        latest.add(begun.end());
+        return begun;
+    }
+
+    @Override
+    public Transmission transmitAsIs(Address to, Content content) {
+        return board.join().transmit(to, content);
+    }
+
+    @Override
+    public CompletableFuture<?> setSessionKey(Address device, Key key) {
+        return board.join().setSessionKey(device, key);
+    }
+
+    @Override
+    public CompletableFuture<?> setGroupKey(Address group, Key key) {
+        return board.join().setKey(group, key);
+    }
+
+    @Override
+    public CompletableFuture<?> deleteKey(Address device) {
+        return board.join().deleteKey(device);
+    }
+
+    @Override
+    public void met(Set<Address> peers) {
+        // Nobody asks.
+    }
+
+    @Override
+    public void received(Address from, Content content) {
+        received.accept(content);
+    }
+
+    @Override
+    public void warn(String what) {
+        warnings.add(what);
+    }
+
+    @Override
+    public void close() {
+        meetings.stop();
+        board.join().close();
+    }
+}
