@@ -128,7 +128,7 @@ public record Payload(Kind kind, Bytes bytes) {
         return digit(2) << 6 | digit(3);
     }
 
-    /** What it is a part of: of a first fragment the frame whose header it holds, as far as it is there; else itself. */
+    /** What it is part of: of a first fragment the frame whose header it holds, as far as it is there; else itself. */
     public Payload whole() {
         boolean begins = isFragment() && index() == 0 && message().length() >= Frame.HEADER_LENGTH;
         return begins ? new Payload(kindOfFrame(text(message(), 0)), message()) : this;
