@@ -59,7 +59,7 @@ class Attacker {
  private:
   void hear(const Bytes &packet) {
     if (sending_ || packet[0] != '+' || packet[1] != 'F') return;
-    heard_.piece = packet;
+    heard_.fragment = packet;
     heard_.id = static_cast<uint8_t>(digits().find(static_cast<char>(packet[ID_AT])));
     heard_.index = static_cast<uint8_t>(digits().find(static_cast<char>(packet[INDEX_AT])) & 7);
     if (heard_.index == 0 && packet != heard_.first) {

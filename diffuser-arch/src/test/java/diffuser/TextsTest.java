@@ -17,6 +17,7 @@ import javino.protocol.Content;
 import javino.protocol.Conversation;
 import javino.protocol.Performative;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.function.Executable;
@@ -82,6 +83,7 @@ class TextsTest {
     }
 
     @Test
+    @Tag("verify")
     void readContent_randomText_isReadOrMalformedAndNothingElse() {
         Random random = new Random(7);
         String alphabet = "pqX_(),.[]~\"' 19+-*/&|{}<>!?;:@#\\\u0000ü\n";

@@ -308,8 +308,8 @@ class BoardTest extends BoardFixture {
         board.setRfId(Address.parse("SUPO")).get();
         fake.receive(new HostMessage(Bytes.of(0x80, 0)));
         fake.receive(new HostMessage(Bytes.of(0xBF)));
-        assertEquals("word ROMA //// 8000", listener.next());
-        assertEquals("word ROMA //// bf", listener.next());
+        assertEquals("host message ROMA //// 8000", listener.next());
+        assertEquals("host message ROMA //// bf", listener.next());
         board.transmit(Address.BROADCAST, new HostMessage(Bytes.of(0x81, 2, 3))).taken().get();
         assertEquals(List.of("id SUPO", "//// 810203"), List.copyOf(fake.requests));
     }

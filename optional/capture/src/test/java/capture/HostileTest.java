@@ -48,11 +48,13 @@ class HostileTest {
     }
 
     @Test
+    @Tag("verify")
     void bytes_ofAnyKind_areShown() throws Exception {
         showAnyBytes(new Random(0));
     }
 
     @Test
+    @Tag("verify")
     void frames_withAnyMessage_areShown() throws Exception {
         showAnyMessages(new Random(0));
     }
@@ -102,6 +104,7 @@ class HostileTest {
     }
 
     @Test
+    @Tag("verify")
     void goodPackets_cutOffAnywhere_areShown() throws Exception {
         List<Bytes> records = new ArrayList<>();
         for (String field : List.of("acknowledgements", "envelopes")) {

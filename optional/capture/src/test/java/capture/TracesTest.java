@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Traces of runs, which stay in the repository. */
@@ -34,6 +35,7 @@ class TracesTest {
     }
 
     @Test
+    @Tag("verify")
     void relays_copiesHaveTheirHops() throws Exception {
         check("relays");
     }

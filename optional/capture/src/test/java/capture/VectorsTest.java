@@ -24,9 +24,11 @@ import javino.protocol.SerialPacket;
 import javino.protocol.Status;
 import javino.vectors.Crypto;
 import javino.vectors.RadioVectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The dissector against all of test/vectors: each field as the vector has it, each error by its name. */
+@Tag("verify")
 class VectorsTest {
 
     private static final String NO_KEY = "NO_KEY";

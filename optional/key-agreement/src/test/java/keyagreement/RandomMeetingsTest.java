@@ -27,6 +27,7 @@ class RandomMeetingsTest {
     }
 
     @Test
+    @Tag("verify")
     void meetings_killsResetsDamageAndCopies_allInOrderAgain() throws Exception {
         run(40);
     }

@@ -142,6 +142,7 @@ class HostileImageTest {
 
     @ParameterizedTest
     @ValueSource(ints = {17})
+    @Tag("verify")
     void genuineTexts_mutated_areReadOrRefused(int seed) throws Exception {
         Random random = new Random(seed);
         List<Image> genuine = genuine();

@@ -35,17 +35,28 @@ class RandomMovesTest {
     }
 
     static LongStream seeds() {
-        return LongStream.rangeClosed(1, Long.getLong("seeds", 40));
+        return LongStream.rangeClosed(1, 10);
     }
 
     static LongStream moreSeeds() {
-        return LongStream.rangeClosed(41, 300);
+        return LongStream.rangeClosed(11, 40);
+    }
+
+    static LongStream manySeeds() {
+        return LongStream.rangeClosed(41, Long.getLong("seeds", 300));
     }
 
     @ParameterizedTest
     @MethodSource("moreSeeds")
     @Tag("verify")
     void moves_moreOfThem_neverTwoAwakeAndOneInTheEnd(long seed) throws IOException {
+        moves_killsLossesAndSilence_neverTwoAwakeAndOneInTheEnd(seed);
+    }
+
+    @ParameterizedTest
+    @MethodSource("manySeeds")
+    @Tag("soak")
+    void moves_manyOfThem_neverTwoAwakeAndOneInTheEnd(long seed) throws IOException {
         moves_killsLossesAndSilence_neverTwoAwakeAndOneInTheEnd(seed);
     }
 

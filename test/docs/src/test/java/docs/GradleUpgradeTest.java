@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.codehaus.groovy.control.CompilationFailedException;
 import org.codehaus.groovy.control.CompilationUnit;
 import org.codehaus.groovy.control.Phases;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -23,6 +24,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * The build files, and those of `javino new`, have nothing that Gradle 5 to 9 have removed, but on lines that end in
  * "before" and a version, which older ones alone run. No newer Gradle is run here, only the parser of Gradle 9.
  */
+@Tag("verify")
 class GradleUpgradeTest {
 
     private static final String LIST = "test/docs/src/test/resources/docs/gradle-removed.txt";

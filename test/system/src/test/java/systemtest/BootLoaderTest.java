@@ -9,6 +9,7 @@ import harness.Host;
 import java.nio.file.Path;
 import java.util.Map;
 import javino.protocol.Address;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,6 +46,7 @@ class BootLoaderTest {
     }
 
     @Test
+    @Tag("verify")
     void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = scenario("Station").fault(BUTTON_AT, "lamp", "reset");
         try (Emulator emulator = scenario.start(folder); Host host = Host.of(emulator, "lamp")) {

@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -73,6 +74,7 @@ class DriveCommandsTest {
     }
 
     @Test
+    @Tag("verify")
     void send_toABoardThatIsMonitored_isDeliveredAndShown() throws Exception {
         Process monitor = start("monitor", "support");
         try {

@@ -38,6 +38,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void unicast_inFragments_isDelivered() throws Exception {
         String content = "tell;" + "x".repeat(300);
         assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", content));

@@ -130,6 +130,7 @@ class KeyAgreementTest {
 
     @ParameterizedTest
     @CsvSource({"revoked", "expired", "no_answer"})
+    @Tag("verify")
     void certifiedDevice_whoseCertificateDoesNotCount_getsNothing(String error) throws Exception {
         switch (error) {
             case "revoked" -> {
@@ -180,6 +181,7 @@ class KeyAgreementTest {
     }
 
     @Test
+    @Tag("verify")
     void agentOnAnUno_withAPlaceForAKey_agreesOnAKey() throws Exception {
         takeAnUno("unowithsessionkey");
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(1); !ask")) {

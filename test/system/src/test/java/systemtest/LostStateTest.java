@@ -144,6 +144,7 @@ class LostStateTest {
     }
 
     @Test
+    @Tag("verify")
     void stack_overTheNonces_takesNoRecordingSealsNothingAndIsTold() throws Exception {
         BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
         BoardListener listener = new BoardListener() {

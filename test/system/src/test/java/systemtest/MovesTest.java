@@ -150,6 +150,7 @@ class MovesTest {
 
     /** The police drives alone, and so has the board itself. */
     @Test
+    @Tag("verify")
     void moveOut_agentWithTheBoard_goesAndComesBack() throws Exception {
         List<AgentProcess> both = doors("""
                 +!go <- .wait(openness(closed)); .wait(3000); X = 7; .moveOut("SUBB", mutualism);

@@ -35,6 +35,7 @@ class OlderBoardTest {
     }
 
     @Test
+    @Tag("verify")
     void host_actionsAmongPercepts_eachIsPerformedOnce(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario().start(folder); Host host = Host.of(emulator, "lamp")) {
             assertTrue(get(host.board.greeted()).isLegacy());

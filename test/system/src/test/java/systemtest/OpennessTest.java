@@ -9,6 +9,7 @@ import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,6 +22,7 @@ class OpennessTest {
     private static final double UNPLUGGED_AGAIN_SECONDS = 32;
 
     @Test
+    @Tag("verify")
     void boardGoesAndComes_agentGoesThroughAllTransitionsOfFigureOne(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("antenna", "Vehicle")
                 .fault(UNPLUGGED_SECONDS, "antenna", "unplug").fault(UNPLUGGED_SECONDS + 2, "antenna", "plug")

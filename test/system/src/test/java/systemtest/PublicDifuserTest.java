@@ -6,10 +6,12 @@ import harness.Host;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Agents as they are written for the public Difuser architecture. */
+@Tag("verify")
 class PublicDifuserTest {
 
     @Test

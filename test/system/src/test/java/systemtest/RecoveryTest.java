@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,6 +22,7 @@ class RecoveryTest {
             Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
 
     @Test
+    @Tag("verify")
     void resetBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
         comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "reset"));
     }

@@ -119,6 +119,7 @@ class RelayTest {
     }
 
     @Test
+    @Tag("verify")
     void relay_switchedOff_carriesNothingAndRemembersIt() throws Exception {
         line(2, "Station", Map.of());
         Host relay = relay("relay1", true);
@@ -132,6 +133,7 @@ class RelayTest {
     }
 
     @Test
+    @Tag("verify")
     void relays_inEarshot_sendNoMoreThanOneWould() throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("from", "Station", at(0))
                 .board("one", "Station", at(1)).board("other", "Station", Map.of("position", List.of(STEP_METRES, 5)))

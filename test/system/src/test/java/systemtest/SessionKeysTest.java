@@ -147,6 +147,7 @@ class SessionKeysTest {
     }
 
     @Test
+    @Tag("verify")
     void sessionKeys_moreThanPlaces_takeThatOfTheOneUsedLeastRecently() throws Exception {
         agree(1);
         for (int i = 2; i <= PLACES; i++) {

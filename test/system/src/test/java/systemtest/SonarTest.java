@@ -7,10 +7,12 @@ import harness.Host;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What the vehicle sees ahead. */
+@Tag("verify")
 class SonarTest {
 
     private static final int RESETS = 25;

@@ -13,11 +13,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** The radio on the timer that a sketch names, beside what the other timers are for. */
+@Tag("verify")
 class TimersTest {
 
     private static final double SERVO_PERIOD_SECONDS = 0.020;

@@ -15,6 +15,7 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -83,6 +84,7 @@ class UnoTest {
     }
 
     @Test
+    @Tag("verify")
     void unicastToBoardThatLostItsMemory_isSealedAnewAndDelivered(@TempDir Path folder) throws Exception {
         emulator.close();
         emulator = new Emulator.Scenario()
@@ -110,6 +112,7 @@ class UnoTest {
     }
 
     @Test
+    @Tag("verify")
     void longerContentFromTheAir_isDroppedAndUndelivered() throws Exception {
         mega.send("LAMP", text(MAX_SEALED_IN_A_PACKET + 1));
 

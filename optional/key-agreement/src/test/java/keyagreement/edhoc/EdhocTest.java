@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.security.SecureRandom;
 import java.util.Random;
 import javino.protocol.Bytes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -200,6 +201,7 @@ class EdhocTest {
     }
 
     @Test
+    @Tag("verify")
     void message_ofRandomBytes_isRefused() throws HandshakeException {
         Random random = new Random(9528);
         Initiator initiator = Rfc9529.start();

@@ -196,7 +196,7 @@ final class Bytes {
             throw new RefusedException(desk.name + " asks for an answer to a fragment of a message to many");
         }
         if (payload.index() >= frame.pieces() || !frame.hasPiece(payload.index(), payload.message().toArray())) {
-            throw new RefusedException(desk.name + " sends other bytes as piece " + payload.index() + " of " + frame
+            throw new RefusedException(desk.name + " sends other bytes as fragment " + payload.index() + " of " + frame
                     + "; expected those of the whole that it has sealed and cut");
         }
     }
