@@ -14,7 +14,7 @@ using testing::NiceMock;
 
 namespace {
 
-const std::string ONE_PACKET(8, 'x');      // with header, nonce and tag 32 bytes
+const std::string ONE_PACKET(8, 'x');         // with header, nonce and tag 32 bytes
 const std::string EIGHT_FRAGMENTS(152, 'y');  // with header, nonce and tag 176 bytes, 22 in each fragment
 
 class LoopbackRadioTest : public testing::Test {

@@ -125,7 +125,8 @@ public final class FakeBoard {
             line.setSilent(true);
         }
         // Conversations have a random id.
-        if (stallsAt != null && request.replaceFirst("#...;", ";").startsWith(stallsAt)) {
+        String stalling = stallsAt;
+        if (stalling != null && request.replaceFirst("#...;", ";").startsWith(stalling)) {
             line.stall();
         }
         if (effects.containsKey(request)) {

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The examples of the Arduino library that no other test uses. */
+@Tag("verify")
 class ExamplesTest {
 
     @Test

@@ -112,6 +112,7 @@ class RelayTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_byARelayOnAnUno_isDelivered() throws Exception {
         line(2, "Relay", Map.of("model", "uno"));
         assertEquals(Outcome.DELIVERED, send("tell;help"));
