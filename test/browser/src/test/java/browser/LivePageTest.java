@@ -19,7 +19,6 @@ import org.openqa.selenium.support.ui.Select;
 import trace.TraceEvent;
 
 /** The highway as its user sees it, and disturbs it, in a real browser. */
-@Tag("verify")
 class LivePageTest {
 
     private static final String OBSERVED = "li.behaviour[data-observed='true']";
@@ -29,6 +28,7 @@ class LivePageTest {
     private Path folder;
 
     @Test
+    @Tag("verify")
     void highway_isSeenToItsEnd_andPlayedBackFromItsTrace() throws Exception {
         try (LiveRun run = LiveRun.highway(folder);
                 Page page = Page.open(run.address());
@@ -72,6 +72,7 @@ class LivePageTest {
     }
 
     @Test
+    @Tag("verify")
     void highway_endedBeforeItsEnd_isNoFailure() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.awaitText("section.agent[data-board='bus'] .said", "is on");
@@ -80,6 +81,7 @@ class LivePageTest {
     }
 
     @Test
+    @Tag("soak")
     void interference_isSeenInAgentAndTrace() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
@@ -128,6 +130,7 @@ class LivePageTest {
     }
 
     @Test
+    @Tag("soak")
     void vehicle_isDraggedByMouseAndKeys_andAnObstaclePut() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
@@ -166,6 +169,7 @@ class LivePageTest {
     }
 
     @Test
+    @Tag("verify")
     void injector_isRefused_andItsTextIsNeverMarkup() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
@@ -195,6 +199,7 @@ class LivePageTest {
 
     /** Boards have a packet before its trailer has ended, and the trace tells so. */
     @Test
+    @Tag("verify")
     void packetWithATrailer_isHeardAndHandedOverByItsBoards() throws Exception {
         String packet =
                 "\"payload\":\"535550505355504f4d49000001000000%s\",\"destination\":\"SUPP\",".formatted("00".repeat(8))
@@ -225,6 +230,7 @@ class LivePageTest {
     }
 
     @Test
+    @Tag("verify")
     void board_isWatchedWithoutAnyAgent() throws Exception {
         Files.writeString(folder.resolve("lamp.json"), """
                 {"boards": [{"name": "car", "firmware": "%s/javino-firmware/build/vehicle/Vehicle.ino.elf",

@@ -61,7 +61,7 @@ class ModelMutantsTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void of_everyModel_givesMutantsThatDifferFromItAndFromEachOther() throws IOException {
         for (Model model : Model.all(ROOT)) {
             List<String> files = ModelMutants.of(model.xml()).stream().map(ModelMutant::xml).toList();

@@ -28,7 +28,6 @@ import org.junit.jupiter.api.Test;
 import trace.TraceEvent;
 
 /** Who has a user at the broker, the broker itself, or a radio in a cell, and what he cannot do (SECURITY.md). */
-@Tag("verify")
 class FalseGatewayTest extends JoinedCells {
 
     private static final double BIT_RATE = 2000;
@@ -87,6 +86,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void falseGateway_thatForgesAndChanges_deliversNothing() throws Exception {
         exchange(0, 1);
         onUnicast(intruder, packet -> {
@@ -101,6 +101,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void falseGateway_thatRepeatsWhatItHasRecorded_hasNothingDeliveredTwice() throws Exception {
         List<byte[]> recorded = new CopyOnWriteArrayList<>();
         intruder.watch(AIR, (topic, packet) -> recorded.add(packet));
@@ -118,6 +119,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("soak")
     void falseGateway_thatClaimsADevice_holdsUpItsMessagesOnly() throws Exception {
         exchange(0, 1);
         intruder.keep("javino/false/heard/ROMA", "f1");
@@ -142,7 +144,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void falseGateway_thatFloods_getsHalfOfTheAirAndNoMore() throws Exception {
         try (Host near = Host.patient(emulator, "spare").as("NEAR", Map.of("ROMA", TestKeys.PAIR))) {
             Host.get(bus.board.setKey(Address.parse("NEAR"), Key.of(Bytes.copyOf(TestKeys.PAIR))));
@@ -166,6 +168,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("soak")
     void falseGateway_thatTakesAllIdsThatItCanRead_stopsNobody() throws Exception {
         Set<String> read = intruder.read();
         exchange(0, 2);
@@ -184,6 +187,7 @@ class FalseGatewayTest extends JoinedCells {
 
     /** Only he sees the ids of clients. */
     @Test
+    @Tag("soak")
     void owner_ofTheBrokerWhoTakesAGatewaysPlace_doesNotStopIt() throws Exception {
         exchange(0, 1);
         int takeovers = 12;
@@ -201,6 +205,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("soak")
     void owner_ofTheBroker_readsNothing() throws Exception {
         List<String> seen = new CopyOnWriteArrayList<>();
         try (BrokerClient owner = BrokerClient.enter(broker, Mosquitto.OWNER)) {
@@ -222,6 +227,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("soak")
     void owner_ofTheBroker_canStopAGatewayAndDeliversNothing() throws Exception {
         exchange(0, 1);
         try (BrokerClient owner = BrokerClient.enter(broker, Mosquitto.OWNER)) {
@@ -239,6 +245,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("soak")
     void injector_onTheAirWhoPlaysGateway_deliversNothingAndNothingTwice() throws Exception {
         exchange(0, 2);
         List<TraceEvent> recorded = emulator.sentBy("police");

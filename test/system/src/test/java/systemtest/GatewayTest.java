@@ -70,7 +70,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void secondGateway_ofACell_takesOverWhenTheFirstIsKilled() throws Exception {
         try (GatewayProcess spare = GatewayProcess.join(emulator, "spare", "east", broker, broker.port())) {
             exchange(0, 3);
@@ -84,7 +84,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void gateway_thatWasKilled_knowsFromTheBrokerWhoWasHeardWhere() throws Exception {
         bus.send("////", "tell;here");
         exchange(0, 1);
@@ -144,7 +144,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void gateways_thatAreKilledAndComeAgain_joinTheCellsAgain() throws Exception {
         exchange(0, 2);
         west.kill();

@@ -30,7 +30,7 @@ class HomeTest {
     private final BlockingQueue<String> published = new LinkedBlockingQueue<>();
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void agent_publishesTheLightThatItIsToldSealed_andNothingElse(@TempDir Path folder) throws Exception {
         try (Mosquitto broker = Mosquitto.start(folder.resolve("broker"));
                 Emulator emulator = new Emulator.Scenario().board("home", "Station").board("garden", "Station")

@@ -148,7 +148,7 @@ class KeyAgreementTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void certifiedDevice_whoseHostIsAwayOrRefuses_doesNotAnswer() throws Exception {
         authority.enroll("SUPO", identities);
         try (AgentProcess bus = bus("!call(1); .keyAgreement(refuse); !call(2)")) {
@@ -203,7 +203,7 @@ class KeyAgreementTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void twin_withTheSameAddress_getsNothing() throws Exception {
         authority.enroll("SUPO", identities);
         Path others = folder.resolve("others");

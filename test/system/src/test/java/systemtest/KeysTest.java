@@ -262,7 +262,7 @@ class KeysTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void renewal_amongMessages_losesNone() throws Exception {
         try (Emulator emulator = scenario().start(folder)) {
             for (String board : IDS.keySet()) {

@@ -100,19 +100,19 @@ class MovesTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void moveOut_senderKilledWhileOffered_isAwakeOnce() throws Exception {
         killAt(Travels.HOME, "the offer", event -> said(event, "host-transmit", Travels.HOME, "O"));
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void moveOut_receiverKilledWhilePartsCome_isAwakeOnce() throws Exception {
         killAt(Travels.AWAY, "the first part", event -> said(event, "host-handed", Travels.AWAY, "D"));
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void moveOut_receiverKilledWhenReady_isAwakeOnce() throws Exception {
         killAt(Travels.AWAY, "that all is there", event -> said(event, "host-transmit", Travels.AWAY, "R"));
     }
@@ -248,7 +248,7 @@ class MovesTest {
 
     /** Jason would have called it walker_1, as a shell of that name is there; and then started another walker. */
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void moveOut_homeStartedAgainWhileItIsAwayAndWhenItIsBack_isAwakeOnceUnderItsName() throws Exception {
         begin(2, true);
         travels.await("arrival", 1, line -> line.contains("arrived"));

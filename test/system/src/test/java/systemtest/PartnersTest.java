@@ -30,7 +30,7 @@ class PartnersTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void transmit_toOneWhoIsThere_waitsForNoneWhoIsNot(@TempDir Path folder) throws Exception {
         Emulator emulator = new Emulator.Scenario().board("police", "Vehicle").board("support", "Station")
                 .board("bus", "Vehicle").start(folder);

@@ -57,7 +57,7 @@ class SealedFrameTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void changedBit_isDroppedAndCounted() throws Exception {
         for (int bit = 0; bit < 8 * frame.length; bit++) {
             byte[] changed = frame.clone();

@@ -43,7 +43,7 @@ class VirtualWireTest {
 
     /** The receiver is one of VirtualWire's kind, written anew; it counts the packets of 77 bytes that it hears. */
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void trailers_disturbNoVirtualWireReceiver(@TempDir Path folder) throws Exception {
         Random random = new Random(5);
         try (Emulator emulator = new Emulator.Scenario().board("other", "Transmitter").board("plain", "SampledModem")

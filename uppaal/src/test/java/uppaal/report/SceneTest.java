@@ -48,7 +48,7 @@ class SceneTest {
 
     /** Otherwise a mutant would be tried in another scene. */
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void inSmall_everyScene_hasTheSameVerdicts() {
         for (Scene scene : Stream.concat(Stream.of(Scene.HIDDEN), Scene.OF_DELIVERY.stream()).toList()) {
             Scene small = scene.inSmall();
