@@ -175,7 +175,8 @@ class BytesTest {
         assertRefused(asked("SUPP", LONG).unheard("police", changed(BEGIN, -1)),
                 "that opens under none of the 1 keys for it");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", changed(END, 20)),
-                "police sends other bytes as fragment 1 of SUPO to SUPP, nonce 000001000000; expected those of the whole");
+                "police sends other bytes as fragment 1 of SUPO to SUPP, nonce 000001000000; expected those of the "
+                        + "whole");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", withZeros(END, Payload.TAG_LENGTH)),
                 "sends other bytes as fragment 1");
         byte[] shorter = SharedKey.join(SharedKey.header("+FAJ", "SUPO", 2), new byte[2]);
