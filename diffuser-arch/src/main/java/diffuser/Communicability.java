@@ -10,7 +10,7 @@ import java.util.function.Supplier;
  */
 final class Communicability {
 
-    private final SilenceWatch watch;
+    private final SilenceDetector watch;
     private final Runnable changed;
     private boolean online;
     private boolean addressed;
@@ -24,7 +24,7 @@ final class Communicability {
      * @param changed  is called, on any thread, when {@link #isUsable} has changed.
      */
     Communicability(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
-        this.watch = new SilenceWatch(received, changed, warnings);
+        this.watch = new SilenceDetector(received, changed, warnings);
         this.changed = changed;
     }
 

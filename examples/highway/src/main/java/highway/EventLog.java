@@ -27,7 +27,7 @@ final class EventLog implements AutoCloseable {
     }
 
     /** Shows what follows on a page. */
-    void show(Child server) {
+    void show(ChildProcess server) {
         page = new PageFeed(server.input());
     }
 

@@ -63,7 +63,7 @@ final class Scenario implements AutoCloseable {
 
     private final Options options;
     private final Timeline timeline;
-    private final Chart chart = new Chart();
+    private final SequenceDiagram chart = new SequenceDiagram();
     private final Replay model = new Replay(KEYRING);
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours;
@@ -72,7 +72,7 @@ final class Scenario implements AutoCloseable {
     private int events;
     /** Emulated time of the last event: what happens outside of the emulator is not earlier than that. */
     private double seconds;
-    private final List<Child> children = new ArrayList<>();
+    private final List<ChildProcess> children = new ArrayList<>();
     private FileChannel lock;
     private EventLog log;
     private boolean introduced;
@@ -341,12 +341,12 @@ final class Scenario implements AutoCloseable {
         waitFor(name + " to end", () -> running.get() == 0);
     }
 
-    private synchronized Child launch(List<String> command, Consumer<String> line, IntConsumer ended)
+    private synchronized ChildProcess launch(List<String> command, Consumer<String> line, IntConsumer ended)
             throws IOException {
         if (closed) {
             throw new IOException("the run is being ended");
         }
-        Child child = Child.start(command,
+        ChildProcess child = ChildProcess.start(command,
                 text -> happenings.add(() -> line.accept(text)),
                 status -> happenings.add(() -> ended.accept(status)));
         children.add(child);
@@ -412,8 +412,8 @@ final class Scenario implements AutoCloseable {
     @Override
     public synchronized void close() {
         closed = true;
-        children.forEach(Child::end);
-        children.forEach(Child::awaitEnd);
+        children.forEach(ChildProcess::end);
+        children.forEach(ChildProcess::awaitEnd);
         if (log != null) {
             if (agentsStarted) {
                 model.finish();

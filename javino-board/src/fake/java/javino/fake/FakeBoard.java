@@ -27,7 +27,7 @@ public final class FakeBoard {
 
     public final FakePort port;
     public final PacketLine line = new PacketLine(this);
-    public final Mail mail = new Mail(line::changed);
+    public final Mailbox mail = new Mailbox(line::changed);
     public final Keys keys = new Keys();
     final Percepts percepts = new Percepts();
     /** All other requests: {@code act stop}, {@code radio 1}, {@code ROMA tell;help} for a message. */

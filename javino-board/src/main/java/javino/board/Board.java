@@ -43,13 +43,13 @@ public final class Board implements AutoCloseable {
 
     private static final Duration CLOSE_TIMEOUT = Duration.ofSeconds(2);
 
-    private final Context context;
+    private final SessionContext context;
     private final Session session;
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private final Thread thread;
 
     private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
-        context = Context.of(opener.name(), config, listener);
+        context = SessionContext.of(opener.name(), config, listener);
         session = new Session(opener, context);
         thread = SessionThread.of("javino " + opener.name(), this::run);
     }
@@ -120,7 +120,7 @@ public final class Board implements AutoCloseable {
         return transmission(request.toString(), board -> request);
     }
 
-    private Transmission transmission(String description, Pending.Source source) {
+    private Transmission transmission(String description, PendingRequest.Source source) {
         CompletableFuture<Outcome> end = new CompletableFuture<>();
         CompletableFuture<Void> taken = ask(description, source, reply -> {
             session.transmitting(reply.transmissionNumber(), end);
@@ -350,14 +350,15 @@ public final class Board implements AutoCloseable {
         return null;
     }
 
-    private <T> CompletableFuture<T> ask(Request request, Pending.Reader<T> reader) {
+    private <T> CompletableFuture<T> ask(Request request, PendingRequest.Reader<T> reader) {
         return ask(request.toString(), board -> request, reader);
     }
 
-    private <T> CompletableFuture<T> ask(String description, Pending.Source source, Pending.Reader<T> reader) {
+    private <T> CompletableFuture<T> ask(String description, PendingRequest.Source source,
+            PendingRequest.Reader<T> reader) {
         CompletableFuture<T> result = new CompletableFuture<>();
         try {
-            context.queue().add(new Pending<>(description, source, reader, result,
+            context.queue().add(new PendingRequest<>(description, source, reader, result,
                     Deadline.in(context.config().patience())));
         } catch (QueueFullException e) {
             context.counters().count(SessionCounter.REFUSED_REQUESTS);

@@ -37,14 +37,14 @@ final class Greeting {
     private static final int FAST_HELLOS = 5;
 
     private final Link link;
-    private final Context context;
+    private final SessionContext context;
     private final BooleanSupplier goOn;
     private final int baud;
     private final Exchange exchange;
     private final LegacyExchange legacyExchange;
 
     /** @param goOn asked between attempts whether to make another one. */
-    Greeting(Link link, Context context, BooleanSupplier goOn) {
+    Greeting(Link link, SessionContext context, BooleanSupplier goOn) {
         this.link = link;
         this.context = context;
         this.goOn = goOn;

@@ -24,7 +24,7 @@ final class LegacyService {
     /** How many questions in a row may stay without an answer. */
     private static final int MOST_SILENCES = 2;
 
-    private final Context context;
+    private final SessionContext context;
     private final LegacyExchange exchange;
     private final Perception perception;
     private Deadline next = Deadline.in(Duration.ZERO);
@@ -32,7 +32,7 @@ final class LegacyService {
     private long skipped;
     private boolean damaged;
 
-    LegacyService(Context context, LegacyExchange exchange) {
+    LegacyService(SessionContext context, LegacyExchange exchange) {
         this.context = context;
         this.exchange = exchange;
         perception = context.perception();
@@ -45,7 +45,7 @@ final class LegacyService {
             context.listener().warn(new LegacyBoardException(Request.radio(true).toString()).getMessage());
         }
         while (!context.queue().isClosed()) {
-            Pending<?> request = context.queue().next(next);
+            PendingRequest<?> request = context.queue().next(next);
             if (request != null && !request.result().isDone()) {
                 perform(request, board);
             }
@@ -56,7 +56,7 @@ final class LegacyService {
         }
     }
 
-    private void perform(Pending<?> pending, BoardInfo board) throws LinkException {
+    private void perform(PendingRequest<?> pending, BoardInfo board) throws LinkException {
         try {
             Request request = pending.source().request(board);
             if (request.command() == Request.Command.ACT) {

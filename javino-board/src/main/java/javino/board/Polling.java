@@ -22,7 +22,7 @@ final class Polling {
     private static final long LEAST_MILLIS = 10;
     private static final Duration LONGEST_LEAST = Duration.ofMillis(Request.MAX_LEAST_MILLIS);
 
-    private final Context context;
+    private final SessionContext context;
     private final Perception perception;
     /** The ends that the board is yet to tell, by numbers, which hold for one boot of the board. */
     private final Map<Integer, CompletableFuture<Outcome>> underWay = new LinkedHashMap<>();
@@ -34,7 +34,7 @@ final class Polling {
     private boolean isLast;
     private boolean toldDamage;
 
-    Polling(Context context) {
+    Polling(SessionContext context) {
         this.context = context;
         perception = context.perception();
     }

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 final class RequestQueue {
 
     private final int capacity;
-    private final Deque<Pending<?>> waiting = new ArrayDeque<>();
+    private final Deque<PendingRequest<?>> waiting = new ArrayDeque<>();
     private boolean woken;
     private String closedWhy;
     private volatile Runnable waker = () -> {};
@@ -34,7 +34,7 @@ final class RequestQueue {
      * @throws QueueFullException    if too many wait already.
      * @throws BoardOfflineException if the queue was closed.
      */
-    synchronized void add(Pending<?> request) throws QueueFullException, BoardOfflineException {
+    synchronized void add(PendingRequest<?> request) throws QueueFullException, BoardOfflineException {
         if (closedWhy != null) {
             throw new BoardOfflineException(request.description(), closedWhy);
         }
@@ -48,7 +48,7 @@ final class RequestQueue {
     /**
      * The next request; null if the deadline passed, or {@link #wake} or {@link #close} was called, before one came.
      */
-    synchronized Pending<?> next(Deadline deadline) {
+    synchronized PendingRequest<?> next(Deadline deadline) {
         try {
             while (waiting.isEmpty() && closedWhy == null && !woken && !deadline.passed()) {
                 TimeUnit.NANOSECONDS.timedWait(this, deadline.nanosLeft());
@@ -91,15 +91,15 @@ final class RequestQueue {
     }
 
     /** Takes out all requests whose time is over. */
-    synchronized List<Pending<?>> expired() {
-        List<Pending<?>> expired = waiting.stream().filter(request -> request.expiry().passed()).toList();
+    synchronized List<PendingRequest<?>> expired() {
+        List<PendingRequest<?>> expired = waiting.stream().filter(request -> request.expiry().passed()).toList();
         waiting.removeAll(expired);
         return expired;
     }
 
     /** Takes out all requests. */
-    synchronized List<Pending<?>> drain() {
-        List<Pending<?>> all = new ArrayList<>(waiting);
+    synchronized List<PendingRequest<?>> drain() {
+        List<PendingRequest<?>> all = new ArrayList<>(waiting);
         waiting.clear();
         return all;
     }

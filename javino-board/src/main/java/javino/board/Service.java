@@ -24,7 +24,7 @@ final class Service {
     /** From one poll to the next at most, while requests follow each other. */
     private static final Duration MOST_INTERVAL = Duration.ofMillis(35);
 
-    private final Context context;
+    private final SessionContext context;
     private final Exchange exchange;
     private final Polling polling;
     private Deadline latestPoll = Deadline.in(Duration.ZERO);
@@ -32,7 +32,7 @@ final class Service {
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
     private boolean pollFirst;
 
-    Service(Context context, Exchange exchange, Polling polling) {
+    Service(SessionContext context, Exchange exchange, Polling polling) {
         this.context = context;
         this.exchange = exchange;
         this.polling = polling;
@@ -97,7 +97,7 @@ final class Service {
     void run(Supplier<BoardInfo> present) throws LinkException, LostException {
         pollFirst = polling.owesTaken();
         while (!context.queue().isClosed()) {
-            Pending<?> request = pollFirst ? null : context.queue().next(Deadline.in(Duration.ZERO));
+            PendingRequest<?> request = pollFirst ? null : context.queue().next(Deadline.in(Duration.ZERO));
             if (request != null && !request.result().isDone()) {
                 perform(request, present.get());
             }
@@ -110,7 +110,7 @@ final class Service {
         }
     }
 
-    private void perform(Pending<?> pending, BoardInfo board) throws LinkException, LostException {
+    private void perform(PendingRequest<?> pending, BoardInfo board) throws LinkException, LostException {
         try {
             pending.answer(ask(pending.source().request(board)));
         } catch (RequestFailedException e) {

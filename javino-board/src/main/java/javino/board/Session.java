@@ -20,7 +20,7 @@ import javino.protocol.Request;
 final class Session implements Runnable {
 
     private final LinkOpener opener;
-    private final Context context;
+    private final SessionContext context;
     private final Polling polling;
     private volatile BoardState state = BoardState.OFFLINE;
     private volatile BoardInfo info;
@@ -29,7 +29,7 @@ final class Session implements Runnable {
     private String offlineWhy;
     private Deadline patience;
 
-    Session(LinkOpener opener, Context context) {
+    Session(LinkOpener opener, SessionContext context) {
         this.opener = opener;
         this.context = context;
         this.polling = new Polling(context);

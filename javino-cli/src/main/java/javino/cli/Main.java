@@ -59,7 +59,7 @@ public final class Main implements Callable<Integer> {
     /** The command, whose errors are one line each. */
     static CommandLine commandLine(CommandLine.IFactory factory) {
         CommandLine commandLine = new CommandLine(new Main(), factory);
-        ServiceLoader.load(FurtherCommand.class).forEach(commandLine::addSubcommand);
+        ServiceLoader.load(CommandPlugin.class).forEach(commandLine::addSubcommand);
         commandLine.setParameterExceptionHandler((e, args) -> {
             e.getCommandLine().getErr().println("javino: " + describe(e) + " (try --help)");
             return CommandLine.ExitCode.USAGE;

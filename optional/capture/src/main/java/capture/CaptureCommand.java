@@ -14,7 +14,7 @@ import javino.Printable;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.cli.Await;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import javino.cli.Overhearing;
 import javino.cli.UntilInterrupted;
 import javino.link.LinkOpener;
@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
         "Shows all packets that a board hears, whoever they are for, until Ctrl-C; or those of an emulator's trace.",
         "With --write it writes them for Wireshark, as pcapng. It needs no key and reads nothing that is sealed. The "
                 + "board needs no address, and its radio stays as it is."})
-public final class CaptureCommand implements FurtherCommand {
+public final class CaptureCommand implements CommandPlugin {
 
     private static final String STANDARD_OUTPUT = "-";
     private static final int COUNT_INTERVAL_MILLIS = 1000;
@@ -96,7 +96,7 @@ public final class CaptureCommand implements FurtherCommand {
 
     private void listen(LinkOpener link) throws JavinoException, InterruptedException {
         String name = link.name().substring(link.name().lastIndexOf('/') + 1);
-        BoardEar ear = new BoardEar(name, this::note, CaptureCommand::now);
+        OverheardPackets ear = new OverheardPackets(name, this::note, CaptureCommand::now);
         try (Board board = Board.open(link, BoardConfig.create(), ear)) {
             BoardInfo info = Await.result(board.greeted());
             try (Sink sink = sink(now(), info.rfId().map(id -> Map.of(name, id.toString())).orElse(Map.of()))) {
@@ -123,7 +123,7 @@ public final class CaptureCommand implements FurtherCommand {
     }
 
     /** Tells what the board could not tell, until the user ends it, or who reads the packets has gone. */
-    private void awaitEnd(Board board, BoardEar ear) throws InterruptedException {
+    private void awaitEnd(Board board, OverheardPackets ear) throws InterruptedException {
         long dropped = dropped(board);
         while (!ear.awaitBroken(COUNT_INTERVAL_MILLIS)) {
             long now = dropped(board);

@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.ServiceLoader;
 import javino.JavinoException;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,7 +39,7 @@ class CaptureCommandTest {
 
     @Test
     void javino_findsTheCommand() {
-        assertTrue(ServiceLoader.load(FurtherCommand.class).stream().map(ServiceLoader.Provider::type)
+        assertTrue(ServiceLoader.load(CommandPlugin.class).stream().map(ServiceLoader.Provider::type)
                 .anyMatch(CaptureCommand.class::equals));
     }
 

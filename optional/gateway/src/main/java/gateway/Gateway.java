@@ -43,9 +43,9 @@ final class Gateway implements AutoCloseable {
     private final Topics topics;
     private final GatewayCounters counters = new GatewayCounters();
     private final Router router;
-    private final Outgoing outgoing = new Outgoing(counters);
+    private final OutgoingQueue outgoing = new OutgoingQueue(counters);
     private final CellGateways cellGateways;
-    private final Ages ages = new Ages();
+    private final MessageAges ages = new MessageAges();
     private final ScheduledExecutorService clock = new ScheduledThreadPoolExecutor(1, task -> {
         Thread thread = new Thread(task, "gateway");
         thread.setDaemon(true);
@@ -55,7 +55,7 @@ final class Gateway implements AutoCloseable {
     private volatile Broker broker;
     private String trouble = "";
     /** So many lines at once, and then one in that time. */
-    private final Budget lines = new Budget(20 * MILLIS_A_LINE, 100, now());
+    private final AirtimeBudget lines = new AirtimeBudget(20 * MILLIS_A_LINE, 100, now());
     private int unsaid;
     private boolean takeoverSaid;
 

@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import javino.JavinoException;
 import javino.Printable;
 import javino.TextFile;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import javino.cli.UntilInterrupted;
 import javino.link.SerialLink;
 import picocli.CommandLine.Command;
@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
 @Command(name = "gateway", description = {"Joins this radio cell to others by an MQTT broker, until Ctrl-C.",
         "It publishes what its board hears, and has the board send what is for devices here. It needs no key and "
                 + "reads nothing that is sealed; the board needs no address."})
-public final class GatewayCommand implements FurtherCommand {
+public final class GatewayCommand implements CommandPlugin {
 
     /** Where the password may be, so that it is on no command line. */
     private static final String PASSWORD = "JAVINO_MQTT_PASSWORD";

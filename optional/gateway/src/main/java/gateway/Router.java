@@ -32,8 +32,8 @@ final class Router {
     private final FrameHistory frameHistory = new FrameHistory();
     private final Exchanges exchanges = new Exchanges();
     private final DeviceLocations locations;
-    private final Budget all;
-    private final Budget searches;
+    private final AirtimeBudget all;
+    private final AirtimeBudget searches;
 
     /** What follows from a decision. */
     interface Effects {
@@ -58,8 +58,8 @@ final class Router {
         this.effects = effects;
         this.counters = counters;
         locations = new DeviceLocations(cell);
-        all = new Budget(AT_ONCE_MILLIS, SHARE_PERCENT, now);
-        searches = new Budget(SEARCH_AT_ONCE_MILLIS, SEARCH_PERCENT, now);
+        all = new AirtimeBudget(AT_ONCE_MILLIS, SHARE_PERCENT, now);
+        searches = new AirtimeBudget(SEARCH_AT_ONCE_MILLIS, SEARCH_PERCENT, now);
     }
 
     /** The board has heard a packet. Tells whether it goes to the other gateways. */

@@ -29,7 +29,7 @@ class PartsTest {
 
     @Test
     void outgoing_givesOneAtATimeAcknowledgementsFirst() throws Exception {
-        Outgoing outgoing = new Outgoing(counters);
+        OutgoingQueue outgoing = new OutgoingQueue(counters);
         outgoing.add(frame(1), 100);
         outgoing.add(frame(2), 100);
         outgoing.add(answer(3), 100);
@@ -44,7 +44,7 @@ class PartsTest {
 
     @Test
     void outgoing_dropsWhatIsLateTooMuchOrThereAlready() throws Exception {
-        Outgoing outgoing = new Outgoing(counters);
+        OutgoingQueue outgoing = new OutgoingQueue(counters);
         for (int i = 0; i < 20; i++) {
             outgoing.add(frame(i), 100);
         }
@@ -79,7 +79,7 @@ class PartsTest {
 
     @Test
     void ages_areThoseBeyondTheFastestMessage_whateverTheClocksSay() {
-        Ages ages = new Ages();
+        MessageAges ages = new MessageAges();
         long wrong = 7_000_000;
         assertEquals(0, ages.of("e", wrong, 1000));
         assertEquals(900, ages.of("e", wrong + 100, 2000), 1);
@@ -94,7 +94,7 @@ class PartsTest {
 
     @Test
     void budget_isAShareOfTheTime() {
-        Budget budget = new Budget(1000, 50, 0);
+        AirtimeBudget budget = new AirtimeBudget(1000, 50, 0);
         assertTrue(budget.take(1000, 0));
         assertFalse(budget.take(300, 500));
         assertTrue(budget.take(300, 600));

@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javino.JavinoException;
 import javino.cli.AddressOption;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import picocli.CommandLine.Command;
@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
 /** {@code javino ca}: the authority whose certificates devices have. */
 @Command(name = "ca", description = {"Is the authority that lets devices meet that have no common key.",
         "Keep its file on a computer that is on no network: who has it can make a certificate for any device."})
-public final class CaCommand implements FurtherCommand {
+public final class CaCommand implements CommandPlugin {
 
     private static final String FILE = "The authority's file, which only you can read.";
     private static final String UNTIL = "The last day on which it is valid, such as 2027-11-30; default: in a year.";

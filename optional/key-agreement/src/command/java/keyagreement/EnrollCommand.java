@@ -10,7 +10,7 @@ import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
 import javino.JavinoException;
 import javino.cli.AddressOption;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -27,7 +27,7 @@ import keyagreement.edhoc.P256;
         "Has a device certified by an authority, so that devices without its key can trust it.",
         "First it writes a request. javino ca issue makes a certificate of it, which --certificate then takes in. The "
                 + "device's secret stays in a file that only you can read."})
-public final class EnrollCommand implements FurtherCommand {
+public final class EnrollCommand implements CommandPlugin {
 
     /** The secret of a request that waits for its certificate. */
     private static final String REQUEST_SECRET = "request-secret";

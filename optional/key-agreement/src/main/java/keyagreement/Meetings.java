@@ -26,7 +26,7 @@ import keyagreement.edhoc.HandshakeException;
  * milliseconds), with the same clock in ms, which never goes back;
  * <li>deletes at its start the session keys that the board still has ({@link javino.protocol.Reply.Role#SESSION}): they
  * are of an earlier run;
- * <li>passes on {@link javino.board.BoardListener#word} to {@link #heard} or {@link #received}, {@code noKey} to
+ * <li>passes on {@link javino.board.BoardListener#hostMessage} to {@link #heard} or {@link #received}, {@code noKey} to
  * {@link #noKey}, and {@code online} with another boot epoch than before to {@link #booted};
  * <li>calls {@link #tick} when {@link #next} has come.
  * </ul>

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javino.JavinoException;
 import javino.board.BoardConfig;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import javino.cli.UntilInterrupted;
 import javino.link.SerialLink;
 import picocli.CommandLine.Command;
@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
         "The page is served to this computer only, at an address that is printed.",
         "The board's radio is open meanwhile: watch takes the messages, and their senders hear that they were "
                 + "delivered."})
-public final class WatchCommand implements FurtherCommand {
+public final class WatchCommand implements CommandPlugin {
 
     private static final int LAST_PORT = 65_535;
 

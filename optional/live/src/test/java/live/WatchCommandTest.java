@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.ServiceLoader;
-import javino.cli.FurtherCommand;
+import javino.cli.CommandPlugin;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -16,7 +16,7 @@ class WatchCommandTest {
 
     @Test
     void javino_findsTheCommand() {
-        assertTrue(ServiceLoader.load(FurtherCommand.class).stream().map(ServiceLoader.Provider::type)
+        assertTrue(ServiceLoader.load(CommandPlugin.class).stream().map(ServiceLoader.Provider::type)
                 .anyMatch(WatchCommand.class::equals));
     }
 

@@ -23,7 +23,7 @@ final class KeyAgreements implements Campaign {
         Path folder = Files.createTempDirectory("javino");
         try {
             inMemory(settings, report, folder);
-            new MeetingsOnBoards(settings, report).run();
+            new KeyAgreementsOnBoards(settings, report).run();
         } finally {
             try (Stream<Path> files = Files.walk(folder)) {
                 for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {

@@ -1,7 +1,7 @@
 package campaign;
 
-import harness.Travels;
-import harness.Walk;
+import harness.MovingAgents;
+import harness.WalkerLog;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
@@ -36,7 +36,7 @@ final class MovePair implements AutoCloseable {
     private final List<String> packets = new ArrayList<>();
     /** Of each step: the faults that came behind it, by kind. */
     private final Map<String, int[]> faults = new TreeMap<>();
-    private Travels travels;
+    private MovingAgents travels;
     private boolean disturbed;
     private boolean busy;
     private boolean lost;
@@ -55,11 +55,11 @@ final class MovePair implements AutoCloseable {
     /** Starts both MAS, and waits until the agent is awake. */
     void start(String walker) throws IOException, InterruptedException {
         List<Field.Post> posts = field.cell(cell);
-        travels = new Travels(field.emulator(), field.folder().resolve("pair" + cell),
+        travels = new MovingAgents(field.emulator(), field.folder().resolve("pair" + cell),
                 posts.stream().map(Field.Post::name).toList(), posts.stream().map(Field.Post::address).toList(),
                 List.of(true, true), walker, line -> {});
-        travels.start(Travels.AWAY);
-        travels.start(Travels.HOME);
+        travels.start(MovingAgents.AWAY);
+        travels.start(MovingAgents.HOME);
         travels.awaitTicks(1);
     }
 
@@ -84,7 +84,7 @@ final class MovePair implements AutoCloseable {
         if (!disturbed || field.cell(cell).stream().noneMatch(post -> post.name().equals(event.board()))) {
             return;
         }
-        String type = Travels.said(event);
+        String type = MovingAgents.said(event);
         if (!type.isEmpty()) {
             said = STEPS.getOrDefault(type, type);
         }
@@ -111,7 +111,8 @@ final class MovePair implements AutoCloseable {
         busy = true;
         int column = kind;
         if (kind < 2) {
-            int here = travels.walk().ticks().stream().reduce((first, last) -> last).map(Walk.Tick::side).orElse(0);
+            int here =
+                    travels.walk().ticks().stream().reduce((first, last) -> last).map(WalkerLog.Tick::side).orElse(0);
             column = side == here ? 0 : 1;
         }
         faults.computeIfAbsent(said, step -> new int[KINDS])[column]++;
@@ -175,7 +176,7 @@ final class MovePair implements AutoCloseable {
         return travels.lines().stream().filter(line -> line.contains(words)).count();
     }
 
-    Walk.Verdict verdict() {
+    WalkerLog.Verdict verdict() {
         return travels.walk().verdict();
     }
 
@@ -187,7 +188,7 @@ final class MovePair implements AutoCloseable {
 
     /** Lines that nobody expects. */
     List<String> complaints() {
-        Walk.Verdict verdict = verdict();
+        WalkerLog.Verdict verdict = verdict();
         return Stream.of(Stream.concat(verdict.twice().stream(), verdict.changed().stream()).map(Object::toString),
                 travels.lines().stream().filter(line -> line.contains("Exception") || line.contains("has failed")))
                 .flatMap(lines -> lines).map(line -> "pair " + cell + ": " + line).toList();

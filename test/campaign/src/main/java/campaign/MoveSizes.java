@@ -3,7 +3,7 @@ package campaign;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.Travels;
+import harness.MovingAgents;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -81,18 +81,19 @@ final class MoveSizes {
         List<Field.Post> posts = field.cell(cell);
         List<Moment> moments = new ArrayList<>();
         Path folder = field.folder().resolve("size" + cell);
-        try (Travels travels = new Travels(field.emulator(), folder, posts.stream().map(Field.Post::name).toList(),
-                posts.stream().map(Field.Post::address).toList(), List.of(true, true), walker, line -> {
-                    if (line.contains("] leaves") || line.contains("] arrived")) {
-                        synchronized (moments) {
-                            moments.add(now(posts));
-                        }
-                    }
-                })) {
-            travels.start(Travels.AWAY);
-            travels.start(Travels.HOME);
+        try (MovingAgents travels =
+                new MovingAgents(field.emulator(), folder, posts.stream().map(Field.Post::name).toList(),
+                        posts.stream().map(Field.Post::address).toList(), List.of(true, true), walker, line -> {
+                            if (line.contains("] leaves") || line.contains("] arrived")) {
+                                synchronized (moments) {
+                                    moments.add(now(posts));
+                                }
+                            }
+                        })) {
+            travels.start(MovingAgents.AWAY);
+            travels.start(MovingAgents.HOME);
             travels.await("arrivals", 1, line -> line.contains("] arrived"));
-            long text = size(travels.place(Travels.AWAY).resolve("moves/parts"));
+            long text = size(travels.place(MovingAgents.AWAY).resolve("moves/parts"));
             travels.await("arrivals", 3, line -> line.contains("] arrived"));
             synchronized (moments) {
                 return new Measured(walker.length(), text, List.of(moments.get(0).until(moments.get(1)),

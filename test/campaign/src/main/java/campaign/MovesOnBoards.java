@@ -1,8 +1,8 @@
 package campaign;
 
 import harness.Emulator;
-import harness.Travels;
-import harness.Walk;
+import harness.MovingAgents;
+import harness.WalkerLog;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -39,7 +39,7 @@ final class MovesOnBoards {
             Field field = closing.add(Field.start(scenario, cells));
             for (int cell = 0; cell < count; cell++) {
                 MovePair pair = closing.add(new MovePair(field, cell, new Random(settings.seed() + cell)));
-                pair.start(Travels.counter(FOR_EVER, EVERY));
+                pair.start(MovingAgents.counter(FOR_EVER, EVERY));
                 synchronized (this) {
                     pairs.add(pair);
                 }
@@ -108,7 +108,7 @@ final class MovesOnBoards {
                 "loss of power", "unplugged");
         faults.forEach((step, counts) -> table.row(step, counts[0], counts[1], counts[2], counts[3], counts[4]));
         report.table(table);
-        List<Walk.Verdict> verdicts = pairs.stream().map(MovePair::verdict).toList();
+        List<WalkerLog.Verdict> verdicts = pairs.stream().map(MovePair::verdict).toList();
         pairs.forEach(pair -> pair.complaints().forEach(line -> report.progress("%s", line)));
         report.never("on boards: awake twice", verdicts.stream().mapToLong(each -> each.twice().size()).sum());
         report.never("on boards: lost", pairs.stream().filter(MovePair::isLost).count());

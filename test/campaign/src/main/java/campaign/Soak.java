@@ -1,6 +1,6 @@
 package campaign;
 
-import harness.Crossings;
+import harness.CrossedPackets;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
@@ -24,7 +24,7 @@ final class Soak implements Campaign {
     private static final long GROWTH_BYTES = 1024 * 1024;
 
     private final AirUsage air = new AirUsage();
-    private final Crossings crossings = new Crossings();
+    private final CrossedPackets crossings = new CrossedPackets();
     private final Ledger shorts = new Ledger(SHORT);
     private final Ledger longs = new Ledger(LONG);
     private final Pace shortPace = new Pace();

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import harness.Crossings;
+import harness.CrossedPackets;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -92,7 +92,7 @@ class MeasuresTest {
 
     @Test
     void crossings_packetsAtTheSameTime_areCountedOnceEach() {
-        Crossings crossings = new Crossings();
+        CrossedPackets crossings = new CrossedPackets();
         send(crossings, "a", 1, 2);
         send(crossings, "b", 2.5, 4);
         send(crossings, "a", 3, 5);
@@ -102,7 +102,7 @@ class MeasuresTest {
         assertEquals(2, crossings.of("b"));
     }
 
-    private static void send(Crossings crossings, String board, double start, double end) {
+    private static void send(CrossedPackets crossings, String board, double start, double end) {
         crossings.see(TraceEvent.parse(1, Table.text(
                 "{\"t\":%f,\"board\":\"%s\",\"event\":\"rf-tx\",\"start\":%f,\"end\":%f}", end, board, start, end)));
     }

@@ -35,7 +35,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
      * @param limit states after which it gives up
      */
     static Behaviour of(Network network, List<Query> queries, int limit) {
-        return new Walk(network, queries, limit).behaviour();
+        return new WalkerLog(network, queries, limit).behaviour();
     }
 
     /** Whether a query asks something of single states. */
@@ -46,7 +46,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
     private record Asked(Property property, Query query) {}
 
     /** One exploration, breadth first. */
-    private static final class Walk {
+    private static final class WalkerLog {
         private final Network network;
         private final Successors successors;
         private final int limit;
@@ -59,7 +59,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
         private String wrong;
         private long print;
 
-        Walk(Network network, List<Query> queries, int limit) {
+        WalkerLog(Network network, List<Query> queries, int limit) {
             this.network = network;
             this.limit = limit;
             successors = new Successors(network);

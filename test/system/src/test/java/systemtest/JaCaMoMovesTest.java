@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import harness.Emulator;
 import harness.Platform;
-import harness.Travels;
+import harness.MovingAgents;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -82,26 +82,27 @@ class JaCaMoMovesTest {
     private List<String> said(Platform home, Platform away, String agent, String program) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
-                Travels travels = new Travels(emulator, folder.resolve("mas"), List.of("home", "away"), IDS,
+                MovingAgents travels = new MovingAgents(emulator, folder.resolve("mas"), List.of("home", "away"), IDS,
                         List.of(true, true), program, line -> {})) {
-            for (int side : List.of(Travels.HOME, Travels.AWAY)) {
+            for (int side : List.of(MovingAgents.HOME, MovingAgents.AWAY)) {
                 Path place = travels.place(side);
                 // That of the other MAS must not have the name.
-                String mas = side == Travels.HOME ? MAS.replace("@AGENT@", agent)
+                String mas = side == MovingAgents.HOME ? MAS.replace("@AGENT@", agent)
                         : MAS.replace("@AGENT@", "").replace("agent walker : walker.asl", "agent other : other.asl");
                 Files.writeString(place.resolve("mas.jcm"), mas);
                 Files.writeString(place.resolve("house.xml"), ORGANISATION);
                 Files.writeString(place.resolve("other.asl"), "none.\n");
             }
-            Files.writeString(travels.place(Travels.AWAY).resolve("door.asl"),
+            Files.writeString(travels.place(MovingAgents.AWAY).resolve("door.asl"),
                     "+!moveIn(_, inquilinism)[cast(unicast, _)].\n", StandardOpenOption.APPEND);
-            travels.start(Travels.AWAY, away);
-            travels.start(Travels.HOME, home);
+            travels.start(MovingAgents.AWAY, away);
+            travels.start(MovingAgents.HOME, home);
             travels.await("end", 1, line -> line.endsWith("] I am done"));
             List<String> said = travels.lines().stream().filter(line -> line.contains("[walker] I "))
                     .map(line -> line.substring(line.indexOf("I "))).toList();
             assertEquals(said.stream().anyMatch(line -> line.startsWith("I came")),
-                    emulator.trace().stream().anyMatch(event -> !Travels.said(event).isEmpty()), "moves on the air");
+                    emulator.trace().stream().anyMatch(event -> !MovingAgents.said(event).isEmpty()),
+                    "moves on the air");
             return said;
         }
     }

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.Emulator;
 import harness.Platform;
-import harness.Travels;
+import harness.MovingAgents;
 import java.nio.file.Path;
 import java.util.List;
 import javino.protocol.Address;
@@ -79,10 +79,10 @@ class JasonVersionsTest {
     private List<String> said(String name, boolean travelling, Platform home, Platform away) throws Exception {
         Path place = folder.resolve(name);
         try (Emulator emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").start(place);
-                Travels travels = new Travels(emulator, place.resolve("mas"), List.of("home", "away"), IDS,
+                MovingAgents travels = new MovingAgents(emulator, place.resolve("mas"), List.of("home", "away"), IDS,
                         List.of(true, true), LEARNED.replace("@TRAVELS@", "" + travelling), line -> {})) {
-            travels.start(Travels.AWAY, away);
-            travels.start(Travels.HOME, home);
+            travels.start(MovingAgents.AWAY, away);
+            travels.start(MovingAgents.HOME, home);
             travels.await("end", 1, line -> line.contains("I am done"));
             // Variables without a name have other numbers in each run.
             return travels.lines().stream().filter(line -> line.contains("] I "))

@@ -7,8 +7,8 @@ import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.Travels;
-import harness.Walk;
+import harness.MovingAgents;
+import harness.WalkerLog;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -38,14 +38,14 @@ class MovesTest {
     @TempDir
     private Path folder;
     private Emulator emulator;
-    private Travels travels;
+    private MovingAgents travels;
 
     private void begin(int legs, boolean admitted) throws Exception {
         emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
-        travels = new Travels(emulator, folder.resolve("mas"), BOARDS, IDS, List.of(true, admitted),
-                Travels.counter(legs, EVERY), line -> {});
-        travels.start(Travels.AWAY);
-        travels.start(Travels.HOME);
+        travels = new MovingAgents(emulator, folder.resolve("mas"), BOARDS, IDS, List.of(true, admitted),
+                MovingAgents.counter(legs, EVERY), line -> {});
+        travels.start(MovingAgents.AWAY);
+        travels.start(MovingAgents.HOME);
         travels.await("tick", 1, line -> line.contains("] tick 0 "));
     }
 
@@ -61,8 +61,8 @@ class MovesTest {
     }
 
     private void assertSides(Integer... sides) {
-        Walk.Verdict verdict = travels.walk().verdict();
-        assertEquals(new Walk.Verdict(List.of(), List.of(), List.of(sides)), verdict, this::told);
+        WalkerLog.Verdict verdict = travels.walk().verdict();
+        assertEquals(new WalkerLog.Verdict(List.of(), List.of(), List.of(sides)), verdict, this::told);
     }
 
     private String told() {
@@ -75,7 +75,7 @@ class MovesTest {
         travels.await("arrivals", 2, line -> line.contains("arrived mutualism"));
         travels.awaitTicks(ENOUGH);
 
-        assertSides(Travels.HOME, Travels.AWAY, Travels.HOME);
+        assertSides(MovingAgents.HOME, MovingAgents.AWAY, MovingAgents.HOME);
         List<String> marks = travels.lines().stream().filter(line -> line.contains("arrived"))
                 .map(line -> line.substring(line.indexOf("arrived"))).toList();
         assertEquals(List.of("arrived mutualism mark(9,\"SUSS\") kept a b c",
@@ -89,38 +89,38 @@ class MovesTest {
         travels.await("end of the move", 1, line -> line.contains("stayed "));
         travels.awaitTicks(ENOUGH);
 
-        assertSides(Travels.HOME);
+        assertSides(MovingAgents.HOME);
         assertTrue(travels.lines().stream().anyMatch(line -> line.endsWith("stayed refused")), this::told);
     }
 
     @Test
     @Tag("verify")
     void moveOut_senderKilledWhenGone_isAwakeThereAlone() throws Exception {
-        killAt(Travels.HOME, "the agent has gone", event -> said(event, "host-transmit", Travels.HOME, "G"));
+        killAt(MovingAgents.HOME, "the agent has gone", event -> said(event, "host-transmit", MovingAgents.HOME, "G"));
     }
 
     @Test
     @Tag("soak")
     void moveOut_senderKilledWhileOffered_isAwakeOnce() throws Exception {
-        killAt(Travels.HOME, "the offer", event -> said(event, "host-transmit", Travels.HOME, "O"));
+        killAt(MovingAgents.HOME, "the offer", event -> said(event, "host-transmit", MovingAgents.HOME, "O"));
     }
 
     @Test
     @Tag("soak")
     void moveOut_receiverKilledWhilePartsCome_isAwakeOnce() throws Exception {
-        killAt(Travels.AWAY, "the first part", event -> said(event, "host-handed", Travels.AWAY, "D"));
+        killAt(MovingAgents.AWAY, "the first part", event -> said(event, "host-handed", MovingAgents.AWAY, "D"));
     }
 
     @Test
     @Tag("soak")
     void moveOut_receiverKilledWhenReady_isAwakeOnce() throws Exception {
-        killAt(Travels.AWAY, "that all is there", event -> said(event, "host-transmit", Travels.AWAY, "R"));
+        killAt(MovingAgents.AWAY, "that all is there", event -> said(event, "host-transmit", MovingAgents.AWAY, "R"));
     }
 
     @Test
     @Tag("verify")
     void moveOut_receiverKilledWhenHere_isAwakeThereAlone() throws Exception {
-        killAt(Travels.AWAY, "that it is awake", event -> said(event, "host-transmit", Travels.AWAY, "A"));
+        killAt(MovingAgents.AWAY, "that it is awake", event -> said(event, "host-transmit", MovingAgents.AWAY, "A"));
     }
 
     /** Two MAS of one agent each, which has the board itself, and a nurse's program. */
@@ -128,21 +128,21 @@ class MovesTest {
         emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").board("forger", "Station")
                 .start(folder);
         List<AgentProcess> processes = new ArrayList<>();
-        for (int side : List.of(Travels.HOME, Travels.AWAY)) {
+        for (int side : List.of(MovingAgents.HOME, MovingAgents.AWAY)) {
             Path place = Files.createDirectories(folder.resolve(BOARDS.get(side)));
             String there = IDS.get(1 - side).toString();
             try (Host board = Host.patient(emulator, BOARDS.get(side))) {
                 board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR, "SUHO", TestKeys.PAIR));
             }
             Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
-                    + " agentArchClass diffuser.Diffuser; " + (side == Travels.AWAY ? String.join("", others) : "")
+                    + " agentArchClass diffuser.Diffuser; " + (side == MovingAgents.AWAY ? String.join("", others) : "")
                     + " }");
             Files.writeString(place.resolve("nurse.asl"), "+!care.");
             Files.writeString(place.resolve(DRIVERS.get(side) + ".asl"), """
                     !start.
                     +!start <- .port("%s"); .setMyRFId("%s"); .getRFMessages(open); .print("Ready"); !go.
                     """.formatted(emulator.port(BOARDS.get(side)), IDS.get(side))
-                    + (side == Travels.HOME ? mover : host));
+                    + (side == MovingAgents.HOME ? mover : host));
             processes.add(AgentProcess.run("mas", place, line -> {}));
         }
         return processes;
@@ -160,9 +160,9 @@ class MovesTest {
                 -!go[error(E)] <- .print("failed ", E).
                 """, "+!go. +!moveIn(_, mutualism)[cast(unicast, From)].");
         try {
-            both.get(Travels.AWAY).await("I am here as police7");
-            both.get(Travels.HOME).await("back 7on");
-            both.get(Travels.HOME).await("openness closed", 2);
+            both.get(MovingAgents.AWAY).await("I am here as police7");
+            both.get(MovingAgents.HOME).await("back 7on");
+            both.get(MovingAgents.HOME).await("openness closed", 2);
         } finally {
             both.forEach(AgentProcess::close);
         }
@@ -182,8 +182,8 @@ class MovesTest {
                 +movedIn(A, _) <- .print("came ", A, "!").
                 """, "nurse agentArchClass mobility.Mobile;");
         try {
-            both.get(Travels.HOME).await("came nurse_1");
-            both.get(Travels.AWAY).await("came nurse_1!");
+            both.get(MovingAgents.HOME).await("came nurse_1");
+            both.get(MovingAgents.AWAY).await("came nurse_1!");
         } finally {
             both.forEach(AgentProcess::close);
         }
@@ -205,16 +205,16 @@ class MovesTest {
                 """);
         try (Host forger = Host.patient(emulator, "forger")) {
             forger.as("SUHO", Map.of("SUSS", TestKeys.PAIR, "SUBB", TestKeys.PAIR));
-            both.get(Travels.AWAY).await("I am here");
+            both.get(MovingAgents.AWAY).await("I am here");
             Bytes offer = Bytes.join(Bytes.ofText("O"), Bytes.ofNumber(7, 4), Bytes.ofText(protocol),
                     Bytes.of(1), Bytes.ofNumber(0, 8), Bytes.ofNumber(9, 3), Bytes.ofNumber(9, 3),
                     Bytes.ofNumber(0, 8), Bytes.ofText("SUSSpolice"));
-            Host.get(forger.board.transmit(IDS.get(Travels.HOME), Content.move(offer)).end());
+            Host.get(forger.board.transmit(IDS.get(MovingAgents.HOME), Content.move(offer)).end());
             Bytes refused = Bytes.join(Bytes.ofText("X"), Bytes.ofNumber(7, 4), Bytes.ofText("refused it is at home"));
             Bytes answer = forger.message().content().body();
             assertEquals(refused, answer.slice(0, refused.length()));
             forger.send("SUBB", "tell;enough");
-            both.get(Travels.HOME).await("back");
+            both.get(MovingAgents.HOME).await("back");
         } finally {
             both.forEach(AgentProcess::close);
         }
@@ -229,7 +229,7 @@ class MovesTest {
                 -!go[error(E)] <- .print("failed ", E).
                 """, "+!go. +!moveIn(_, _)[cast(unicast, From)].");
         try {
-            both.get(Travels.HOME).await("failed refused");
+            both.get(MovingAgents.HOME).await("failed refused");
         } finally {
             both.forEach(AgentProcess::close);
             emulator.close();
@@ -240,7 +240,7 @@ class MovesTest {
                 -!go[error(E)] <- .print("failed ", E).
                 """, "+!go. +!moveIn(_, predation)[cast(unicast, From)].");
         try {
-            both.get(Travels.AWAY).await("I rule driver");
+            both.get(MovingAgents.AWAY).await("I rule driver");
         } finally {
             both.forEach(AgentProcess::close);
         }
@@ -252,12 +252,12 @@ class MovesTest {
     void moveOut_homeStartedAgainWhileItIsAwayAndWhenItIsBack_isAwakeOnceUnderItsName() throws Exception {
         begin(2, true);
         travels.await("arrival", 1, line -> line.contains("arrived"));
-        restart(Travels.HOME);
+        restart(MovingAgents.HOME);
         travels.await("return", 2, line -> line.contains("arrived"));
-        restart(Travels.HOME);
+        restart(MovingAgents.HOME);
         travels.awaitTicks(ENOUGH);
 
-        assertSides(Travels.HOME, Travels.AWAY, Travels.HOME);
+        assertSides(MovingAgents.HOME, MovingAgents.AWAY, MovingAgents.HOME);
         assertTrue(travels.lines().stream().noneMatch(line -> line.contains("[walker_1]")), this::told);
     }
 
@@ -267,7 +267,7 @@ class MovesTest {
     }
 
     private static boolean said(TraceEvent event, String name, int side, String what) {
-        return event.is(name, BOARDS.get(side)) && Travels.said(event).equals(what);
+        return event.is(name, BOARDS.get(side)) && MovingAgents.said(event).equals(what);
     }
 
     /** Wherever it goes on: it does so once, and with the number that follows. */
@@ -279,10 +279,10 @@ class MovesTest {
         travels.awaitTicks(ENOUGH);
 
         if (told().contains("arrived")) {
-            assertSides(Travels.HOME, Travels.AWAY);
+            assertSides(MovingAgents.HOME, MovingAgents.AWAY);
         } else {
             // On a machine with too much to do nothing was heard for a minute.
-            assertSides(Travels.HOME);
+            assertSides(MovingAgents.HOME);
         }
     }
 }

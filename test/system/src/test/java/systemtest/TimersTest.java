@@ -4,7 +4,7 @@ import static harness.Host.get;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import harness.Crossings;
+import harness.CrossedPackets;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
@@ -97,7 +97,7 @@ class TimersTest {
 
     /** Each packet was heard; but a host that is late has some sent again, which may meet the acknowledgement. */
     private static void assertAllHeard(List<TraceEvent> trace, String sender, Host receiver) {
-        Crossings crossings = new Crossings();
+        CrossedPackets crossings = new CrossedPackets();
         trace.forEach(crossings::see);
         long alone = trace.stream().filter(event -> event.is("rf-tx", sender)).count() - crossings.of(sender);
         assertTrue(alone > 0, "all packets have met others");

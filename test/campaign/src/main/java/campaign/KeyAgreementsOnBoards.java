@@ -15,7 +15,7 @@ import java.util.concurrent.Future;
 import javino.protocol.Bytes;
 
 /** Hosts that have never met, on emulated boards: how long the first message takes, and what disturbs it. */
-final class MeetingsOnBoards {
+final class KeyAgreementsOnBoards {
 
     private static final String SKETCH = "Station";
     private static final double FIRST_SECONDS = 3.0;
@@ -30,7 +30,7 @@ final class MeetingsOnBoards {
     private long keys;
     private long lost;
 
-    MeetingsOnBoards(Settings settings, Report report) {
+    KeyAgreementsOnBoards(Settings settings, Report report) {
         this.settings = settings;
         this.report = report;
     }

@@ -1,7 +1,7 @@
 package gateway;
 
 /** How much of the air may be used: a share of the time, and at most some seconds at once. */
-final class Budget {
+final class AirtimeBudget {
 
     private final long most;
     private final int percent;
@@ -12,7 +12,7 @@ final class Budget {
      * @param most    ms at once.
      * @param percent of the time.
      */
-    Budget(long most, int percent, long now) {
+    AirtimeBudget(long most, int percent, long now) {
         this.most = most;
         this.percent = percent;
         left = most;

@@ -19,7 +19,7 @@ import javino.protocol.PollReply.Overheard;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-class BoardEarTest {
+class OverheardPacketsTest {
 
     private static final long SECOND = 1_000_000;
     private static final BoardInfo INFO = new BoardInfo(1, Optional.empty(), 1, "test", List.of());
@@ -27,7 +27,7 @@ class BoardEarTest {
     private final List<AirPacket> taken = new ArrayList<>();
     private final BlockingQueue<String> notes = new LinkedBlockingQueue<>();
     private long now = 1000 * SECOND;
-    private final BoardEar ear = new BoardEar("ttyACM0", notes::add, () -> now);
+    private final OverheardPackets ear = new OverheardPackets("ttyACM0", notes::add, () -> now);
 
     /** When a packet was, that the board has told now. */
     private long hear(long millis) {

@@ -11,13 +11,13 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /** A process that the launcher started, whose output is read line by line, and which it ends again. */
-final class Child {
+final class ChildProcess {
 
     private static final long GRACE_SECONDS = 5;
 
     private final Process process;
 
-    private Child(Process process) {
+    private ChildProcess(Process process) {
         this.process = process;
     }
 
@@ -28,7 +28,7 @@ final class Child {
      * @param ended takes its exit status when it has ended and all its lines are read
      * @throws IOException if it cannot be started
      */
-    static Child start(List<String> command, Consumer<String> lines, IntConsumer ended) throws IOException {
+    static ChildProcess start(List<String> command, Consumer<String> lines, IntConsumer ended) throws IOException {
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         Thread reader = new Thread(() -> {
             pump(process, lines);
@@ -36,7 +36,7 @@ final class Child {
         }, command.get(command.size() - 1) + " output");
         reader.setDaemon(true);
         reader.start();
-        return new Child(process);
+        return new ChildProcess(process);
     }
 
     /** Its standard input, open. */

@@ -17,7 +17,8 @@ import javino.protocol.Status;
  * @param result      completed on the session's thread.
  * @param expiry      when it fails if the board is still offline.
  */
-record Pending<T>(String description, Source source, Reader<T> reader, CompletableFuture<T> result, Deadline expiry) {
+record PendingRequest<T>(String description, Source source, Reader<T> reader, CompletableFuture<T> result,
+        Deadline expiry) {
 
     /** Makes a request for the board as it is then. */
     interface Source {

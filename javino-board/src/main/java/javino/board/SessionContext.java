@@ -14,14 +14,15 @@ import java.util.concurrent.atomic.AtomicReference;
  * @param counters   the session's.
  * @param listener   told what happens.
  */
-record Context(String name, BoardConfig config, RequestQueue queue, Perception perception,
+record SessionContext(String name, BoardConfig config, RequestQueue queue, Perception perception,
         AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, SessionCounters counters,
         ListenerGuard listener) {
 
-    static Context of(String name, BoardConfig config, BoardListener listener) {
+    static SessionContext of(String name, BoardConfig config, BoardListener listener) {
         SessionCounters counters = new SessionCounters();
         ListenerGuard guard = new ListenerGuard(listener, counters);
-        return new Context(name, config, new RequestQueue(config.queueCapacity()), new Perception(guard, counters),
+        return new SessionContext(name, config, new RequestQueue(config.queueCapacity()),
+                new Perception(guard, counters),
                 new AtomicReference<>(), new AtomicReference<>(), counters, guard);
     }
 }

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
  * Notices that a radio has heard nobody for long, and that it hears somebody again: it asks the board, again and again,
  * how many packets it has received.
  */
-final class SilenceWatch {
+final class SilenceDetector {
 
     private final Supplier<CompletableFuture<Long>> received;
     private final Runnable changed;
@@ -22,7 +22,7 @@ final class SilenceWatch {
      * @param received asks the board how many packets its radio has received.
      * @param changed  is called, on any thread, when {@link #isSilent} has changed while listening.
      */
-    SilenceWatch(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
+    SilenceDetector(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
         this.received = received;
         this.changed = changed;
         this.warnings = warnings;
@@ -83,7 +83,7 @@ final class SilenceWatch {
         }
 
         private void answered(Long now, Throwable thrown) {
-            synchronized (SilenceWatch.this) {
+            synchronized (SilenceDetector.this) {
                 if (watch != this) {
                     return;
                 }

@@ -8,7 +8,7 @@ import trace.TraceEvent;
  * Counts, of two boards, the packets of each that were on the air while the other one was sending, and so not
  * listening.
  */
-public final class Crossings {
+public final class CrossedPackets {
 
     private record Packet(double start, double end, boolean crossed) {}
 

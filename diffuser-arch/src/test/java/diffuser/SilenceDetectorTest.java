@@ -17,7 +17,7 @@ import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
 /** Each question to the board waits for the test's answer, so that nothing hangs on how long a period lasts. */
-class SilenceWatchTest {
+class SilenceDetectorTest {
 
     private static final Duration SHORT = Duration.ofMillis(1);
 
@@ -25,10 +25,10 @@ class SilenceWatchTest {
     private final AtomicInteger changes = new AtomicInteger();
     private final List<String> logged = new CopyOnWriteArrayList<>();
     private final Logger logger = Logger.getAnonymousLogger();
-    private final SilenceWatch watch =
-            new SilenceWatch(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
+    private final SilenceDetector watch =
+            new SilenceDetector(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
 
-    SilenceWatchTest() {
+    SilenceDetectorTest() {
         Filter recordOnly = line -> {
             logged.add(line.getMessage());
             return false;

@@ -2,13 +2,13 @@ package campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import harness.Walk;
+import harness.WalkerLog;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** What tells whether an agent that moves was awake twice, or is not what it was. */
-class WalkTest {
+class WalkerLogTest {
 
     private static final int SIDE = 0;
     private static final int LIFE = 1;
@@ -30,13 +30,13 @@ class WalkTest {
             "'a15', 0, 1, 0",
     })
     void verdict_signsInOrder_tellsWhatIsWrong(String signs, int twice, int changed, String sides) {
-        Walk walk = new Walk();
+        WalkerLog walk = new WalkerLog();
         int at = 0;
         for (String sign : signs.split(" ")) {
             walk.see(sign.charAt(SIDE) - 'a', sign.charAt(LIFE) - '0',
                     "[walker] tick " + sign.substring(FIRST_DIGIT) + " " + ++at);
         }
-        Walk.Verdict verdict = walk.verdict();
+        WalkerLog.Verdict verdict = walk.verdict();
 
         assertEquals(List.of(twice, changed), List.of(verdict.twice().size(), verdict.changed().size()), signs);
         assertEquals(sides, String.join("", verdict.sides().stream().map(String::valueOf).toList()));

@@ -18,7 +18,7 @@ import trace.TraceEvent;
  * Two MAS with a board each, and an agent that moves between them: the {@code walker}. Each MAS is a process of its own
  * that can be killed, and has a folder of its own.
  */
-public final class Travels implements AutoCloseable {
+public final class MovingAgents implements AutoCloseable {
 
     /** At home, where the agent is first. */
     public static final int HOME = 0;
@@ -63,7 +63,7 @@ public final class Travels implements AutoCloseable {
     private final List<String> ports;
     private final List<AgentProcess> processes = new ArrayList<>();
     private final int[] lives = new int[2];
-    private final Walk walk = new Walk();
+    private final WalkerLog walk = new WalkerLog();
     private final List<String> lines = new ArrayList<>();
     private final Consumer<String> listener;
 
@@ -77,7 +77,7 @@ public final class Travels implements AutoCloseable {
      * @param walker   what the agent does once it is told to {@code begin}; @HERE@ is its home, @THERE@ the other.
      * @param listener is told each line that a MAS prints.
      */
-    public Travels(Emulator emulator, Path folder, List<String> boards, List<Address> ids, List<Boolean> admits,
+    public MovingAgents(Emulator emulator, Path folder, List<String> boards, List<Address> ids, List<Boolean> admits,
             String walker, Consumer<String> listener) throws IOException {
         this.folder = folder;
         this.listener = listener;
@@ -101,7 +101,7 @@ public final class Travels implements AutoCloseable {
     }
 
     /**
-     * An agent for {@link Walk}.
+     * An agent for {@link WalkerLog}.
      *
      * @param legs  how often it moves.
      * @param every before each move it says so often that it is awake.
@@ -149,7 +149,7 @@ public final class Travels implements AutoCloseable {
     }
 
     /** What was seen of the agent. */
-    public Walk walk() {
+    public WalkerLog walk() {
         return walk;
     }
 

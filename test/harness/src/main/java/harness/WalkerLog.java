@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * by the clock of the one computer on which both run. It must go on counting where it arrives, and be nowhere else
  * then. After a kill of its MAS it may begin again with the number with which it had come there.
  */
-public final class Walk {
+public final class WalkerLog {
 
     private static final Pattern TICK = Pattern.compile("\\[(\\w+)\\] tick (\\d+) (\\d+)");
 

@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import javino.protocol.Address;
 
 /** A run as a picture: a lifeline for each device, and going down, in the order of time, all that was evidence. */
-final class Chart {
+final class SequenceDiagram {
 
     private static final int WIDTH = 1000;
     private static final int FIRST_LIFELINE = 130;
@@ -106,8 +106,8 @@ final class Chart {
             <line x1="%d" y1="%d" x2="%d" y2="%2$d" stroke="%s" stroke-width="2" marker-end="url(#%s)"%s/>
             """, x(from), y, x(to), from.hue, from.address, sealed ? "" : " stroke-dasharray=\"6 3\""))
                 .collect(Collectors.joining());
-        int middle = receivers.stream().mapToInt(Chart::x).filter(x -> x > x(from)).min()
-                .orElseGet(() -> receivers.stream().mapToInt(Chart::x).max().orElse(x(from)));
+        int middle = receivers.stream().mapToInt(SequenceDiagram::x).filter(x -> x > x(from)).min()
+                .orElseGet(() -> receivers.stream().mapToInt(SequenceDiagram::x).max().orElse(x(from)));
         return tips + String.format("<text x=\"%d\" y=\"%d\" text-anchor=\"middle\" fill=\"%s\">%s</text>%n",
                 (x(from) + middle) / 2, y - 5, from.hue, escaped(label));
     }

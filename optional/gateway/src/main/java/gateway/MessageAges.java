@@ -4,7 +4,7 @@ package gateway;
  * How long messages have been on their way, though the clocks of their senders may be wrong: longer than the fastest
  * message of the same gateway.
  */
-final class Ages {
+final class MessageAges {
 
     private static final int MOST = 256;
     /** No message takes so long; the clock was set. */

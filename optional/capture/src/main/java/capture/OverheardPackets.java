@@ -11,7 +11,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.PollReply;
 
 /** Hands on what a board overhears. */
-final class BoardEar implements BoardListener {
+final class OverheardPackets implements BoardListener {
 
     /** A board tells what it has heard within this time, as a rule. */
     private static final long MOST_DELAY_MICROS = TimeUnit.MILLISECONDS.toMicros(100);
@@ -34,7 +34,7 @@ final class BoardEar implements BoardListener {
      * @param notes takes lines about the board.
      * @param clock microseconds since 1970-01-01T00:00Z.
      */
-    BoardEar(String board, Consumer<String> notes, LongSupplier clock) {
+    OverheardPackets(String board, Consumer<String> notes, LongSupplier clock) {
         this.board = board;
         this.notes = notes;
         this.clock = clock;

@@ -11,7 +11,7 @@ import javino.protocol.Frame;
  * What waits for the board, which gets one frame at a time: so what has come too late can still be dropped.
  * Acknowledgements go first, since a sender waits for them.
  */
-final class Outgoing {
+final class OutgoingQueue {
 
     private static final int MOST = 16;
 
@@ -22,7 +22,7 @@ final class Outgoing {
     private record Waiting(Frame frame, long until) {
     }
 
-    Outgoing(GatewayCounters counters) {
+    OutgoingQueue(GatewayCounters counters) {
         this.counters = counters;
     }
 

@@ -6,7 +6,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Outcome;
 
 /** The records that a fake board keeps until its host polls: messages, ends of transmissions, reports of the radio. */
-public final class Mail {
+public final class Mailbox {
 
     private final Runnable onChange;
     /** Records that are told once, and how many of them the last reply had. */
@@ -17,7 +17,7 @@ public final class Mail {
     /** How many messages a reply has brought: the host can have taken only these, whatever numbers come again later. */
     private int offered;
 
-    Mail(Runnable onChange) {
+    Mailbox(Runnable onChange) {
         this.onChange = onChange;
     }
 
