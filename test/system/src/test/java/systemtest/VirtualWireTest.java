@@ -34,6 +34,7 @@ class VirtualWireTest {
         try (Emulator emulator = new Emulator.Scenario().board("bus", "Vehicle", watched).start(folder);
                 Host bus = Host.of(emulator, "bus").as("ROMA", Map.of())) {
             bus.send("////", "tell;help");
+            emulator.await("the end of the packet", event -> event.is("rf-tx", "bus"));
 
             List<TraceEvent> edges = emulator.trace().stream().filter(event -> event.is("pin", "bus")).toList();
             List<TraceEvent> fromFirstRise = edges.stream().dropWhile(edge -> edge.number("level") == 0).toList();

@@ -35,7 +35,7 @@ export function sniffer(model, state, t, chosen, choose) {
     <td class="readable">${readable(p)}</td></tr>`)}</tbody></table></div>`;
 }
 
-** The injector, without any key: shouts, replays, flips bits; and what became of it. */
+/** The injector, without any key: shouts, replays, flips bits; and what became of it. */
 export function injector(app, model, state, t) {
   const ui = app.ui;
   const packets = model.heardAir(t, CHOICES).filter((p) => p.board !== 'injector' || p.n === ui.packet);
