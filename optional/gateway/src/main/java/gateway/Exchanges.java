@@ -27,7 +27,7 @@ final class Exchanges {
             headers.renew(message(frame), Address.parse(whole.destination()));
         }
         if (here) {
-            question(frame).ifPresent(question -> awaited.renew(question, true));
+            question(whole).ifPresent(question -> awaited.renew(question, true));
             if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
                     && frame.message().length() == Payload.TAG_LENGTH) {
                 given.renew(answer(frame), now);
@@ -47,12 +47,12 @@ final class Exchanges {
 
     /** Whether the acknowledgement of a frame was heard here just now. */
     boolean isAnswered(Frame frame, long now) {
-        return question(frame).map(given::get).filter(when -> now - when < UNDER_WAY_MILLIS).isPresent();
+        return question(Payload.of(frame.encode()).whole()).map(given::get)
+                .filter(when -> now - when < UNDER_WAY_MILLIS).isPresent();
     }
 
     /** By what an acknowledgement of a frame is known: who answers, and the last 12 bits of the nonce. */
-    private static Optional<String> question(Frame frame) {
-        Payload whole = Payload.of(frame.encode()).whole();
+    private static Optional<String> question(Payload whole) {
         return whole.hasNonce() ? Optional.of(whole.destination() + " " + whole.lastBits()) : Optional.empty();
     }
 
