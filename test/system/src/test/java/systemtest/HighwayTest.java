@@ -166,6 +166,17 @@ class HighwayTest {
         assertEquals(1, run.status);
     }
 
+    /** As on a machine that is busy with other things for some seconds. */
+    @Test
+    @Tag("verify")
+    void boardsThatAreSilentAtTheStart_areSetUpLater() throws Exception {
+        copyScenario();
+        Run run = follow(start(EMULATOR), "five agents", "-STOP", "I start again", "-CONT");
+
+        assertTrue(run.says("I start again"), run::toString);
+        run.assertAllObserved();
+    }
+
     @Test
     void missingEmulator_isSaidAndNothingIsLeft() throws Exception {
         Run run = launch("no-such-emulator");
@@ -249,17 +260,32 @@ class HighwayTest {
         return follow(start(emulator, options));
     }
 
-    /** What it prints and starts until its end. */
-    private Run follow(Process process) throws Exception {
+    /**
+     * What it prints and starts until its end.
+     *
+     * @param signals words, and what the emulator is sent when a line has them; for all such lines.
+     */
+    private Run follow(Process process, String... signals) throws Exception {
         List<String> lines = new ArrayList<>();
         Set<ProcessHandle> children = new LinkedHashSet<>();
         try (BufferedReader output = process.inputReader()) {
             for (String line = output.readLine(); line != null; line = output.readLine()) {
                 lines.add(line);
                 children.addAll(process.descendants().toList());
+                for (int i = 0; i < signals.length; i += 2) {
+                    if (line.contains(signals[i])) {
+                        signal(process, signals[i + 1]);
+                    }
+                }
             }
         }
         return new Run(process.waitFor(), lines, List.copyOf(children), folder);
+    }
+
+    private static void signal(Process launcher, String signal) throws Exception {
+        ProcessHandle emulator = launcher.descendants()
+                .filter(child -> child.info().command().orElse("").equals(EMULATOR)).findFirst().orElseThrow();
+        assertEquals(0, new ProcessBuilder("kill", signal, "" + emulator.pid()).start().waitFor());
     }
 
     private Process start(String emulator, String... options) throws IOException {
