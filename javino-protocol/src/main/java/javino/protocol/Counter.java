@@ -82,7 +82,15 @@ public enum Counter {
     /** Unicasts that it did not copy, since its memory was full or too many went unanswered. */
     RELAY_REFUSED("relayRefused"),
     /** Sealed frames and hellos that came while the memory of nonces did not hold, and boots after it did not. */
-    MEMORY_DAMAGED("memoryDamaged");
+    MEMORY_DAMAGED("memoryDamaged"),
+    /** The longest time between two calls of the library by the sketch, in ms. */
+    LOOP_MILLIS("loopMillis"),
+    /** The longest time in the sketch's function of percepts, in ms. */
+    PERCEPTS_MILLIS("perceptsMillis"),
+    /** The longest time in a function of an action, in ms. */
+    ACTION_MILLIS("actionMillis"),
+    /** How late the radio's interrupt began at most, in microseconds. */
+    RADIO_LATE_MICROS("radioLateMicros");
 
     private static final Counter[] VALUES = values();
 
@@ -100,6 +108,11 @@ public enum Counter {
     /** The number on the line, from 1. */
     public int number() {
         return ordinal() + 1;
+    }
+
+    /** Whether it counts nothing, but is the longest of the times since the boot. */
+    public boolean isTime() {
+        return compareTo(LOOP_MILLIS) >= 0;
     }
 
     /** The name as in SPEC 4.5, such as {@code serialRequests}. */

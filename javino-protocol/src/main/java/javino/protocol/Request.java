@@ -81,6 +81,16 @@ public record Request(Command command, Frame frame, String description) {
             };
         }
 
+        /** Whether only a board with a radio performs it. */
+        public boolean needsRadio() {
+            return switch (this) {
+                case HELLO, POLL, ACT, LIST_ACTIONS, STATISTICS -> false;
+                case SET_RF_ID, RADIO, OVERHEAR, RELAY, RELAYING, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY,
+                        FINISH_RENEWAL, DELETE_KEY, SET_SESSION_KEY, LIST_KEYS, TRANSMIT ->
+                    true;
+            };
+        }
+
         private Request with(Bytes body, String description) {
             Bytes message = Bytes.join(Bytes.of(letter), body);
             return new Request(this, new Frame(Address.SERIAL, Address.SERIAL, message), description);

@@ -194,6 +194,21 @@ class CommandTest {
     }
 
     @Test
+    void needsRadio_command_isWhatABoardWithoutARadioRefuses() {
+        assertEquals(EnumSet.of(Request.Command.HELLO, Request.Command.POLL, Request.Command.ACT,
+                Request.Command.LIST_ACTIONS, Request.Command.STATISTICS),
+                Stream.of(Request.Command.values()).filter(command -> !command.needsRadio())
+                        .collect(Collectors.toSet()));
+    }
+
+    @Test
+    void isTime_counter_isWhatCountsNothing() {
+        assertEquals(EnumSet.of(Counter.LOOP_MILLIS, Counter.PERCEPTS_MILLIS, Counter.ACTION_MILLIS,
+                Counter.RADIO_LATE_MICROS),
+                Stream.of(Counter.values()).filter(Counter::isTime).collect(Collectors.toSet()));
+    }
+
+    @Test
     void of_numberOfACounter_isTheCounter() {
         for (Counter counter : Counter.values()) {
             assertEquals(Optional.of(counter), Counter.of(counter.number()));

@@ -22,6 +22,10 @@ final class ReplyFields {
                 fields.add("rfId", info.rfId().<JsonElement>map(id -> new JsonPrimitive(id.toString()))
                         .orElse(JsonNull.INSTANCE));
                 fields.addProperty("bootEpoch", info.bootEpoch());
+                fields.addProperty("radio", info.hasRadio());
+                fields.addProperty("memory", info.capabilities().contains(Capability.MEMORY));
+                fields.addProperty("hadOlderMemory", info.capabilities().contains(Capability.HAD_OLDER_MEMORY));
+                fields.addProperty("earlier", info.isOfEarlierLibrary());
                 fields.addProperty("firmware", info.firmware());
             }
             case "poll" -> {

@@ -8,12 +8,16 @@ import com.google.gson.JsonObject;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SerialPacketTest {
 
@@ -32,15 +36,22 @@ class SerialPacketTest {
         return new SerialPacket(vector.get("sequence").getAsInt(), Frame.decode(VectorFile.bytes(vector, "frame")));
     }
 
-    /** Feeds the bytes in chunks of a size; frames found, and names of errors. */
+    /** Feeds the bytes in chunks of a size; frames found, names of errors, "again" and texts. */
     private static List<Object> decode(byte[] bytes, int chunk) {
         PacketDecoder decoder = new PacketDecoder();
         List<Object> results = new ArrayList<>();
         for (int at = 0; at < bytes.length; at += chunk) {
             byte[] part = Arrays.copyOfRange(bytes, at, Math.min(at + chunk, bytes.length));
             for (PacketDecoder.Result result : decoder.feed(part, part.length)) {
-                results.add(result instanceof PacketDecoder.Found found ? found.packet()
-                        : ((PacketDecoder.Refused) result).cause().error().name());
+                if (result instanceof PacketDecoder.Found found) {
+                    results.add(found.packet());
+                } else if (result instanceof PacketDecoder.Refused refused) {
+                    results.add(refused.cause().error().name());
+                } else if (result instanceof PacketDecoder.Printed printed) {
+                    results.add(printed.text());
+                } else if (((PacketDecoder.Empty) result).asksAgain()) {
+                    results.add("again");
+                }
             }
         }
         return results;
@@ -72,8 +83,69 @@ class SerialPacketTest {
     }
 
     @Test
-    void feed_zerosOnly_givesNothing() {
+    void feed_zerosOnly_givesOneEmptyPacketEach() {
         assertEquals(List.of(), decode(new byte[100], 7));
+        assertEquals(Collections.nCopies(3, new PacketDecoder.Empty(false)),
+                new PacketDecoder().feed(new byte[3], 3));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 100})
+    void feed_emptyPacket_asksAgain(int chunk) {
+        assertEquals(List.of("again", "again", "TOO_SHORT"), decode(new byte[] {0, 1, 0, 0, 1, 0, 1, 1, 0}, chunk));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'t = 20,5 \u00b0\r\n', 't = 20,5 \u00b0'", "'x\r\n', x", "'  a\tb  ', 'a\tb'", "'ab', BAD_COBS",
+            "'abc\u0007b', BAD_COBS", "'abc\u007fb', BAD_COBS"})
+    void feed_textBetweenZeros_isTold(String sent, String told) {
+        SerialPacket next = new SerialPacket(9, FRAME);
+        byte[] bytes = Bytes.join(next.encode(), Bytes.ofText(sent), Bytes.of(0), next.encode()).toArray();
+        for (int chunk = 1; chunk <= bytes.length; chunk++) {
+            assertEquals(List.of(next, told, next), decode(bytes, chunk));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 5, 255})
+    void feed_textBeforeAPacketWithoutAZero_bothAreFound(int sequence) {
+        SerialPacket next = new SerialPacket(sequence, new Frame(Address.SERIAL, Address.SERIAL, Bytes.of(0, 1, 2)));
+        byte[] bytes = Bytes.join(Bytes.of(0), Bytes.ofText("t = 20\r\n"), next.encode(), Bytes.ofText("again"),
+                Bytes.of(1, 0), next.encode()).toArray();
+        for (int chunk = 1; chunk <= bytes.length; chunk++) {
+            assertEquals(List.of("t = 20", next, "again", "again", next), decode(bytes, chunk));
+        }
+    }
+
+    @Test
+    void feed_longText_isToldInPartsAndThePacketBehindItFound() {
+        SerialPacket next =
+                new SerialPacket(5, new Frame(Address.SERIAL, Address.SERIAL, Bytes.ofText("\0" + "x".repeat(500))));
+        String text = "0123456789".repeat(300);
+        byte[] bytes = Bytes.join(Bytes.ofText(text), next.encode()).toArray();
+        for (int chunk : new int[] {1, 7, 1000, bytes.length}) {
+            List<Object> results = decode(bytes, chunk);
+            assertEquals(next, results.remove(results.size() - 1));
+            assertEquals(text, results.stream().map(Object::toString).collect(Collectors.joining()));
+        }
+    }
+
+    @Test
+    void feed_bytesThatAreNoUtf8_areNoText() {
+        assertEquals(List.of("BAD_COBS"), decode(new byte[] {'a', 'b', (byte) 0xC3, 0}, 4));
+    }
+
+    @Test
+    void packetComes_textAndPacketBegin_tellsThemApart() {
+        PacketDecoder decoder = new PacketDecoder();
+        assertFalse(decoder.packetComes());
+        decoder.feed(Bytes.ofText("printed\r\n").toArray(), 9);
+        assertFalse(decoder.packetComes());
+        decoder.feed(new byte[1], 1);
+        decoder.feed(new SerialPacket(1, FRAME).encode().toArray(), 5);
+        assertTrue(decoder.packetComes());
+        decoder.feed(Bytes.ofText("x".repeat(2000)).toArray(), 2000);
+        assertFalse(decoder.packetComes());
     }
 
     @Test
@@ -93,7 +165,7 @@ class SerialPacketTest {
     void feed_endlessGarbage_keepsLittleAndRecovers() {
         PacketDecoder decoder = new PacketDecoder();
         byte[] garbage = new byte[1 << 16];
-        Arrays.fill(garbage, (byte) 0x55);
+        Arrays.fill(garbage, (byte) 0x05);
         for (int i = 0; i < 100; i++) {
             assertEquals(List.of(), decoder.feed(garbage, garbage.length));
         }

@@ -20,7 +20,9 @@ final class CommandVectors {
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
             "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated",
             "radioOverheardDropped",
-            "relayCopies", "relayAnswers", "relayRefused", "memoryDamaged");
+            "relayCopies", "relayAnswers", "relayRefused", "memoryDamaged", "loopMillis", "perceptsMillis",
+            "actionMillis",
+            "radioLateMicros");
 
     private static final byte[] FRAME = text("+KAACAFEBA12345678");
 
@@ -162,10 +164,10 @@ final class CommandVectors {
 
     private static List<Map<String, Object>> replies() {
         return List.of(
-                ok("hello", join(bytes(1), text("++++"), bytes(0, 0, 1), text("blink 1.0")),
-                        vector("version", 1, "rfId", null, "bootEpoch", 1, "firmware", "blink 1.0")),
-                ok("hello", join(bytes(2), text("ROMA"), bytes(0xFF, 0xFF, 0xFE)),
-                        vector("version", 2, "rfId", "ROMA", "bootEpoch", 0xFFFFFE, "firmware", "")),
+                hello(1, null, 1, 3, "blink 1.0"), hello(2, "ROMA", 0xFFFFFE, 3, ""),
+                hello(1, null, 0, 0, "blink 1.0"), hello(1, "ROMA", 1, 7, "\u00e9"), hello(1, "ROMA", 2, 0x1F, " "),
+                hello(1, "ROMA", 7, null, "blink 1.0"), hello(1, "ROMA", 7, null, "\u00e9"),
+                hello(1, null, 0, null, ""),
                 ok("poll", bytes(0),
                         vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
                                 List.of())),
@@ -237,7 +239,19 @@ final class CommandVectors {
                 refused(7, "WRONG_ORIGIN"), refused(8, "BAD_DESTINATION"), refused(9, "NO_KEY"),
                 refused(10, "TOO_LONG"), refused(11, "QUEUE_FULL"), refused(12, "STORE_FULL"),
                 refused(13, "STORE_FAILED"), refused(14, "NONCE_EXHAUSTED"),
-                refused(15, "BUSY"), refused(16, "HAS_KEY"), refused(17, "EPOCH_LOST"), refused(18, "MEMORY_DAMAGED"));
+                refused(15, "BUSY"), refused(16, "HAS_KEY"), refused(17, "EPOCH_LOST"), refused(18, "MEMORY_DAMAGED"),
+                refused(19, "NO_RADIO"));
+    }
+
+    /** @param capabilities null for a board of an earlier library, which has radio and memory. */
+    private static Map<String, Object> hello(int version, String id, int epoch, Integer capabilities, String firmware) {
+        int has = capabilities == null ? 3 : capabilities;
+        return ok("hello",
+                join(bytes(version), text(id == null ? "++++" : id), bytes(epoch >> 16, epoch >> 8, epoch),
+                        capabilities == null ? new byte[0] : bytes(capabilities), text(firmware)),
+                vector("version", version, "rfId", id, "bootEpoch", epoch, "radio", (has & 1) != 0,
+                        "memory", (has & 2) != 0, "hadOlderMemory", (has & 4) != 0, "earlier", capabilities == null,
+                        "firmware", firmware));
     }
 
     private static byte[] record(char type, byte[] value) {
@@ -302,11 +316,13 @@ final class CommandVectors {
     private static List<Map<String, Object>> badReplies() {
         return List.of(
                 badReply("act", new byte[0], "no status"),
-                badReply("act", bytes(19), "unknown status"),
+                badReply("act", bytes(20), "unknown status"),
                 badReply("act", bytes(0, 1), "something where nothing is due"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0)), "a byte short"),
                 badReply("hello", join(bytes(0, 1), text("RO-A"), bytes(0, 0, 1)), "no address"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0, 1, 0xFF)), "name is no UTF-8"),
+                badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0, 1, 3, 0xFF)),
+                        "name behind the capabilities is no UTF-8"),
                 badReply("poll", bytes(0), "no flags"),
                 badReply("poll", bytes(0, 0, 'P', 0), "half a record header"),
                 badReply("poll", bytes(0, 0, 'P', 0, 2, 'x'), "record longer than the reply"),

@@ -1,0 +1,36 @@
+package javino.protocol;
+
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+
+/** What a board says in hello that it has (SPEC 4.3). */
+public enum Capability {
+    /** A radio, and so an address and keys. */
+    RADIO(1),
+    /** A memory: address, keys and boot epoch outlive a boot. */
+    MEMORY(2),
+    /** This boot has found a memory of an earlier layout, and wiped it with its keys. */
+    HAD_OLDER_MEMORY(4),
+    /** It says when it has taken a request; all boards do but those of an earlier library. */
+    SAYS_TAKEN(0);
+
+    /** What a board of an earlier library has, which says nothing of it. */
+    public static final Set<Capability> OF_EARLIER_LIBRARY = Collections.unmodifiableSet(EnumSet.of(RADIO, MEMORY));
+
+    private final int bit;
+
+    Capability(int bit) {
+        this.bit = bit;
+    }
+
+    static Set<Capability> decode(int bits) {
+        Set<Capability> all = EnumSet.of(SAYS_TAKEN);
+        for (Capability capability : values()) {
+            if ((bits & capability.bit) != 0) {
+                all.add(capability);
+            }
+        }
+        return Collections.unmodifiableSet(all);
+    }
+}
