@@ -2,7 +2,8 @@
 
 /// Javino for Arduino: connects a BDI agent to this board's sensors, actuators and radio. See the README.
 
-#include "arduino/JavinoBoard.h"
+#include "arduino/ArduinoBoard.h"
+#include "arduino/PublishedJavino.h"
 #include "delivery/Broadcaster.h"
 #include "delivery/Relay.h"
 #include "radio/AskRadio.h"

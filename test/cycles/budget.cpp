@@ -28,15 +28,16 @@ double cyclesAByte(Mailbox::Operation operation, const Bytes &data) {
   return cyclesOf(operation, data) / static_cast<double>(data.size());
 }
 
-// The longest packet among the vectors, with its closing zero: header and CRC weigh least.
-Bytes longestPacket() {
-  Bytes longest;
-  for (const Vector &vector : vectors("packets.json", "valid")) {
-    const Bytes packet = vector.bytes("packet");
-    if (packet.size() > longest.size()) longest = packet;
-  }
-  return longest;
-}
+#ifdef JAVINO_SMALL
+const size_t PERCEPTS = 20;
+const size_t MAX_MESSAGE = 96;
+#else
+const size_t PERCEPTS = 40;
+const size_t MAX_MESSAGE = 511;
+#endif
+
+// The longest packet that a board takes, with its closing zero: header and CRC weigh least.
+Bytes longestPacket() { return reference::packet(1, reference::frame("++++", "++++", random(MAX_MESSAGE))); }
 
 // The content of 16 bytes, from ROMA to SUHO: 'C' and 'A' are the digits of 128 bits.
 Bytes frame() { return bytesOf("SUHOROMACA") + random(16); }
@@ -55,6 +56,8 @@ double cyclesABitHeard() {
     throw std::runtime_error("the packet was not received");
   return static_cast<double>(heard.cycles) / (84 + 12 * LONGEST_PAYLOAD);
 }
+
+#ifndef JAVINO_SMALL
 
 struct Mending {
   double longestStep = 0, erasing = 0, all = 0;
@@ -145,13 +148,13 @@ Mending longestMending() {
   return longest;
 }
 
+#endif
+
 // COBS, CRC, and little more: nothing is done before a hello.
 double cyclesAByteHeard() {
   const Bytes packet = longestPacket();
   return static_cast<double>(answer(packet, 0).cycles) / static_cast<double>(packet.size());
 }
-
-const size_t PERCEPTS = 40;
 
 double cyclesOfReading() {
   const Bytes hello = reference::packet(1, reference::frame("++++", "++++", {'H', 1}));
@@ -178,6 +181,8 @@ Figures measured() {
   figures["CRC-16, a byte"] = cyclesAByte(Mailbox::ADD_TO_CRC, random(500));
   figures["serial packet received, a byte"] = cyclesAByteHeard();
   figures["radio interrupts, a bit received"] = cyclesABitHeard();
+  figures["reading of " + std::to_string(PERCEPTS) + " percepts, to its first byte"] = cyclesOfReading();
+#ifndef JAVINO_SMALL
   const Mending packet = longestMendingOfPacket();
   figures["radio, the longest step of mending a packet"] = packet.longestStep;
   figures["radio, all steps of mending a packet"] = packet.all;
@@ -186,7 +191,7 @@ Figures measured() {
   figures["parity, 16 bytes erased"] = mending.erasing;
   figures["parity, the longest step of mending 96 bytes"] = mending.longestStep;
   figures["parity, all steps of mending 96 bytes"] = mending.all;
-  figures["reading of 40 percepts, to its first byte"] = cyclesOfReading();
+#endif
   return figures;
 }
 

@@ -53,12 +53,14 @@ TEST(Vectors, derived_keys) {
   }
 }
 
+#ifndef JAVINO_SMALL
 TEST(Vectors, parities) {
   for (const Vector &vector : vectors("parity.json", "parities")) {
     const Outcome outcome = perform(Mailbox::ADD_PARITY, {}, {}, vector.bytes("bytes"));
     EXPECT_EQ(vector.text("parity"), toHex(outcome.bytes(16))) << vector.toString();
   }
 }
+#endif
 
 TEST(Vectors, sealed_frames) {
   for (const Vector &vector : vectors("envelopes.json", "valid")) {

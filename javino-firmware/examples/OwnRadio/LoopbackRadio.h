@@ -67,5 +67,5 @@ class LoopbackRadio : public javinolib::Radio {
   uint32_t sentAt_ = 0;
   uint8_t received_[LONGEST];
   uint8_t receivedLength_ = 0;  // 0 where nothing waits
-  javinolib::RadioCounters counters_ = {0, 0, 0, 0, 0};
+  javinolib::RadioCounters counters_ = {0, 0, 0, 0, 0, 0};
 };

@@ -6,7 +6,8 @@
 
 #include <Javino.h>
 
-javinolib::Javino board(Serial, "station 1.0");
+javinolib::AskRadio radio;
+javinolib::JavinoWithRadio board(Serial, "station 1.0", radio);
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

@@ -4,34 +4,37 @@
 // USB to the computer that runs the agent.
 //
 // No actions.
-// Percepts: temperature(T)   in °C, -40…125, to the nearest degree
+// Percepts: celsius(T)   in °C, -40…125, such as celsius(24.71)
 
 #include <Javino.h>
 
 const uint8_t SENSOR_PIN = A0;
 
 // The data sheet's: 500 mV at 0 °C, 10 mV more for each degree.
-const int ZERO_CELSIUS = 50;
-const int MILLIVOLTS_A_DEGREE = 10;
+const float MILLIVOLTS_AT_ZERO = 500;
+const float MILLIVOLTS_A_DEGREE = 10;
 
 // The voltage that the converter reads as 1024: a Pro Mini with a clock of 8 MHz has 3.3 V.
-const long SUPPLY_MILLIVOLTS = F_CPU < 16000000 ? 3300 : 5000;
+const float SUPPLY_MILLIVOLTS = F_CPU < 16000000 ? 3300 : 5000;
 
-// One reading has steps of half a degree and changes all the time; this many readings take 2 ms.
+// One reading has steps of half a degree; this many take 2 ms, and their mean has finer ones.
 const uint8_t READINGS = 16;
+
+// A smaller change is none: the sensor trembles.
+const float DEAD_BAND = 0.5;
 
 const uint16_t SAMPLE_MILLIS = 1000;
 
 javinolib::Javino board(Serial, "thermometer 1.0");
 
-int celsius() {
-  long sum = 0;
+float celsius() {
+  unsigned int sum = 0;
   for (uint8_t i = 0; i < READINGS; i++) sum += analogRead(SENSOR_PIN);
-  const long millivolts = sum * SUPPLY_MILLIVOLTS / (1024L * READINGS);
-  return (millivolts + MILLIVOLTS_A_DEGREE / 2) / MILLIVOLTS_A_DEGREE - ZERO_CELSIUS;
+  const float millivolts = sum * SUPPLY_MILLIVOLTS / (1024L * READINGS);
+  return (millivolts - MILLIVOLTS_AT_ZERO) / MILLIVOLTS_A_DEGREE;
 }
 
-void perceive(javinolib::Percepts &percepts) { percepts.add(F("temperature"), celsius()); }
+void perceive(javinolib::Percepts &percepts) { percepts.add(F("celsius"), celsius(), DEAD_BAND); }
 
 void setup() {
   board.onPercepts(perceive);

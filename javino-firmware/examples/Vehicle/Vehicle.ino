@@ -32,7 +32,8 @@ const uint8_t HEADLIGHTS_PIN = 30;
 const uint8_t PROXIMITY_DEAD_BAND = 2;  // cm
 const uint8_t LIGHT_DEAD_BAND = 4;
 
-javinolib::Javino board(Serial, "vehicle 1.0");
+javinolib::AskRadio radio;
+javinolib::JavinoWithRadio board(Serial, "vehicle 1.0", radio);
 Sonar sonar(22);
 Siren siren(31, 32);
 

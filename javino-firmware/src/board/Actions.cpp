@@ -22,21 +22,30 @@ bool equal(const FlashText *known, const FlashText *name) {
 }  // namespace
 
 bool Actions::add(const FlashText *name, Action action) {
-  if (name == nullptr || action == nullptr || flashChar(name, 0) == 0 || count_ == config::ACTIONS) return false;
+  if (name == nullptr || action == nullptr || flashChar(name, 0) == 0 || hasOthers_ || count_ == config::ACTIONS)
+    return false;
   for (uint8_t i = 0; i < count_; i++) {
     if (equal(entries_[i].name, name)) return false;
   }
   entries_[count_].name = name;
   entries_[count_].action = action;
   count_++;
+  performer_ = performNamed;
   return true;
 }
 
-Status Actions::perform(const uint8_t *action, uint16_t length) const {
-  if (config::ACTIONS == 0) return Status::UNKNOWN_ACTION;
+bool Actions::addOthers(Action action) {
+  if (hasOthers_ || count_ == config::ACTIONS) return false;
+  entries_[count_] = {nullptr, action};
+  hasOthers_ = true;
+  performer_ = performNamed;
+  return true;
+}
+
+Status Actions::performNamed(const Actions &actions, const uint8_t *action, uint16_t length) {
   Arguments arguments;
   if (!arguments.parse(action, length)) return Status::BAD_ARGUMENT;
-  const Action found = find(arguments.name(), arguments.nameLength());
+  const Action found = actions.find(arguments.name(), arguments.nameLength());
   if (found == nullptr) return Status::UNKNOWN_ACTION;
   return found(arguments) ? Status::OK : Status::ACTION_FAILED;
 }
@@ -64,7 +73,7 @@ Action Actions::find(const char *name, uint16_t length) const {
   for (uint8_t i = 0; i < count_; i++) {
     if (equal(entries_[i].name, name, length)) return entries_[i].action;
   }
-  return nullptr;
+  return hasOthers_ ? entries_[count_].action : nullptr;
 }
 
 }  // namespace javinolib

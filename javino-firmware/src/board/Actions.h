@@ -22,9 +22,14 @@ class Actions {
   /// @return false, and nothing changes, where name or function is missing, the name is taken or the table is full.
   bool add(const FlashText *name, Action action);
 
+  /// Sets what performs all others, after those that have a name.
+  bool addOthers(Action action);
+
   /// Performs what a request asks for.
   /// @return OK, BAD_ARGUMENT, UNKNOWN_ACTION or ACTION_FAILED
-  JAVINO_NOINLINE Status perform(const uint8_t *action, uint16_t length) const;
+  Status perform(const uint8_t *action, uint16_t length) const {
+    return performer_ == nullptr ? Status::UNKNOWN_ACTION : performer_(*this, action, length);
+  }
 
   /// Tells how many there are, and of their names, one after the other and each with its closing 0x00, what fits from an
   /// offset on.
@@ -37,10 +42,14 @@ class Actions {
     Action action;
   };
 
+  static Status performNamed(const Actions &actions, const uint8_t *action, uint16_t length);
   Action find(const char *name, uint16_t length) const;
 
+  // Null until there is an action: a sketch without any has no code for them.
+  Status (*performer_)(const Actions &actions, const uint8_t *action, uint16_t length) JAVINO_ZEROED;
   uint8_t count_ JAVINO_ZEROED;
-  Entry entries_[config::ACTIONS == 0 ? 1 : config::ACTIONS];
+  bool hasOthers_ JAVINO_ZEROED;  // behind those with a name
+  Entry entries_[config::ACTIONS];
 };
 
 }  // namespace javinolib

@@ -10,30 +10,29 @@ bool ArgumentScanner::add(char next) {
     escaped_ = next == '\\' && !escaped_;
     return false;
   }
-  switch (next) {
-    case '"': quoted_ = true; return false;
-    case '(': open(')'); return false;
-    case '[': open(']'); return false;
-    case ')':
-    case ']': close(next); return false;
-    default: return next == ',' && depth_ == 0;
-  }
+  const bool isSquare = next == '[' || next == ']';
+  if (next == '"') quoted_ = true;
+  if (next == '(' || next == '[') open(isSquare);
+  if (next == ')' || next == ']') close(isSquare);
+  return next == ',' && depth_ == 0;
 }
 
-void ArgumentScanner::open(char bracket) {
+void ArgumentScanner::open(bool isSquare) {
   if (depth_ == MAX_DEPTH) {
     broken_ = true;
-  } else {
-    open_[depth_++] = bracket;
+    return;
   }
+  depth_++;
+  open_ = static_cast<uint16_t>(open_ << 1 | isSquare);
 }
 
-void ArgumentScanner::close(char bracket) {
-  if (depth_ == 0 || open_[depth_ - 1] != bracket) {
+void ArgumentScanner::close(bool isSquare) {
+  if (depth_ == 0 || (open_ & 1) != isSquare) {
     broken_ = true;
-  } else {
-    depth_--;
+    return;
   }
+  depth_--;
+  open_ = static_cast<uint16_t>(open_ >> 1);
 }
 
 }  // namespace javinolib

@@ -8,7 +8,7 @@ namespace javinolib {
 /// arguments.
 class ArgumentScanner {
  public:
-  ArgumentScanner() : depth_(0), quoted_(false), escaped_(false), broken_(false) {}
+  ArgumentScanner() : open_(0), depth_(0), quoted_(false), escaped_(false), broken_(false) {}
 
   /// @return whether this character is a comma that divides two arguments.
   bool add(char next);
@@ -19,10 +19,10 @@ class ArgumentScanner {
  private:
   static const uint8_t MAX_DEPTH = 16;
 
-  void open(char bracket);
-  void close(char bracket);
+  void open(bool isSquare);
+  void close(bool isSquare);
 
-  char open_[MAX_DEPTH];  // the brackets that are to be closed, outermost first
+  uint16_t open_;  // the brackets that are to be closed, a bit each, the innermost lowest
   uint8_t depth_;
   bool quoted_;
   bool escaped_;

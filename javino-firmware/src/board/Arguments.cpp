@@ -73,15 +73,18 @@ bool Arguments::parseName(const char *action, uint16_t length) {
 
 bool Arguments::countArguments() {
   ArgumentScanner scanner;
-  uint16_t count = 1;
-  for (uint16_t i = 0; i < innerLength_; i++) count = static_cast<uint16_t>(count + scanner.add(inner_[i]));
-  if (!scanner.balanced() || count > UINT8_MAX) return false;
-  count_ = static_cast<uint8_t>(count);
-  for (uint8_t i = 0; i < count_; i++) {
-    Span span;
-    if (!find(i, span)) return false;
+  bool isEmpty = true;
+  for (uint16_t i = 0; i < innerLength_; i++) {
+    if (!scanner.add(inner_[i])) {
+      isEmpty = isEmpty && isBlank(inner_[i]);
+    } else if (isEmpty || ++count_ == UINT8_MAX) {
+      return false;
+    } else {
+      isEmpty = true;
+    }
   }
-  return true;
+  count_++;
+  return !isEmpty && scanner.balanced();
 }
 
 // Finds an argument; false where there is none of this index or it is empty.

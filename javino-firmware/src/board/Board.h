@@ -1,9 +1,7 @@
 #pragma once
 
-#include "../delivery/Delivery.h"
-#include "../radio/Radio.h"
-#include "../secure/BoardState.h"
-#include "../support/Inlining.h"
+#include "../support/Counters.h"
+#include "../support/Part.h"
 #include "Actions.h"
 #include "Commands.h"
 #include "Poll.h"
@@ -12,34 +10,40 @@
 
 namespace javinolib {
 
-/// A whole board without its hardware: what the protocol asks of it, behind the seams serial port, EEPROM, radio, clock
-/// and retained RAM. The class Javino puts it on an Arduino.
+/// A whole board without its hardware that has percepts and actions, but no radio: what the protocol asks of it, behind the
+/// seams serial port and clock. The class Javino puts it on an Arduino.
 class Board {
  public:
-  /// The UART, the radio and the name outlive the board.
-  Board(SerialPort port, Radio &radio, const char *firmwareName);
+  /// The UART and the name outlive the board.
+  Board(SerialPort port, const char *firmwareName)
+      : poll_(counters_),
+        commands_(firmwareName, actions_, poll_, counters_),
+        session_(port, request_, sizeof request_, reply_, sizeof reply_, counters_) {}
 
-  /// Reads the EEPROM, raises the boot epoch and starts the radio. To be called once, after a boot.
-  /// @return false where the radio could not be started or the EEPROM not be written; all else works nevertheless.
-  bool begin();
+  /// To be called once, after a boot. Nothing can fail here.
+  bool begin() {
+    session_.askAgain();
+    return true;
+  }
 
-  /// Handles what serial line and radio brought. Never waits, but for the EEPROM where a command writes to it.
-  void run();
+  /// Handles what the serial line brought. Never waits.
+  void run() { session_.run(commands_); }
 
   /// Whether run() has nothing to do until the next interrupt. Safe to call with interrupts off.
-  bool isIdle() const;
+  bool isIdle() const { return session_.isIdle(); }
 
-  void onPercepts(PerceptSource source) { poll_.setSource(source); }
-  void sampleEvery(uint16_t millis) { poll_.sampleEvery(millis); }
-  bool action(const FlashText *name, Action action) { return actions_.add(name, action); }
+  Poll &poll() { return poll_; }
+  const Poll &poll() const { return *poll_.operator->(); }
+  Actions &actions() { return actions_; }
 
  private:
-  BoardState state_;
-  Delivery delivery_;
-  Actions actions_;
-  Poll poll_;
+  SerialCounters counters_;
+  OwnPart<Actions> actions_;
+  OwnPart<Poll> poll_;
   Commands commands_;
   SerialSession session_;
+  uint8_t request_[PACKET_OVERHEAD + config::REQUEST];
+  uint8_t reply_[PACKET_OVERHEAD + config::REPLY];
 };
 
 }  // namespace javinolib

@@ -2,60 +2,74 @@
 
 #include <stdint.h>
 
-#include "../delivery/Delivery.h"
-#include "../radio/Radio.h"
-#include "../secure/BoardState.h"
+#include "../framing/Address.h"
+#include "../support/Counters.h"
 #include "../support/Inlining.h"
+#include "../support/Part.h"
+#include "../support/Zeroed.h"
 #include "Actions.h"
-#include "KeyCommands.h"
 #include "Poll.h"
 #include "Reply.h"
-#include "../support/Zeroed.h"
+#include "Request.h"
 
 namespace javinolib {
 
-/// Performs the requests of SPEC 4.3: finds the command, checks its body, and hands it to the part that does it.
+/// What a board tells of itself in a hello, but for its name, as it is in the reply (SPEC 4.3).
+struct Identity {
+  uint8_t version;
+  uint8_t id[Address::TEXT_LENGTH];  ///< `++++` where none is set
+  uint8_t bootEpoch[3];              ///< 0 where none is kept
+  uint8_t capabilities;              ///< of enum Capability
+};
+
+enum Capability : uint8_t {
+  HAS_RADIO = 1,
+  HAS_MEMORY = 2,       ///< RF id, keys and boot epoch outlive a boot
+  HAD_OLDER_MEMORY = 4  ///< of another layout, which was wiped, and no RF id is set yet
+};
+
+/// Performs the requests that every board knows: hello, poll, actions, counters (SPEC 4.3).
 class Commands {
  public:
   /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
-  Commands(const char *firmwareName, BoardState &state, Delivery &delivery, Poll &poll, Actions &actions)
-      : firmwareName_(firmwareName),
-        state_(state),
-        keyCommands_(state.keys, state.replays, state.nonces),
-        delivery_(delivery),
-        poll_(poll),
-        actions_(actions) {}
+  Commands(const char *firmwareName, Actions &actions, Poll &poll, SerialCounters &counters)
+      : firmwareName_(firmwareName), actions_(actions), poll_(poll), counters_(counters) {}
 
   /// Performs a request and writes status and body of its reply, which stands at an OK without a body. The body of a
-  /// poll's reply is left to Poll::answer().
+  /// poll's reply is left to answer().
   /// @return whether the reply is to be remembered for repeats of the request
-  bool perform(const Frame &request, Reply &reply);
+  JAVINO_NOINLINE bool perform(const Request &request, Reply &reply);
 
-  /// Whether the request is always performed, even if it is byte by byte the one before.
-  static bool isAlwaysPerformed(const Frame &request);
+  /// Writes the body of the reply to the poll that is held, if it is to be sent now (Poll::answer).
+  bool answer(Reply &reply, bool released) { return poll_->answer(reply, released); }
+
+  /// Whether answer() has something to tell that does not only depend on time. Safe to call with interrupts off.
+  bool canTell() const { return false; }
+
+  /// Whether a request may be performed; if not, the reply says why.
+  bool allows(const Request &request, Reply &reply) const;
+
+  /// Looks at a request to the board itself.
+  /// @return OK, WRONG_ORIGIN or UNKNOWN_COMMAND
+  static Status check(const Request &request);
+
+  /// Performs a request to any board itself, which check() found to be OK.
+  /// @return UNKNOWN_COMMAND for those that differ from board to board, statistics too
+  Status command(const Request &request, const Identity &identity, Reply &reply);
+
+  /// Appends a counter to the reply of statistics.
+  JAVINO_NOINLINE static void addCounter(uint8_t number, config::Count value, Reply &reply);
 
  private:
-  Status dispatch(const Frame &request, Reply &reply);
-  JAVINO_NOINLINE Status transmit(const Frame &frame, Reply &reply);
-  Status mayTransmit(const Frame &frame) const;
-  Status checkAddresses(const Frame &frame) const;
-  Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
-  Status hello(const uint8_t *body, uint16_t length, Reply &reply);
+  Status act(const uint8_t *body, uint16_t length);
+  Status hello(const uint8_t *body, uint16_t length, const Identity &identity, Reply &reply);
   Status poll(const uint8_t *body, uint16_t length);
-  JAVINO_NOINLINE Status keysChanged(Status status);
-  Status setRfId(const uint8_t *body, uint16_t length);
-  Status openRadio(const uint8_t *body, uint16_t length);
-  Status overhear(const uint8_t *body, uint16_t length);
-  Status relay(const uint8_t *body, uint16_t length, Reply &reply);
-  Status relaying(const uint8_t *body, uint16_t length, Reply &reply);
-  JAVINO_NOINLINE Status statistics(uint16_t length, Reply &reply);
+  Status statistics(uint16_t length, Reply &reply) const;
 
   const char *const firmwareName_;
-  BoardState &state_;
-  KeyCommands keyCommands_;
-  Delivery &delivery_;
-  Poll &poll_;
-  Actions &actions_;
+  Part<Actions> actions_;
+  Part<Poll> poll_;
+  SerialCounters &counters_;
   bool greeted_ JAVINO_ZEROED;
 };
 

@@ -15,26 +15,58 @@ unsigned long distance(long one, long other) {
 }  // namespace
 
 void DeadBands::begin(bool anew) {
-  for (Entry *entry = entries_; entry != entries_ + config::DEAD_BANDS; entry++) {
-    if (anew || !entry->seen) entry->name = nullptr;
-    entry->seen = false;
+  for (Entry &entry : entries_) {
+    if (!entry.seen || (anew && entry.event == NO_EVENT)) entry.name = nullptr;
+    entry.seen = false;
   }
+}
+
+// The place of a percept that is not in the reading yet, or a free one; null where there is none.
+DeadBands::Entry *DeadBands::find(const FlashText *name) {
+  Entry *free = nullptr;
+  for (Entry &entry : entries_) {
+    if (entry.name == name && !entry.seen) return &entry;
+    if (entry.name == nullptr) free = &entry;
+  }
+  return free;
 }
 
 long DeadBands::settle(const FlashText *name, long number, unsigned long deadBand, unsigned long leastMillis) {
   const uint32_t now = clock::millis();
-  Entry *free = nullptr;
-  for (Entry *entry = entries_; entry != entries_ + config::DEAD_BANDS; entry++) {
-    if (entry->name == nullptr) free = entry;
-    if (entry->name != name || entry->seen) continue;
-    entry->seen = true;
+  Entry *const entry = find(name);
+  if (entry == nullptr) return number;
+  if (entry->name == name) {
     const unsigned long change = distance(number, entry->told);
-    if (change == 0 || change < deadBand || now - entry->changedAt < leastMillis) return entry->told;
-    free = entry;
-    break;
+    if (change == 0 || change < deadBand || now - entry->changedAt < leastMillis) {
+      entry->seen = true;
+      return entry->told;
+    }
   }
-  if (free != nullptr) *free = {name, true, number, now};
+  *entry = {name, NO_EVENT, true, number, now};
   return number;
+}
+
+bool DeadBands::latch(const FlashText *name, bool happens) {
+  Entry *const entry = find(name);
+  if (entry == nullptr) return happens;
+  if (entry->name != name) *entry = {name, IDLE, true, 0, 0};
+  entry->seen = true;
+  haveEvents_ = true;
+  if (!happens) {
+    if (entry->event == KNOWN) entry->event = OVER;
+    if (entry->event == MAY_COME) entry->event = GONE;
+  } else if (entry->event == IDLE || entry->event == GONE_TOLD) {
+    entry->event = WAITING;
+  } else if (entry->event == OVER || entry->event == GONE) {
+    entry->event = AGAIN;
+  }
+  return entry->event >= WAITING;
+}
+
+void DeadBands::moveEvents(Event from, Event to) {
+  for (Entry &entry : entries_) {
+    if (entry.event == from) entry.event = to;
+  }
 }
 
 }  // namespace javinolib

@@ -4,30 +4,71 @@
 
 #include "../Config.h"
 #include "../support/Flash.h"
+#include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
 
-/// The values last told of percepts that have a dead band or a least interval of their own. A percept is known by the place
-/// of its name in flash; among percepts of one name in a reading, by their order.
+/// The values last told of percepts that have a dead band or a least interval of their own, and events that are still to be
+/// told. A percept is known by the place of its name in flash; among percepts of one name in a reading, by their order.
 class DeadBands {
  public:
   /// To be called before each reading. A percept that the last reading lacked is forgotten.
-  /// @param anew all others too: the host knows no reading, or asks for the values as they are
+  /// @param anew all others too, but events: the host knows no reading, or asks for the values as they are
   void begin(bool anew);
 
   /// What to tell of a percept: the value last told, until the new one differs from it by the dead band or more, and it has
   /// been told for the least time. A percept that is new, or for which no place is left, is told as it is.
   long settle(const FlashText *name, long number, unsigned long deadBand, unsigned long leastMillis);
 
+  /// Whether to tell of an event, which happens now or has happened since it was told last.
+  JAVINO_NOINLINE bool latch(const FlashText *name, bool happens);
+
+  /// The reading goes to the host.
+  void told() {
+    moveEvents(WAITING, TOLD);
+    moveEvents(OVER, IDLE);
+    moveEvents(GONE, GONE_TOLD);
+    moveEvents(AGAIN, WAITING);
+  }
+
+  /// What the host says of the last reading: it has not had it, it has, or it may still come. Then it has had the one before.
+  void confirm(bool lost, bool coming) {
+    moveEvents(MAY_COME, lost ? WAITING : KNOWN);
+    moveEvents(GONE, lost ? WAITING : OVER);
+    moveEvents(GONE_TOLD, lost ? WAITING : IDLE);
+    moveEvents(TOLD, lost ? WAITING : coming ? MAY_COME : KNOWN);
+  }
+
+  /// Whether there are events, which may happen between two readings that may be told.
+  bool haveEvents() const { return haveEvents_; }
+
  private:
+  enum Event : uint8_t {
+    NO_EVENT,
+    IDLE,
+    OVER,       // the host still believes it, until the next reading that goes to it
+    AGAIN,      // so it does, but it has happened once more: it is told behind that reading
+    GONE,       // as OVER, but the reply that told it may still come
+    GONE_TOLD,  // so it may, and that it is over was told behind it
+    WAITING,    // from here on it is in the reading
+    TOLD,
+    MAY_COME,  // told in the reading before the last one
+    KNOWN      // the host has had it
+  };
+
   struct Entry {
     const FlashText *name;  // null where the place is free
-    bool seen;              // in the reading under way
+    Event event;
+    bool seen;  // in the reading under way
     long told;
     uint32_t changedAt;
   };
 
+  Entry *find(const FlashText *name);
+  void moveEvents(Event from, Event to);
+
+  bool haveEvents_ JAVINO_ZEROED;
   Entry entries_[config::DEAD_BANDS] JAVINO_ZEROED;
 };
 

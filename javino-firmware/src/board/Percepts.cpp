@@ -6,6 +6,8 @@ namespace {
 
 const char PERCEPT = 'P';
 const uint8_t MAX_DIGITS = 20;  // of an unsigned long, be it of 64 bits
+const uint8_t DECIMALS = 2;
+const uint8_t NONE = 0xFF;
 
 void addEscaped(Record &record, char next) {
   const bool newline = next == '\n';
@@ -19,11 +21,16 @@ const uint8_t UNIT_COUNT = sizeof UNITS / sizeof *UNITS;
 
 // `(number)`. AVR takes 600 cycles to divide 32 bits, and 200 for 16: so there are only as many divisions as the number has
 // digits beyond 16 bits, and these are then split by subtraction.
-void addNumber(Record &record, bool negative, unsigned long number) {
-  uint8_t text[1 + 1 + MAX_DIGITS + 1];
+void addNumber(Record &record, bool negative, unsigned long number, uint8_t hundredths = NONE) {
+  uint8_t text[1 + 1 + MAX_DIGITS + 1 + DECIMALS + 1];
   uint8_t *const end = text + sizeof text;
   uint8_t *first = end;
   *--first = ')';
+  if (hundredths != NONE) {
+    *--first = static_cast<uint8_t>('0' + hundredths % 10);
+    *--first = static_cast<uint8_t>('0' + hundredths / 10);
+    *--first = '.';
+  }
   for (; number > UINT16_MAX; number /= 10) *--first = static_cast<uint8_t>('0' + number % 10);
   uint8_t *at = first -= UNIT_COUNT + 1;
   uint16_t rest = static_cast<uint16_t>(number);
@@ -67,6 +74,15 @@ void Percepts::write(const FlashText *name, const Text &text) {
   for (uint16_t i = 0; text[i] != 0; i++) addEscaped(record, text[i]);
   record.add('"');
   record.add(')');
+  close(record);
+}
+
+void Percepts::addHundredths(const FlashText *name, long number) {
+  const unsigned long magnitude =
+      number < 0 ? 0 - static_cast<unsigned long>(number) : static_cast<unsigned long>(number);
+  Record record(reply_, PERCEPT);
+  record.add(name);
+  addNumber(record, number < 0, magnitude / 100, static_cast<uint8_t>(magnitude % 100));
   close(record);
 }
 

@@ -25,25 +25,77 @@ class Percepts {
   void add(const FlashText *name, long number);
   void add(const FlashText *name, unsigned long number);
 
+  // `name(20.99)`, rounded to two decimals, of a number between -21 and 21 million. Another one, or NAN as of a sensor that
+  // does not answer, is left out.
+  void add(const FlashText *name, double number) {
+    if (isWithinRange(number)) addHundredths(name, hundredths(number));
+  }
+
   // `name(number)` for a value that trembles: the number told last stays until the new one differs from it by the dead
   // band or more, and until it has been told for the least time (0 for none). The board does so for JAVINO_DEAD_BANDS
   // percepts (Config.h), and tells all further ones as they are. Each call needs an F("…") of its own.
-  JAVINO_NOINLINE void add(const FlashText *name, long number, unsigned long deadBand, unsigned long leastMillis = 0) {
-    add(name, deadBands_.settle(name, number, deadBand, leastMillis));
+  template <typename Band>
+  void add(const FlashText *name, int number, Band deadBand, unsigned long leastMillis = 0) {
+    addSettled(name, number, static_cast<unsigned long>(deadBand), leastMillis);
+  }
+  template <typename Band>
+  void add(const FlashText *name, unsigned int number, Band deadBand, unsigned long leastMillis = 0) {
+    addSettled(name, static_cast<long>(number), static_cast<unsigned long>(deadBand), leastMillis);
+  }
+  template <typename Band>
+  void add(const FlashText *name, long number, Band deadBand, unsigned long leastMillis = 0) {
+    addSettled(name, number, static_cast<unsigned long>(deadBand), leastMillis);
+  }
+  template <typename Band>
+  void add(const FlashText *name, unsigned long number, Band deadBand, unsigned long leastMillis = 0) {
+    addSettled(name, static_cast<long>(number), static_cast<unsigned long>(deadBand), leastMillis);
+  }
+  template <typename Band>
+  void add(const FlashText *name, double number, Band deadBand, unsigned long leastMillis = 0) {
+    if (!isWithinRange(number)) return;
+    const unsigned long band = static_cast<unsigned long>(hundredths(deadBand));
+    addHundredths(name, deadBands_.settle(name, hundredths(number), band, leastMillis));
+  }
+
+  // `name` for something that lasts for less than the time between two readings, such as the press of a button: if it
+  // happens in any reading, it is told in the next one that the agent gets. It takes the place of a dead band. Each call
+  // needs an F("…") of its own.
+  void event(const FlashText *name, bool happens) {
+    if (deadBands_.latch(name, happens)) add(name);
   }
 
   // `name("text")`, with quotes, backslashes and line feeds in the text escaped
   void add(const FlashText *name, const char *text) { write(name, Text(text)); }
   void add(const FlashText *name, const FlashText *text) { write(name, Text(text)); }
+  template <typename String>
+  auto add(const FlashText *name, const String &text) -> decltype(text.c_str(), void()) {
+    add(name, text.c_str());
+  }
 
   // A whole literal, written unchanged: `position(3,"km")`
   void literal(const char *text) { write(Text(text)); }
   void literal(const FlashText *text) { write(Text(text)); }
+  template <typename String>
+  auto literal(const String &text) -> decltype(text.c_str(), void()) {
+    literal(text.c_str());
+  }
 
   /// How many percepts did not fit.
   uint16_t leftOut() const { return leftOut_; }
 
  private:
+  bool isWithinRange(double number) {
+    const bool is = number > -21e6 && number < 21e6;
+    if (!is) leftOut_++;
+    return is;
+  }
+  static long hundredths(double number) { return static_cast<long>(number * 100 + (number < 0 ? -0.5 : 0.5)); }
+  JAVINO_NOINLINE void addSettled(const FlashText *name, long number, unsigned long deadBand,
+                                  unsigned long leastMillis) {
+    add(name, deadBands_.settle(name, number, deadBand, leastMillis));
+  }
+  JAVINO_NOINLINE void addHundredths(const FlashText *name, long number);
+
   // A text in RAM or in flash.
   struct Text {
     explicit Text(const char *text) : at(text), inFlash(false) {}

@@ -2,9 +2,6 @@
 
 #include <stdint.h>
 
-#include "../delivery/Inbox.h"
-#include "../delivery/Outcomes.h"
-#include "../delivery/Overheard.h"
 #include "../support/Inlining.h"
 #include "../support/Counters.h"
 #include "DeadBands.h"
@@ -17,30 +14,27 @@ namespace javinolib {
 /// A sketch's function that says what the board perceives now.
 typedef void (*PerceptSource)(Percepts &percepts);
 
-/// Answers a poll, and holds the answer until there is something to tell: outcomes of transmissions, received messages,
-/// frames without a key, packets that were overheard, or percepts that have changed (SPEC 4.3).
+/// Answers a poll, and holds the answer until percepts have changed (SPEC 4.3).
 class Poll {
  public:
   /// How often the sensors are read, where the sketch does not say it.
   static const uint8_t DEFAULT_SAMPLE_MILLIS = 20;
 
-  Poll(Outcomes &outcomes, Inbox &inbox, Overheard &overheard, Counters &counters)
-      : outcomes_(outcomes),
-        inbox_(inbox),
-        overheard_(overheard),
-        counters_(counters),
-        sampleMillis_(DEFAULT_SAMPLE_MILLIS) {}
+  enum RequestFlag : uint8_t { PERCEPTS_WANTED = 1, READING_NOW = 2, REPLY_LOST = 4, REPLY_COMING = 8 };
+  enum ReplyFlag : uint8_t { MORE_WAITING = 1, PERCEPTS_OMITTED = 2, HAS_READING = 4, MEMORY_DAMAGED = 8 };
+
+  explicit Poll(SerialCounters &counters) : counters_(counters), sampleMillis_(DEFAULT_SAMPLE_MILLIS) {}
 
   void setSource(PerceptSource source) { source_ = source; }
 
   /// While a poll is held, the source is called this often at most, at least 1 ms.
   void sampleEvery(uint16_t millis) { sampleMillis_ = millis; }
 
-  /// The host has taken over the message of this number and all before it.
-  void taken(uint8_t number) { inbox_.taken(number); }
-
-  /// The host may not have had the last reply: what that told is told again.
-  void tellAgain();
+  /// The host may not have had the last reading.
+  void tellAgain() {
+    told_ = false;
+    deadBands_.confirm(true, false);
+  }
 
   /// Begins a poll, which is held until answer() has written its reply.
   /// @param flags those of the request
@@ -54,25 +48,22 @@ class Poll {
   /// @return whether it wrote it; true where no poll is held
   bool answer(Reply &reply, bool released);
 
-  /// Whether a poll is held to which answer() has a message or an outcome to tell. Safe to call with interrupts off.
-  bool canTell() const { return held_ && isWaiting(); }
+  /// Whether a poll is held that wants percepts.
+  bool wantsPercepts() const { return held_ && (flags_ & PERCEPTS_WANTED) != 0; }
+
+  /// Whether a poll is held. Safe to call with interrupts off.
+  bool isHeld() const { return held_; }
+
+  /// Its reply is written: it is held no longer.
+  void end() { held_ = false; }
 
  private:
-  bool isWaiting() const;
-  JAVINO_NOINLINE void addWaiting(Reply &reply);
-  void addOutcomes(Reply &reply);
-  bool addMessages(Reply &reply);
-  bool addNoKeys(Reply &reply);
-  bool addOverheard(Reply &reply);
-  static bool addMessage(uint8_t number, const Inbox::Message &message, Reply &reply);
   bool isOver(uint32_t now) const { return static_cast<int32_t>(now - endsAt_) >= 0; }
+  bool mayTell(uint32_t now) const { return now - toldAt_ >= leastMillis_; }
   bool isReadingDue(uint32_t now, bool released) const;
-  JAVINO_NOINLINE bool addReading(uint32_t now, Reply &reply);
+  bool addReading(uint32_t now, Reply &reply);
 
-  Outcomes &outcomes_;
-  Inbox &inbox_;
-  Overheard &overheard_;
-  Counters &counters_;
+  SerialCounters &counters_;
   PerceptSource source_ JAVINO_ZEROED;
   uint16_t sampleMillis_;
   uint32_t sampledAt_ JAVINO_ZEROED;

@@ -7,7 +7,6 @@
 namespace javinolib {
 
 const uint8_t Reply::STATUS_AT;
-const uint16_t Reply::BODY_END;
 
 void Reply::begin(uint8_t sequence) {
   bytes_[0] = sequence;
@@ -28,14 +27,14 @@ bool Reply::add(const uint8_t *bytes, uint16_t length) {
 }
 
 void Reply::finish() {
-  Frame::writeHeader(bytes_ + 1, Address::serialLine(), Address::serialLine(),
-                     static_cast<uint16_t>(length_ - STATUS_AT));
+  memset(bytes_ + 1, '+', 2 * Address::TEXT_LENGTH);
+  Frame::writeSize(bytes_ + 1 + 2 * Address::TEXT_LENGTH, static_cast<uint16_t>(length_ - STATUS_AT));
 }
 
 const uint8_t Record::HEAD_LENGTH;
 
 Record::Record(Reply &reply, char type)
-    : reply_(reply), at_(reply.bytes_ + reply.length_), end_(reply.bytes_ + Reply::BODY_END) {
+    : reply_(reply), at_(reply.bytes_ + reply.length_), end_(reply.bytes_ + reply.bodyEnd_) {
   if (reply.room() < HEAD_LENGTH) {
     at_ = nullptr;
     return;

@@ -14,6 +14,9 @@ namespace javinolib {
 /// It stays until the next begin(), so that a repeated request can be answered from it.
 class Reply {
  public:
+  /// @param bytes of `room` bytes, that of the CRC with it
+  Reply(uint8_t *bytes, uint16_t room) : bytes_(bytes), bodyEnd_(static_cast<uint16_t>(room - CRC_LENGTH)) {}
+
   /// Begins an OK without a body.
   /// @param sequence that of the request
   void begin(uint8_t sequence);
@@ -22,7 +25,7 @@ class Reply {
   void setStatus(Status status);
 
   /// The bytes that still fit the body.
-  uint16_t room() const { return static_cast<uint16_t>(BODY_END - length_); }
+  uint16_t room() const { return static_cast<uint16_t>(bodyEnd_ - length_); }
 
   /// Appends to the body; what does not fit is refused whole.
   JAVINO_NOINLINE bool add(uint8_t byte) { return add(&byte, 1); }
@@ -42,12 +45,13 @@ class Reply {
 
  private:
   static const uint8_t STATUS_AT = 1 + HEADER_LENGTH;
-  static const uint16_t BODY_END = STATUS_AT + MAX_MESSAGE_LENGTH;
+  static const uint8_t CRC_LENGTH = 2;
 
   friend class Record;
 
+  uint8_t *const bytes_;
+  const uint16_t bodyEnd_;
   uint16_t length_ JAVINO_ZEROED;
-  uint8_t bytes_[MAX_PACKET_LENGTH];
 };
 
 /// A record of a poll reply while it is written: `type(1) length(2) value` (SPEC 4.3). It gets into the reply whole or

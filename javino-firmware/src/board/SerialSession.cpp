@@ -2,75 +2,64 @@
 
 namespace javinolib {
 
-SerialSession::SerialSession(SerialPort port, Commands &commands, Poll &poll, Counters &counters)
-    : port_(port), commands_(commands), poll_(poll), counters_(counters) {}
-
-void SerialSession::run() {
-  finish();
-  write();
-  read();
-  while (requestWaits_ && encoder_.done()) {
-    requestWaits_ = false;
-    answer();
-    finish();
-    write();
-    read();
-  }
-}
-
 bool SerialSession::isIdle() const {
   const bool canTakeMore = !requestWaits_ && port_.canRead();
-  const bool canGiveMore = !encoder_.done() && port_.canWrite();
-  return !canTakeMore && !canGiveMore && !(requestWaits_ && encoder_.done()) && !poll_.canTell();
+  const bool canGiveMore = (requestWaits_ || !encoder_.done()) && port_.canWrite();
+  return !canTakeMore && !canGiveMore;
 }
 
-void SerialSession::read() {
-  while (!requestWaits_ && !replyOpen_ && port_.canRead()) take(decoder_.add(port_.read()));
+void SerialSession::exchange() {
+  while (!encoder_.done() && port_.canWrite()) port_.write(encoder_.next());
+  while (!requestWaits_ && !replyOpen_ && port_.canRead()) add(decoder_.add(port_.read()));
 }
 
-void SerialSession::take(PacketEvent event) {
+void SerialSession::add(PacketEvent event) {
   if (event == PacketEvent::PACKET) {
     requestWaits_ = true;
   } else if (event != PacketEvent::NONE) {
     counters_.count(Counter::SERIAL_DAMAGED);
     // The host need not wait for as long as it lets a poll be held.
-    if (encoder_.done() && port_.canWrite()) port_.write(0);
+    if (encoder_.done()) askAgain();
   }
 }
 
-void SerialSession::answer() {
-  Frame request;
-  if (Frame::parse(decoder_.frame(), decoder_.frameLength(), request) != FrameError::NONE) {
+void SerialSession::askAgain() {
+  ranAt_ = static_cast<uint16_t>(clock::millis());
+  for (uint8_t i = 0; i != 3; i++) {
+    if (port_.canWrite()) port_.write(i & 1);  // 0, and an empty packet
+  }
+}
+
+// Returns whether the request is to be performed; a repeat is answered from memory. The zero tells the host that the request
+// has come, and ends what a sketch may have printed on the line.
+bool SerialSession::take(Request &request) {
+  requestWaits_ = false;
+  port_.write(0);
+  if (!Request::parse(decoder_.frame(), decoder_.frameLength(), request)) {
     counters_.count(Counter::SERIAL_BAD_FRAMES);
-    return;
+    return false;
   }
   counters_.count(Counter::SERIAL_REQUESTS);
   if (isRepeat(request)) {
     counters_.count(Counter::SERIAL_REPEATS);
     encoder_.start(reply_.packet(), reply_.packetLength());
-  } else {
-    reply_.begin(decoder_.sequence());
-    remembers_ = commands_.perform(request, reply_);
-    lastSequence_ = decoder_.sequence();
-    lastCrc_ = decoder_.crc();
-    replyOpen_ = true;
+    return false;
   }
+  reply_.begin(decoder_.sequence());
+  lastSequence_ = decoder_.sequence();
+  lastCrc_ = decoder_.crc();
+  replyOpen_ = true;
+  return true;
 }
 
-void SerialSession::finish() {
-  if (!replyOpen_ || !poll_.answer(reply_, port_.canRead())) return;
+void SerialSession::send() {
   replyOpen_ = false;
   reply_.finish();
   encoder_.start(reply_.packet(), reply_.packetLength());
 }
 
-bool SerialSession::isRepeat(const Frame &request) const {
-  return remembers_ && decoder_.sequence() == lastSequence_ && decoder_.crc() == lastCrc_ &&
-         !Commands::isAlwaysPerformed(request);
-}
-
-void SerialSession::write() {
-  while (!encoder_.done() && port_.canWrite()) port_.write(encoder_.next());
+bool SerialSession::isRepeat(const Request &request) const {
+  return remembers_ && decoder_.sequence() == lastSequence_ && decoder_.crc() == lastCrc_ && !request.isHello();
 }
 
 }  // namespace javinolib

@@ -7,7 +7,6 @@
 #include "../support/Inlining.h"
 #include "Commands.h"
 #include "../support/Counters.h"
-#include "Poll.h"
 #include "Reply.h"
 #include "SerialPort.h"
 #include "../support/Zeroed.h"
@@ -20,27 +19,50 @@ namespace javinolib {
 /// the reply is out. While a poll is held nothing is read, and a byte that comes ends the hold.
 class SerialSession {
  public:
-  SerialSession(SerialPort port, Commands &commands, Poll &poll, Counters &counters);
+  /// @param request of `requestRoom` bytes, for packets of the host
+  /// @param reply of `replyRoom` bytes, for packets to it
+  SerialSession(SerialPort port, uint8_t *request, uint16_t requestRoom, uint8_t *reply, uint16_t replyRoom,
+                SerialCounters &counters)
+      : port_(port), counters_(counters), decoder_(request, requestRoom), reply_(reply, replyRoom) {}
 
-  /// Reads, performs and answers as far as bytes and room are there.
-  void run();
+  /// Reads, has requests performed, and answers as far as bytes and room are there.
+  /// @param commands what performs a request, and answers a poll later: perform(request, reply), answer(reply, released)
+  template <typename Commands>
+  void run(Commands &commands) {
+    counters_.longest(Counter::LOOP_MILLIS, ranAt_);
+    finish(commands);
+    exchange();
+    while (mayTake()) {
+      Request request;
+      if (take(request)) remembers_ = commands.perform(request, reply_);
+      finish(commands);
+      exchange();
+    }
+    ranAt_ = static_cast<uint16_t>(clock::millis());
+  }
+
+  /// Has the host ask again: after a boot, in which the reply to a poll that was held is lost, and after damage.
+  void askAgain();
 
   /// Whether run() has nothing to do until the UART's next interrupt.
   bool isIdle() const;
 
  private:
-  void read();
-  void take(PacketEvent event);
-  JAVINO_NOINLINE void answer();
-  void finish();
-  bool isRepeat(const Frame &request) const;
-  void write();
+  template <typename Commands>
+  void finish(Commands &commands) {
+    if (replyOpen_ && commands.answer(reply_, port_.canRead())) send();
+  }
+  bool mayTake() const { return requestWaits_ && encoder_.done() && port_.canWrite(); }
+  void exchange();
+  void add(PacketEvent event);
+  bool take(Request &request);
+  void send();
+  bool isRepeat(const Request &request) const;
 
   SerialPort port_;
-  Commands &commands_;
-  Poll &poll_;
-  Counters &counters_;
+  SerialCounters &counters_;
   PacketEncoder encoder_;
+  uint16_t ranAt_ JAVINO_ZEROED;        // the end of the last run, in the low half of the clock's milliseconds
   bool requestWaits_ JAVINO_ZEROED;     // a whole request is in the decoder
   bool replyOpen_ JAVINO_ZEROED;        // the request was performed, and its reply is not finished: a poll may be held
   bool remembers_ JAVINO_ZEROED;        // the reply can be given again

@@ -30,7 +30,7 @@
 #define ZH r31
 
 ; OUT, the pointer to what is written, and KEYS, that to the round keys. Only Y reaches any byte behind it.
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
 #define KEYSL XL
 #define KEYSH XH
 #define OUT Y
@@ -62,7 +62,7 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
   .irp register, 10, 11, 12, 13, 14, 15, 16, 17
   push r\register
   .endr
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
   .irp register, 2, 3, 4, 5
   push r\register
   .endr
@@ -70,7 +70,7 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
   .endm
 
   .macro pop_saved
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
   .irp register, 5, 4, 3, 2
   pop r\register
   .endr
@@ -131,7 +131,7 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
   .endm
 
   .macro load_key_byte
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
   ld ZL, X+
 #else
   ldd ZL, Y + key_byte
@@ -298,7 +298,7 @@ encrypt:
   movw ZL, r22
   movw OUTL, r20
 load:
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
   ldi r25, 16
 copy_key:
   ldd r0, Y + 16
@@ -310,7 +310,7 @@ copy_key:
   .set scratch, 0
   place_bytes
   in_order load_byte
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
   ldi r25, 5
 #else
   ldi r25, 0x01
@@ -323,7 +323,7 @@ copy_key:
   .subsection 1
 even_part:
   even_round
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
   dec r25
 #else
   rcall next_round_key
@@ -334,7 +334,7 @@ even_part:
 last_round:
   ldi ZH, hi8(s_box)
   in_turn add_key_and_substitute
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
   rcall next_round_key
   clr r25
 #endif
@@ -358,13 +358,13 @@ add_stored:
 next_of_chain:
   movw ZL, OUTL
   sbiw ZL, 16
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
   subi XL, 11 * 16                      ; back to the first round key
   sbci XH, 0
 #endif
   rjmp load
 
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
 ; Computes the next round key in place of the present one. r5 to r2: the word before the one that is computed.
 
 next_round_key:
@@ -392,7 +392,7 @@ add_words:
 odd_part:
   odd_round
   check_places
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
   rcall next_round_key
 #endif
 
@@ -404,7 +404,7 @@ odd_part:
   .global javino_aes128_expand
   .type javino_aes128_expand, @function
 
-#if !JAVINO_ROUND_KEYS
+#if !JAVINO_LARGE
 
 javino_aes128_expand:
   movw XL, r24

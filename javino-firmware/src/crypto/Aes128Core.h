@@ -13,7 +13,7 @@
 #endif
 
 // Room for all round keys, or for the one under way and the first.
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
 #define JAVINO_ROUND_KEYS_LENGTH 176
 #else
 #define JAVINO_ROUND_KEYS_LENGTH 32
@@ -25,7 +25,7 @@
 
 extern "C" {
 
-/// Expands a key of 16 bytes to 11 round keys, 176 bytes (FIPS 197 section 5.2); or, where JAVINO_ROUND_KEYS is 0, copies it
+/// Expands a key of 16 bytes to 11 round keys, 176 bytes (FIPS 197 section 5.2); or, on a small board, copies it
 /// behind the room for one.
 void javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
 

@@ -61,7 +61,7 @@ void advance(uint8_t *roundKey, uint8_t &roundConstant) {
   for (uint8_t i = 4; i < BLOCK_LENGTH; i++) roundKey[i] ^= roundKey[i - 4];
 }
 
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
 
 // The round keys of a block, one after the other.
 class Schedule {
@@ -115,7 +115,7 @@ void encryptBlock(Schedule schedule, uint8_t *block) {
 }  // namespace
 
 void javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key) {
-#if JAVINO_ROUND_KEYS
+#if JAVINO_LARGE
   memcpy(roundKeys, key, BLOCK_LENGTH);
   uint8_t roundConstant = 1;
   for (uint8_t round = 0; round < ROUNDS; round++, roundKeys += BLOCK_LENGTH) {

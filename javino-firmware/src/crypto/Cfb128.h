@@ -16,10 +16,10 @@ class Cfb128 {
   Cfb128(const Aes128 &cipher, const uint8_t *iv) : cipher_(cipher), iv_(iv) {}
 
   /// Encrypts the message in place.
-  JAVINO_NOINLINE void encrypt(uint8_t *bytes, uint16_t length) const;
+  void encrypt(uint8_t *bytes, uint16_t length) const;
 
   /// Decrypts the message in place.
-  JAVINO_NOINLINE void decrypt(uint8_t *bytes, uint16_t length) const;
+  void decrypt(uint8_t *bytes, uint16_t length) const;
 
  private:
   Cfb128(const Cfb128 &);

@@ -11,7 +11,7 @@ namespace javinolib {
 class Cmac {
  public:
   /// @param cipher outlives this object
-  JAVINO_NOINLINE explicit Cmac(const Aes128 &cipher);
+  explicit Cmac(const Aes128 &cipher);
   ~Cmac();
 
   /// Computes the tag of a message.

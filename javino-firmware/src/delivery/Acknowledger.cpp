@@ -18,7 +18,7 @@ void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, co
     if (entries_[i].slot == slot && entries_[i].sender == sender) remove(i);  // a sender awaits one answer at a time
   }
   if (count_ == CAPACITY) {
-    state_.count(Counter::RADIO_ANSWERS_DROPPED);
+    state_->count(Counter::RADIO_ANSWERS_DROPPED);
     remove(0);
   }
   Entry &entry = entries_[count_++];
@@ -46,17 +46,17 @@ void Acknowledger::answerTwice() {
 
 void Acknowledger::keysChanged() {
   for (uint8_t i = count_; i != 0; i--) {
-    if (state_.keys.isFree(entries_[i - 1].slot)) remove(static_cast<uint8_t>(i - 1));
+    if (state_->keys.isFree(entries_[i - 1].slot)) remove(static_cast<uint8_t>(i - 1));
   }
 }
 
 void Acknowledger::run() {
   if (count_ == 0) return;
   noteBusyAir();
-  if (medium_.quietSlots() < slots_) return;
+  if (medium_->quietSlots() < slots_) return;
   uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
   const uint8_t length = build(entries_[0], frame);
-  if (length != 0 && !medium_.send(frame, length)) return;
+  if (length != 0 && !medium_->send(frame, length)) return;
   if (length != 0 && entries_[0].twice) {
     entries_[0].twice = false;
   } else {
@@ -65,28 +65,28 @@ void Acknowledger::run() {
 }
 
 void Acknowledger::noteBusyAir() {
-  if (medium_.hearsCarrier() && !deferred_) {
+  if (medium_->hearsCarrier() && !deferred_) {
     deferred_ = true;
-    state_.count(Counter::RADIO_DEFERRED);
+    state_->count(Counter::RADIO_DEFERRED);
   }
-  const bool isBusy = medium_.hearsCarrier() || medium_.isSending();
+  const bool isBusy = medium_->hearsCarrier() || medium_->isSending();
   if (isBusy && slots_ == FRESH_SLOTS) {
-    slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_.random.next(FURTHER_SLOTS_MASK));
+    slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_->random.next(FURTHER_SLOTS_MASK));
   }
 }
 
 // Returns 0 where the key can no longer be read.
 uint8_t Acknowledger::build(const Entry &entry, uint8_t *frame) const {
   DerivedKeys keys;
-  if (!state_.keys.load(entry.slot, keys)) return 0;
+  if (!state_->keys.load(entry.slot, keys)) return 0;
   const uint8_t bodyLength = Proof::bodyLength(entry.type);
   const uint8_t messageLength = static_cast<uint8_t>(bodyLength + PROOF_LENGTH);
   uint8_t *body = frame + HEADER_LENGTH;
   const uint16_t bits = static_cast<uint16_t>((entry.nonce[4] << 8 | entry.nonce[5]) & 0xFFF);
-  Frame::writeHeader(frame, Address::acknowledgement(bits), state_.id.address(), messageLength);
+  Frame::writeHeader(frame, Address::acknowledgement(bits), state_->id.address(), messageLength);
   writeBody(entry, body);
-  const Proof::Claim claim = {entry.type,          entry.nonce, entry.sender,
-                              state_.id.address(), body,        asking_.has(entry.slot)};
+  const Proof::Claim claim = {entry.type,           entry.nonce, entry.sender,
+                              state_->id.address(), body,        asking_.has(entry.slot)};
   Proof(keys).make(claim, body + bodyLength);
   return static_cast<uint8_t>(HEADER_LENGTH + messageLength);
 }
@@ -96,7 +96,7 @@ void Acknowledger::writeBody(const Entry &entry, uint8_t *body) const {
   if (entry.type != Proof::STALE) return;
   const uint32_t uptime = clock::millis() / MILLIS_A_UNIT;
   const uint16_t told = uptime > UINT16_MAX ? UINT16_MAX : static_cast<uint16_t>(uptime);
-  state_.replays.floor(entry.slot, entry.sender, body);
+  state_->replays.floor(entry.slot, entry.sender, body);
   body[NONCE_LENGTH] = static_cast<uint8_t>(told >> 8);
   body[NONCE_LENGTH + 1] = static_cast<uint8_t>(told);
 }

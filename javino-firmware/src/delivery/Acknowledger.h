@@ -11,6 +11,7 @@
 #include "KeyFlags.h"
 #include "MediumAccess.h"
 #include "../support/Zeroed.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -56,7 +57,7 @@ class Acknowledger {
   void answerTwice();
 
   /// To be called when keys were deleted: what was to be proved with them is dropped.
-  JAVINO_NOINLINE void keysChanged();
+  void keysChanged();
 
   /// Sends what waits, as soon as the air has been quiet for one slot; if it had to wait for the air, for a random number
   /// of slots, since others wait for the end of the same packet.
@@ -78,11 +79,11 @@ class Acknowledger {
   JAVINO_NOINLINE void add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have);
   JAVINO_NOINLINE void remove(uint8_t index);
   void noteBusyAir();
-  JAVINO_NOINLINE uint8_t build(const Entry &entry, uint8_t *frame) const;
+  uint8_t build(const Entry &entry, uint8_t *frame) const;
   void writeBody(const Entry &entry, uint8_t *body) const;
 
-  MediumAccess &medium_;
-  BoardState &state_;
+  Part<MediumAccess> medium_;
+  Part<BoardState> state_;
   uint8_t count_ JAVINO_ZEROED;
   uint8_t slots_;                // of quiet air that the first one waits for
   bool deferred_ JAVINO_ZEROED;  // it has been counted as deferred

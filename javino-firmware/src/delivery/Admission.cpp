@@ -6,13 +6,13 @@ namespace javinolib {
 
 bool Admission::isForUs(const Frame &frame) {
   const Address &to = frame.destination;
-  const Address &own = state_.id.address();
+  const Address &own = state_->id.address();
   switch (to.classOf()) {
     case Address::DEVICE:
       if (to != own) return drop(Counter::RADIO_NOT_FOR_US);
       break;
     case Address::MULTICAST:
-      if (!state_.id.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
+      if (!state_->id.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
       break;
     case Address::BROADCAST: break;
     default: return drop(Counter::RADIO_RESERVED);
@@ -21,7 +21,7 @@ bool Admission::isForUs(const Frame &frame) {
 }
 
 bool Admission::drop(Counter why) {
-  state_.count(why);
+  state_->count(why);
   return false;
 }
 
@@ -32,11 +32,11 @@ bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint
 
 bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun) {
   if (broadcasts_.isRepeat(frame.origin, bytes, length, begun, clock::millis())) {
-    state_.count(Counter::RADIO_REPEATS);
+    state_->count(Counter::RADIO_REPEATS);
     return true;
   }
-  if (!inbox_.fits(frame.length)) return drop(Counter::RADIO_QUEUE_FULL);
-  inbox_.addPlain(frame);
+  if (!inbox_->fits(frame.length)) return drop(Counter::RADIO_QUEUE_FULL);
+  inbox_->addPlain(frame);
   return true;
 }
 
@@ -46,7 +46,7 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length
   for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     DerivedKeys keys;
     const uint8_t slot = slotOf(frame, other != 0);
-    if (!state_.keys.load(slot, keys)) continue;
+    if (!state_->keys.load(slot, keys)) continue;
     hasKey = true;
     const Envelope envelope(keys);
     if (envelope.isAuthentic(bytes, length)) return acceptUnder(slot, envelope, frame, bytes, length);
@@ -56,7 +56,7 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length
 
 // Counts a frame that cannot be opened, and has the host told of it.
 bool Admission::dropWithoutKey(const Frame &frame) {
-  inbox_.noKeys().add(frame);
+  inbox_->noKeys().add(frame);
   return drop(Counter::RADIO_NO_KEY);
 }
 
@@ -64,32 +64,32 @@ bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t len
   if (frame.destination.isBroadcast()) return true;
   for (uint8_t previous = 0; previous < KeyStore::KEYS_OF_ADDRESS; previous++) {
     DerivedKeys keys;
-    if (state_.keys.load(slotOf(frame, previous != 0), keys) && Envelope(keys).isAuthentic(bytes, length)) return true;
+    if (state_->keys.load(slotOf(frame, previous != 0), keys) && Envelope(keys).isAuthentic(bytes, length)) return true;
   }
   return false;
 }
 
 uint8_t Admission::slotOf(const Frame &frame, bool other) const {
   const Address &with = frame.destination.isMulticast() ? frame.destination : frame.origin;
-  return other ? state_.keys.other(with) : state_.keys.current(with);
+  return other ? state_->keys.other(with) : state_->keys.current(with);
 }
 
 bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
                             uint16_t length) {
-  acknowledger_.heard(slot);
+  acknowledger_->heard(slot);
   const uint8_t *nonce = bytes + Envelope::NONCE_AT;
-  const ReplayMemory::Verdict verdict = state_.replays.judge(slot, frame.origin, nonce);
+  const ReplayMemory::Verdict verdict = state_->replays.judge(slot, frame.origin, nonce);
   if (verdict != ReplayMemory::NEWER) return refuse(verdict, slot, frame, nonce);
-  switch (inbox_.waiting(slot, frame.origin, nonce)) {
-    case Inbox::THIS: state_.count(Counter::RADIO_REPEATS); return true;
+  switch (inbox_->waiting(slot, frame.origin, nonce)) {
+    case Inbox::THIS: state_->count(Counter::RADIO_REPEATS); return true;
     case Inbox::LATER: return drop(Counter::RADIO_REPLAYED);
     case Inbox::NOTHING: break;
   }
-  if (!inbox_.fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
-  if (!state_.replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
-  state_.keys.used(slot);
+  if (!inbox_->fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
+  if (!state_->replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
+  state_->keys.used(slot);
   const uint16_t content = envelope.open(bytes, length);
-  inbox_.addSealed(slot, frame, nonce, bytes + Envelope::CONTENT_AT, content);
+  inbox_->addSealed(slot, frame, nonce, bytes + Envelope::CONTENT_AT, content);
   return true;
 }
 
@@ -97,10 +97,10 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
 bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce) {
   switch (verdict) {
     case ReplayMemory::REPEATED:
-      state_.count(Counter::RADIO_REPEATS);
-      if (frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
+      state_->count(Counter::RADIO_REPEATS);
+      if (frame.destination.isDevice()) acknowledger_->delivered(slot, frame.origin, nonce);
       return true;
-    case ReplayMemory::STALE: acknowledger_.stale(slot, frame.origin, nonce); return drop(Counter::RADIO_STALE);
+    case ReplayMemory::STALE: acknowledger_->stale(slot, frame.origin, nonce); return drop(Counter::RADIO_STALE);
     case ReplayMemory::FULL: return drop(Counter::RADIO_REPLAY_FULL);
     case ReplayMemory::DAMAGED: return drop(Counter::MEMORY_DAMAGED);
     default: return drop(Counter::RADIO_REPLAYED);
@@ -113,11 +113,11 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
     const uint8_t slot = slotOf(frame, other != 0);
     if (slot == KeyStore::NO_SLOT) continue;
     hasKey = true;
-    const bool taken = state_.replays.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
-    if (!taken && inbox_.waiting(slot, frame.origin, nonce) != Inbox::THIS) continue;
+    const bool taken = state_->replays.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
+    if (!taken && inbox_->waiting(slot, frame.origin, nonce) != Inbox::THIS) continue;
     if (taken && wantsAnswer && frame.destination.isDevice()) {
-      acknowledger_.heard(slot);
-      acknowledger_.delivered(slot, frame.origin, nonce);
+      acknowledger_->heard(slot);
+      acknowledger_->delivered(slot, frame.origin, nonce);
     }
     return drop(Counter::RADIO_REPEATS);
   }
@@ -128,8 +128,8 @@ void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t ha
   for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     const uint8_t slot = slotOf(frame, other != 0);
     if (slot == KeyStore::NO_SLOT) continue;
-    acknowledger_.heard(slot);
-    acknowledger_.pieces(slot, frame.origin, nonce, have);
+    acknowledger_->heard(slot);
+    acknowledger_->pieces(slot, frame.origin, nonce, have);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "Acknowledger.h"
 #include "BroadcastMemory.h"
 #include "Inbox.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -21,22 +22,22 @@ class Admission {
 
   /// Counts what is not taken in.
   /// @return false
-  JAVINO_OUT_OF_LINE bool drop(Counter why);
+  bool drop(Counter why);
 
   /// Whether the frame is one of our own, or of another board with our address.
-  bool isOwn(const Frame &frame) const { return frame.origin == state_.id.address(); }
+  bool isOwn(const Frame &frame) const { return frame.origin == state_->id.address(); }
 
   /// Whether this is our own address.
-  bool isFor(const Address &address) const { return address == state_.id.address(); }
+  bool isFor(const Address &address) const { return address == state_->id.address(); }
 
   /// Whether a board of our address accepts the frame; where not, it is counted.
-  JAVINO_NOINLINE bool isForUs(const Frame &frame);
+  bool isForUs(const Frame &frame);
 
   /// Takes in a frame that is for us.
   /// @param bytes all of it; a sealed one is opened there
   /// @param begun when its first packet began, in ms
   /// @return whether it is of no use if it comes again: it is in the inbox, or was before
-  JAVINO_NOINLINE bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun);
+  bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun);
 
   /// Whether a whole frame that is for us comes from where it says: of a broadcast nobody can tell.
   bool isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const;
@@ -54,15 +55,14 @@ class Admission {
  private:
   uint8_t slotOf(const Frame &frame, bool other) const;
   bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun);
-  bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
-  JAVINO_NOINLINE bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
-                                   uint16_t length);
+  JAVINO_NOINLINE bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
+  bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, uint16_t length);
   bool dropWithoutKey(const Frame &frame);
   bool refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce);
 
-  BoardState &state_;
-  Inbox &inbox_;
-  Acknowledger &acknowledger_;
+  Part<BoardState> state_;
+  Part<Inbox> inbox_;
+  Part<Acknowledger> acknowledger_;
   BroadcastMemory broadcasts_;
 };
 

@@ -17,18 +17,19 @@ uint8_t *ByteQueue::append(uint16_t length) {
 }
 
 void ByteQueue::remove(uint8_t *bytes) {
-  const uint16_t at = static_cast<uint16_t>(bytes - block_ - HEAD_LENGTH);
-  const uint16_t taken = static_cast<uint16_t>(HEAD_LENGTH + recordAt(at).length);
-  used_ = static_cast<uint16_t>(used_ - taken);
-  memmove(block_ + at, block_ + at + taken, used_ - at);
+  uint8_t *const head = bytes - HEAD_LENGTH;
+  const uint8_t *const behind = bytes + recordAt(head).length;
+  const uint8_t *const end = block_ + used_;
+  memmove(head, behind, static_cast<uint16_t>(end - behind));
+  used_ = static_cast<uint16_t>(used_ - (behind - head));
   count_--;
 }
 
-ByteQueue::Record ByteQueue::recordAt(uint16_t at) const {
+ByteQueue::Record ByteQueue::recordAt(uint8_t *head) const {
   Record record = {nullptr, 0};
-  if (at == used_) return record;
-  record.bytes = block_ + at + HEAD_LENGTH;
-  record.length = static_cast<uint16_t>(block_[at] << 8 | block_[at + 1]);
+  if (head == block_ + used_) return record;
+  record.bytes = head + HEAD_LENGTH;
+  record.length = static_cast<uint16_t>(head[0] << 8 | head[1]);
   return record;
 }
 

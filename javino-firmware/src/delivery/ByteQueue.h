@@ -28,18 +28,18 @@ class ByteQueue {
   uint8_t count() const { return count_; }
 
   /// Whether a record of this length can be appended.
-  bool fits(uint16_t length) const { return count_ < MAX_RECORDS && length + HEAD_LENGTH <= size_ - used_; }
+  JAVINO_NOINLINE bool fits(uint16_t length) const {
+    return count_ < MAX_RECORDS && length + HEAD_LENGTH <= size_ - used_;
+  }
 
   /// Appends a record, to be filled by the caller. Only while it fits.
   JAVINO_NOINLINE uint8_t *append(uint16_t length);
 
   /// The oldest record.
-  Record first() const { return recordAt(0); }
+  Record first() const { return recordAt(block_); }
 
   /// The record that came after this one.
-  Record after(const Record &record) const {
-    return recordAt(static_cast<uint16_t>(record.bytes - block_ + record.length));
-  }
+  Record after(Record record) const { return recordAt(record.bytes + record.length); }
 
   /// Removes a record. Those after it move.
   /// @param bytes where it begins
@@ -48,7 +48,7 @@ class ByteQueue {
  private:
   static const uint8_t HEAD_LENGTH = 2;
 
-  JAVINO_NOINLINE Record recordAt(uint16_t at) const;
+  JAVINO_NOINLINE Record recordAt(uint8_t *head) const;
 
   uint8_t *const block_;
   const uint16_t size_;

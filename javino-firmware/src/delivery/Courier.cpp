@@ -37,24 +37,24 @@ bool Courier::isUnderWay(uint8_t slot) const {
 }
 
 void Courier::run() {
-  backoff_.listen(medium_.quietSlots());
+  backoff_.listen(medium_->quietSlots());
   if (current().phase <= READY && outbox_.count() != 0) nextTurn();
   switch (current().phase) {
     case IDLE:
     case READY: break;
     case CONTENDING:
       noteCarrier();
-      if (backoff_.isOver(medium_.quietSlots())) send();
+      if (backoff_.isOver(medium_->quietSlots())) send();
       break;
     case PAUSING:
       noteCarrier();
-      if (medium_.quietSlots() != 0) send();
+      if (medium_->quietSlots() != 0) send();
       break;
     case ON_AIR:
-      if (!medium_.isSending()) packetSent();
+      if (!medium_->isSending()) packetSent();
       break;
     case AWAITING:
-      patience_ = static_cast<uint8_t>(patience_ > medium_.quietMillis() ? patience_ - medium_.quietMillis() : 0);
+      patience_ = static_cast<uint8_t>(patience_ > medium_->quietMillis() ? patience_ - medium_->quietMillis() : 0);
       if (patience_ != 0) break;
       patience_ = PATIENCE_MILLIS;
       if (rounds_-- == 0) attemptFailed();
@@ -76,11 +76,24 @@ void Courier::nextTurn() {
       turn_ = static_cast<uint8_t>(turn_ + 1 < config::PARTNERS ? turn_ + 1 : 1);
       exchange(turn_);
     }
-    if (current().phase == READY || takeUp()) {
+    if (mayContend() || takeUp()) {
       contend();
       return;
     }
   }
+}
+
+// Whether the message waits for its turn. One that was stale is sealed anew only here: where that is said, the stack has no room.
+bool Courier::mayContend() {
+  Message &message = current();
+  if (message.phase != READY || !message.stale) return message.phase == READY;
+  message.stale = false;
+  if (seal(true)) {
+    restart();
+    return true;
+  }
+  finish(Outcome::UNDELIVERED);
+  return false;
 }
 
 // Takes up a message whose destination has none under way: rather one to a device that had none lately, as those may be
@@ -105,6 +118,7 @@ bool Courier::takeUp() {
   message.destination = frame.destination;
   message.sender = frame.origin;
   message.slot = KeyStore::NO_SLOT;
+  message.stale = false;
   message.resealed = false;
   if (frame.destination.isBroadcast() || seal(false)) {
     restart();
@@ -129,13 +143,13 @@ Courier::Turn Courier::turnOf(const Address &destination) const {
 bool Courier::seal(bool again) {
   Message &message = current();
   DerivedKeys keys;
-  if (!again) message.slot = state_.keys.current(message.destination);
-  if (!state_.keys.load(message.slot, keys) || state_.nonces.status() != Status::OK) return false;
+  if (!again) message.slot = state_->keys.current(message.destination);
+  if (!state_->keys.load(message.slot, keys) || state_->nonces.status() != Status::OK) return false;
   const ByteQueue::Record record = outbox_.find(message.number);
   const Envelope envelope(keys);
   if (again) envelope.open(record.bytes, record.length);
-  state_.nonces.take(message.nonce);
-  state_.keys.used(message.slot);
+  state_->nonces.take(message.nonce);
+  state_->keys.used(message.slot);
   const Frame plain = {message.destination, message.sender, record.bytes + Envelope::CONTENT_AT,
                        static_cast<uint16_t>(record.length - Envelope::MIN_FRAME_LENGTH)};
   envelope.seal(plain, message.nonce, record.bytes);
@@ -146,7 +160,7 @@ bool Courier::seal(bool again) {
 ByteQueue::Record Courier::frame() const {
   const Message &message = current();
   ByteQueue::Record record = outbox_.find(message.number);
-  if (config::OVERHEARD_BYTES != 0 && message.sender.isSerial()) {
+  if (config::LARGE && message.sender.isSerial()) {
     record.bytes += HEADER_LENGTH;
     record.length = static_cast<uint16_t>(record.length - HEADER_LENGTH);
   }
@@ -156,7 +170,7 @@ ByteQueue::Record Courier::frame() const {
 // Prepares the first attempt of a frame that nobody has seen yet.
 void Courier::restart() {
   Message &message = current();
-  message.count = pieces::count(frame().length, medium_.pieceLength());
+  message.count = pieces::count(frame().length, medium_->pieceLength());
   if (message.count > 1) {
     message.id = nextId_;
     nextId_ = static_cast<uint8_t>((nextId_ + 1) % IDS);
@@ -170,7 +184,7 @@ void Courier::restart() {
 }
 
 void Courier::contend() {
-  backoff_.begin(current().attempt, medium_.quietSlots(), state_.random);
+  backoff_.begin(current().attempt, medium_->quietSlots(), state_->random);
   current().phase = CONTENDING;
   deferred_ = false;
 }
@@ -179,23 +193,23 @@ void Courier::contend() {
 // others such a packet tells that we do.
 Trailer Courier::trailer() const {
   const Message &message = current();
-  if (!config::PARITY || !isUnicast()) return Trailer::NONE;
+  if (!config::LARGE || !isUnicast()) return Trailer::NONE;
   const bool again = (message.sent & onAir_) != 0;
   if (parity_.has(message.slot) || (again && understands_.has(message.slot))) return Trailer::PARITY;
   return again ? Trailer::MARK : Trailer::NONE;
 }
 
 void Courier::noteParity(const Proof::Claim &claim) {
-  if (!config::PARITY || claim.type == Proof::STALE) return;
+  if (!config::LARGE || claim.type == Proof::STALE) return;
   parity_.set(current().slot, claim.asksParity);
   if (claim.asksParity) understands_.set(current().slot, true);
 }
 
 // Counts each packet that waits for another's carrier to end, once.
 void Courier::noteCarrier() {
-  if (deferred_ || !medium_.hearsCarrier()) return;
+  if (deferred_ || !medium_->hearsCarrier()) return;
   deferred_ = true;
-  state_.count(Counter::RADIO_DEFERRED);
+  state_->count(Counter::RADIO_DEFERRED);
 }
 
 void Courier::send() {
@@ -209,14 +223,14 @@ void Courier::send() {
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
   const bool taken =
       message.count == 1
-          ? medium_.send(record.bytes, static_cast<uint8_t>(record.length), trailer)
-          : medium_.send(piece,
-                         pieces::cut(record.bytes, record.length, message.id, digit, medium_.pieceLength(), piece),
-                         trailer);
+          ? medium_->send(record.bytes, static_cast<uint8_t>(record.length), trailer)
+          : medium_->send(piece,
+                          pieces::cut(record.bytes, record.length, message.id, digit, medium_->pieceLength(), piece),
+                          trailer);
   if (!taken) return;
   message.trailed = message.trailed || trailer != Trailer::NONE;
   if (message.sent == 0) message.sentAt = clock::millis();
-  if ((message.sent & onAir_) != 0) state_.count(Counter::RADIO_RESENT);
+  if ((message.sent & onAir_) != 0) state_->count(Counter::RADIO_RESENT);
   message.sent |= onAir_;
   deferred_ = false;
   message.phase = ON_AIR;
@@ -262,7 +276,7 @@ void Courier::finish(Outcome outcome) {
   Message &message = current();
   if (outcome != Outcome::SENT) message.slot = KeyStore::NO_SLOT;
   if (isUnicast()) {
-    state_.count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
+    state_->count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
   }
   outbox_.close(message.number, outcome);
   message.phase = IDLE;
@@ -270,10 +284,10 @@ void Courier::finish(Outcome outcome) {
 
 void Courier::keysChanged() {
   for (Message &message : messages_) {
-    if (message.slot != KeyStore::NO_SLOT && state_.keys.isFree(message.slot)) message.slot = KeyStore::NO_SLOT;
+    if (message.slot != KeyStore::NO_SLOT && state_->keys.isFree(message.slot)) message.slot = KeyStore::NO_SLOT;
   }
-  for (uint8_t slot = 0; config::PARITY && slot < KeyStore::PLACES; slot++) {
-    if (!state_.keys.isFree(slot)) continue;
+  for (uint8_t slot = 0; config::LARGE && slot < KeyStore::PLACES; slot++) {
+    if (!state_->keys.isFree(slot)) continue;
     parity_.set(slot, false);
     understands_.set(slot, false);
   }
@@ -292,7 +306,7 @@ bool Courier::acknowledged(const Frame &frame) {
     }
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
-  if (concerned && !accepted) state_.count(Counter::RADIO_BAD_PROOFS);
+  if (concerned && !accepted) state_->count(Counter::RADIO_BAD_PROOFS);
   return concerned;
 }
 
@@ -332,7 +346,7 @@ void Courier::acknowledged(const RadioPacket &lost) {
     }
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
-  if (borne) state_.count(Counter::RADIO_ANSWERS_TOLERATED);
+  if (borne) state_->count(Counter::RADIO_ANSWERS_TOLERATED);
 }
 
 // An attempt that waits for the air is none yet.
@@ -389,7 +403,7 @@ bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
 
 bool Courier::isBorne(const Proof::Claim &claim, const RadioPacket &lost) const {
   DerivedKeys keys;
-  if (!state_.keys.load(current().slot, keys)) return false;
+  if (!state_->keys.load(current().slot, keys)) return false;
   uint8_t proof[PROOF_LENGTH];
   Proof(keys).make(claim, proof);
   const uint8_t at = static_cast<uint8_t>(BODY_AT + 2 * Proof::bodyLength(claim.type));
@@ -399,7 +413,7 @@ bool Courier::isBorne(const Proof::Claim &claim, const RadioPacket &lost) const 
 // Apart from what follows, which may seal the message anew: the stack has no room for the keys of both.
 bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
   DerivedKeys keys;
-  return state_.keys.load(current().slot, keys) && Proof(keys).isRight(claim, proof);
+  return state_->keys.load(current().slot, keys) && Proof(keys).isRight(claim, proof);
 }
 
 // Returns false where what was said, though proved, cannot be.
@@ -436,11 +450,11 @@ bool Courier::onPieces(uint8_t have) {
 
 bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
   Message &message = current();
-  if (!state_.nonces.raiseAbove(floor, message.nonce)) return false;
-  if (!isUnicast()) return true;
-  if (!message.resealed && cannotHaveHadIt(uptime) && seal(true)) {
+  if (!state_->nonces.raiseAbove(floor, message.nonce)) return false;
+  if (!isUnicast() || message.stale) return true;
+  if (!message.resealed && cannotHaveHadIt(uptime)) {
+    message.stale = true;
     message.resealed = true;
-    restart();
     message.phase = READY;
   } else {
     finish(Outcome::UNDELIVERED);

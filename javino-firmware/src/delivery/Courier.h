@@ -13,6 +13,7 @@
 #include "MediumAccess.h"
 #include "Outbox.h"
 #include "../support/Zeroed.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -26,7 +27,7 @@ class Courier {
   Courier(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state) {}
 
   /// To be called once, after a boot, when the random numbers are seeded.
-  void begin() { nextId_ = static_cast<uint8_t>(state_.random.next(0x3F)); }
+  void begin() { nextId_ = static_cast<uint8_t>(state_->random.next(0x3F)); }
 
   Outbox &outbox() { return outbox_; }
 
@@ -38,7 +39,7 @@ class Courier {
 
   /// Takes in a frame to an acknowledgement's address.
   /// @return false where it is not about what is under way
-  JAVINO_NOINLINE bool acknowledged(const Frame &frame);
+  bool acknowledged(const Frame &frame);
 
   /// Looks at a unicast from the air: if it is what has its turn, a relay has copied that.
   void copied(const uint8_t *packet, uint8_t length);
@@ -71,7 +72,8 @@ class Courier {
     uint8_t pending;  // pieces that this attempt still has to send
     uint8_t sent;     // pieces that have been sent at least once; 0: nothing was ever sent from this place
     uint8_t arrived;  // pieces that the receiver has ever had
-    bool resealed;
+    bool stale;       // to be sealed anew before its next attempt
+    bool resealed;    // or was
     bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
     uint8_t guesses;  // damaged answers that were not the expected one
     uint32_t sentAt;  // when it was first sent, in ms
@@ -90,6 +92,7 @@ class Courier {
   bool takeUp();
   Turn turnOf(const Address &destination) const;
   JAVINO_NOINLINE bool seal(bool again);
+  bool mayContend();
   void restart();
   JAVINO_NOINLINE void contend();
   void noteCarrier();
@@ -113,8 +116,8 @@ class Courier {
   bool onStale(const uint8_t *floor, uint16_t uptime);
   bool cannotHaveHadIt(uint16_t uptime) const;
 
-  MediumAccess &medium_;
-  BoardState &state_;
+  Part<MediumAccess> medium_;
+  Part<BoardState> state_;
 
   // Of the message that has its turn.
   Backoff backoff_;

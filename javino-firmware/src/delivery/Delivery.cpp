@@ -8,10 +8,10 @@ static EepromRecord relaying() { return EepromRecord(RELAYING_AT, RELAYING_LENGT
 
 bool Delivery::begin() {
   seed();
-  courier_.begin();
+  courier_->begin();
   uint8_t number[RELAYING_LENGTH];
-  if (config::RELAY && relaying().begin(number, 0) && medium_.canRelay()) beginToRelay(number);
-  return medium_.begin();
+  if (config::LARGE && relaying().begin(number, 0) && medium_->canRelay()) beginToRelay(number);
+  return medium_->begin();
 }
 
 bool Delivery::relay(const uint8_t *number) {
@@ -28,25 +28,25 @@ bool Delivery::relay(const uint8_t *number) {
 
 // Two relays with the same random numbers would send at the same time, again and again.
 void Delivery::beginToRelay(const uint8_t *number) {
-  if (!state_.id.isSet()) {
-    state_.random.seed(static_cast<uint16_t>(number[0] << 8 | number[1]), state_.epoch.value());
+  if (!state_->id.isSet()) {
+    state_->random.seed(static_cast<uint16_t>(number[0] << 8 | number[1]), state_->epoch.value());
   }
   receiver_.relay(true);
 }
 
 // What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.
 void Delivery::run() {
-  medium_.update();
+  medium_->update();
   receiver_.run();
-  acknowledger_.run();
+  acknowledger_->run();
   receiver_.forwarding().run();
-  courier_.run();
+  courier_->run();
 }
 
 void Delivery::keysChanged() {
-  inbox_.keysChanged(state_.keys);
-  acknowledger_.keysChanged();
-  courier_.keysChanged();
+  inbox_->keysChanged(state_->keys);
+  acknowledger_->keysChanged();
+  courier_->keysChanged();
 }
 
 }  // namespace javinolib

@@ -14,6 +14,7 @@
 #include "Inbox.h"
 #include "Pieces.h"
 #include "Receiver.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -38,16 +39,16 @@ class Delivery {
   /// @return false where it does not start
   bool begin();
 
-  JAVINO_NOINLINE void run();
+  void run();
 
   /// Whether the radio holds nothing for run(). Safe to call with interrupts off.
-  bool isIdle() const { return medium_.isIdle(); }
+  bool isIdle() const { return medium_->isIdle(); }
 
   /// Copies the radio's counters.
-  void radioCounters(RadioCounters &into) const { medium_.counters(into); }
+  void radioCounters(RadioCounters &into) const { medium_->counters(into); }
 
   /// To be called when the RF id has changed: random numbers begin from it.
-  void seed() { state_.random.seed(state_.id.address().value(), state_.epoch.value()); }
+  void seed() { state_->random.seed(state_->id.address().value(), state_->epoch.value()); }
 
   /// To be called when keys may have been deleted.
   void keysChanged();
@@ -56,18 +57,18 @@ class Delivery {
   void open(bool open) { receiver_.open(open); }
 
   /// Whether a message is under way that is sealed with the key in this place.
-  bool isUnderWay(uint8_t slot) const { return courier_.isUnderWay(slot); }
+  bool isUnderWay(uint8_t slot) const { return courier_->isUnderWay(slot); }
 
   /// Whether a frame of this length fits the radio's packets.
   bool carries(uint16_t frameLength) const {
-    return pieces::count(frameLength, medium_.pieceLength()) <= MAX_FRAGMENTS;
+    return pieces::count(frameLength, medium_->pieceLength()) <= MAX_FRAGMENTS;
   }
 
   /// The most bytes of a frame that travels in one packet, beside its header.
-  uint8_t pieceLength() const { return medium_.pieceLength(); }
+  uint8_t pieceLength() const { return medium_->pieceLength(); }
 
   /// Whether the board can be a relay.
-  bool canRelay() { return config::RELAY && medium_.canRelay(); }
+  bool canRelay() { return config::LARGE && medium_->canRelay(); }
 
   /// Makes the board a relay, or none, and stores that (SPEC 4.3, relaying).
   /// @param number RELAYING_LENGTH bytes, by which it waits differently from another relay without RF id; none to end it
@@ -76,20 +77,20 @@ class Delivery {
 
   bool relays() { return receiver_.forwarding().isOn(); }
 
-  Outbox &outbox() { return courier_.outbox(); }
+  Outbox &outbox() { return courier_->outbox(); }
   Inbox &inbox() { return inbox_; }
   Overheard &overheard() { return overheard_; }
 
  private:
   void beginToRelay(const uint8_t *number);
 
-  BoardState &state_;
-  MediumAccess medium_;
-  Acknowledger acknowledger_;
-  Inbox inbox_;
-  Admission admission_;
-  Courier courier_;
-  Overheard overheard_;
+  Part<BoardState> state_;
+  OwnPart<MediumAccess> medium_;
+  OwnPart<Acknowledger> acknowledger_;
+  OwnPart<Inbox> inbox_;
+  OwnPart<Admission> admission_;
+  OwnPart<Courier> courier_;
+  OwnPart<Overheard> overheard_;
   Receiver receiver_;
 };
 

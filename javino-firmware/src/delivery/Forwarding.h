@@ -148,7 +148,7 @@ class NoForwarding {
   void run() {}
 };
 
-#if JAVINO_RELAY
+#if JAVINO_LARGE
 typedef Forwarding BoardsForwarding;
 #else
 typedef NoForwarding BoardsForwarding;

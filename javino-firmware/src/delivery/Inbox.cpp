@@ -1,5 +1,7 @@
 #include "Inbox.h"
 
+#include "../secure/BoardState.h"
+
 #include <string.h>
 
 namespace javinolib {
@@ -51,8 +53,8 @@ void Inbox::settle(const uint8_t *record) {
   Address destination, origin;
   Address::parse(record + DESTINATION_AT, destination);
   Address::parse(record + ORIGIN_AT, origin);
-  replays_.remember(slot, origin, record + NONCE_AT);
-  if (destination.isDevice()) acknowledger_.delivered(slot, origin, record + NONCE_AT);
+  replays_->remember(slot, origin, record + NONCE_AT);
+  if (destination.isDevice()) acknowledger_->delivered(slot, origin, record + NONCE_AT);
 }
 
 void Inbox::keysChanged(const KeyStore &keys) {
@@ -62,7 +64,7 @@ void Inbox::keysChanged(const KeyStore &keys) {
   }
 }
 
-Inbox::Message Inbox::read(const ByteQueue::Record &record) {
+Inbox::Message Inbox::read(ByteQueue::Record record) {
   const Message message = {record.bytes + DESTINATION_AT, record.bytes + NONCE_AT, record.bytes + HEAD_LENGTH,
                            static_cast<uint16_t>(record.length - HEAD_LENGTH)};
   return message;

@@ -11,6 +11,7 @@
 #include "ByteQueue.h"
 #include "NoKeys.h"
 #include "../support/Zeroed.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -63,8 +64,8 @@ class Inbox {
 
   /// Goes through the messages: no bytes stand for the end.
   ByteQueue::Record first() const { return records_.first(); }
-  ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
-  static Message read(const ByteQueue::Record &record);
+  ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
+  static Message read(ByteQueue::Record record);
 
   /// The number of the first message: 0 for the first since the boot, …, 255, 0, …
   uint8_t firstNumber() const { return firstNumber_; }
@@ -80,10 +81,10 @@ class Inbox {
 
   JAVINO_NOINLINE void add(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content,
                            uint16_t length);
-  JAVINO_NOINLINE void settle(const uint8_t *record);
+  void settle(const uint8_t *record);
 
-  ReplayMemory &replays_;
-  Acknowledger &acknowledger_;
+  Part<ReplayMemory> replays_;
+  Part<Acknowledger> acknowledger_;
   ByteQueue records_;
   uint8_t firstNumber_ JAVINO_ZEROED;
   NoKeys noKeys_;

@@ -31,7 +31,7 @@ void MediumAccess::update() {
 }
 
 bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer) {
-#if JAVINO_PARITY
+#if JAVINO_LARGE
   radio_.follow(trailer);
 #else
   (void)trailer;

@@ -32,8 +32,8 @@ class Outbox {
 
   /// Goes through the frames, each with a byte more, its number: no bytes stand for the end.
   ByteQueue::Record first() const { return records_.first(); }
-  ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
-  static uint8_t numberOf(const ByteQueue::Record &record) { return record.bytes[record.length - 1]; }
+  ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
+  static uint8_t numberOf(ByteQueue::Record record) { return record.bytes[record.length - 1]; }
 
   /// Whether a message to this address waits or is under way.
   bool hasFor(const Address &destination) const;

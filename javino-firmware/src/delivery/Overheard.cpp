@@ -1,6 +1,6 @@
 #include "Overheard.h"
 
-#if JAVINO_OVERHEARD_BYTES
+#if JAVINO_LARGE
 
 #include <string.h>
 

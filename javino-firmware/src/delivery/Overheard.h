@@ -11,7 +11,7 @@
 
 namespace javinolib {
 
-#if JAVINO_OVERHEARD_BYTES
+#if JAVINO_LARGE
 
 /// What the board has heard on the air, whoever it is for, until the host has had it (SPEC 4.3, overhear). No key is needed
 /// for it, and none is used. It is off at first.
@@ -37,7 +37,7 @@ class Overheard {
 
   /// Goes through those that are to be told: no bytes stand for the end. Each record is a value as SPEC 4.3 has it.
   ByteQueue::Record firstUntold() const;
-  ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
+  ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
 
   /// One more is told now.
   void tell() { told_++; }
@@ -74,7 +74,7 @@ class Overheard {
   void add(const RadioPacket &) {}
   bool areUntold() const { return false; }
   ByteQueue::Record firstUntold() const { return {nullptr, 0}; }
-  ByteQueue::Record after(const ByteQueue::Record &record) const { return record; }
+  ByteQueue::Record after(ByteQueue::Record record) const { return record; }
   void tell() {}
   void forgetTold() {}
   void keepTold() {}

@@ -17,13 +17,13 @@ bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun, 
   const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
   Frame whole;
   if (index >= INDEXES || piece.length == 0 || (at == 0 && !startsFrame(piece, longest, whole))) {
-    return admission_.drop(Counter::RADIO_FRAGMENTS_DROPPED);
+    return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
   if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return false;
-  if (isDoubtful && !isSealed(piece, id, at)) return admission_.drop(Counter::RADIO_DOUBTFUL);
+  if (isDoubtful && !isSealed(piece, id, at)) return admission_->drop(Counter::RADIO_DOUBTFUL);
   PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, begun);
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
-    return admission_.drop(Counter::RADIO_FRAGMENTS_DROPPED);
+    return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
   finish(*partial, now);
   if (wantsAnswer && partial->hasFirst()) answer(admission_, *partial);
@@ -55,7 +55,7 @@ bool PieceReceiver::startsFrame(const Frame &piece, uint8_t longest, Frame &whol
 bool PieceReceiver::isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now) {
   const bool broadcast = whole.destination.isBroadcast();
   if (broadcast && ignored_.covers(piece.origin, id, now)) return false;
-  if (admission_.isForUs(whole) && (broadcast || admission_.needsMore(whole, whole.message, wantsAnswer))) {
+  if (admission_->isForUs(whole) && (broadcast || admission_->needsMore(whole, whole.message, wantsAnswer))) {
     ignored_.remove(piece.origin, id);
     return true;
   }
@@ -72,7 +72,7 @@ PartialFrame *PieceReceiver::placeFor(const Address &origin, uint8_t id, uint8_t
   if (partial != nullptr) return partial;
   bool expired = false;
   partial = reassembly_.begin(origin, id, longest, isFirst, expired);
-  if (expired) admission_.drop(Counter::RADIO_EXPIRED);
+  if (expired) admission_->drop(Counter::RADIO_EXPIRED);
   if (partial != nullptr) partial->begun = begun;
   return partial;
 }
@@ -86,10 +86,10 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
     if (isOther && partial.isWhole()) {
       wasWhole = wasWhole || turn == 0;
       Frame::parseHeader(partial.bytes(), whole);
-      if (admission_.isGenuine(whole, partial.bytes(), partial.length())) {
+      if (admission_->isGenuine(whole, partial.bytes(), partial.length())) {
         const uint16_t length = partial.length();
         partial.clear();
-        if (admission_.accept(whole, partial.bytes(), length, partial.begun))
+        if (admission_->accept(whole, partial.bytes(), length, partial.begun))
           ignored_.add(partial.origin, partial.id, now);
         return;
       }
@@ -97,7 +97,7 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
     isOther = partial.choose(turn);
   }
   if (!wasWhole) return;
-  admission_.drop(Counter::RADIO_BAD_TAG);
+  admission_->drop(Counter::RADIO_BAD_TAG);
   partial.refuse();
 }
 
@@ -109,7 +109,7 @@ void PieceReceiver::answer(Admission &admission, const PartialFrame &partial) {
 
 void PieceReceiver::run() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
-  for (uint8_t left = reassembly_.expire(now); left != 0; left--) admission_.drop(Counter::RADIO_EXPIRED);
+  for (uint8_t left = reassembly_.expire(now); left != 0; left--) admission_->drop(Counter::RADIO_EXPIRED);
   ignored_.expire(now);
 }
 

@@ -7,6 +7,7 @@
 #include "Admission.h"
 #include "IgnoredMessages.h"
 #include "Reassembly.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -40,7 +41,7 @@ class PieceReceiver {
   JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
   static void answer(Admission &admission, const PartialFrame &partial);
 
-  Admission &admission_;
+  Part<Admission> admission_;
   IgnoredMessages ignored_;
   Reassembly reassembly_;
 };
@@ -50,14 +51,14 @@ class NoPieceReceiver {
  public:
   explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}
 
-  bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_.drop(Counter::RADIO_FRAGMENTS_DROPPED); }
+  bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED); }
   void run() {}
   void clear() {}
   void *lend() { return nullptr; }
   void takeBack() {}
 
  private:
-  Admission &admission_;
+  Part<Admission> admission_;
 };
 
 /// Which of the two a board has. (Arduino's compiler brings no <type_traits>.)

@@ -31,7 +31,7 @@ uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest);
 
 /// The bit of a piece.
 /// @param index 0…7
-JAVINO_NOINLINE uint8_t bitOf(uint8_t index);
+uint8_t bitOf(uint8_t index);
 
 /// One bit for each of `count` pieces.
 JAVINO_NOINLINE uint8_t all(uint8_t count);

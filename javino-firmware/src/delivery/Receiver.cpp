@@ -6,49 +6,48 @@
 namespace javinolib {
 
 void Receiver::run() {
-  const Mender *const mender = medium_.mender();
+  const Mender *const mender = medium_->mender();
   uint8_t length;
-  while (uint8_t *packet = medium_.receive(length)) {
+  while (uint8_t *packet = medium_->receive(length)) {
     isDoubtful_ = mender && mender->isDoubtful();
-    acknowledger_.heard(KeyStore::NO_SLOT);
-    overheard_.add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, length);
+    acknowledger_->heard(KeyStore::NO_SLOT);
+    overheard_->add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, length);
     accept(packet, length, mender ? mender->hops() : 0);
-    if (config::PARITY && mender && mender->hasMended()) {
+    if (config::LARGE && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
-        acknowledger_.askForParity();
+        acknowledger_->askForParity();
       } else {
-        acknowledger_.answerTwice();
+        acknowledger_->answerTwice();
       }
     }
-    medium_.release();
+    medium_->release();
   }
   if (mender && mender->lost()) {
-    acknowledger_.heard(KeyStore::NO_SLOT);
-    overheard_.add(*mender->lost());
-    if (config::MENDING) courier_.acknowledged(*mender->lost());
-    medium_.release();
+    acknowledger_->heard(KeyStore::NO_SLOT);
+    overheard_->add(*mender->lost());
+    if (config::LARGE) courier_->acknowledged(*mender->lost());
+    medium_->release();
   }
   // The mark of an intact packet comes when that has been handled; it is another's if another waits.
-  if (config::PARITY && mender && medium_.isIdle() && mender->lastTrailer() == Trailer::MARK)
-    acknowledger_.askForParity();
+  if (config::LARGE && mender && medium_->isIdle() && mender->lastTrailer() == Trailer::MARK)
+    acknowledger_->askForParity();
   pieces_.run();
 }
 
 void Receiver::keep() {
-#if JAVINO_DAMAGED_COPIES
-  if (medium_.mender()) medium_.mender()->keep();
+#if JAVINO_LARGE
+  if (medium_->mender()) medium_->mender()->keep();
 #endif
 }
 
 void Receiver::forget() {
-#if JAVINO_DAMAGED_COPIES
-  if (medium_.mender()) medium_.mender()->forget();
+#if JAVINO_LARGE
+  if (medium_->mender()) medium_->mender()->forget();
 #endif
 }
 
-static_assert(
-    !config::RELAY || sizeof(BoardsForwarding::Memory) <= Reassembly::PLACE_LENGTH,
-    "JAVINO_RELAY: a relay's memory is that of one message in pieces: JAVINO_MAX_MESSAGE is too small for it");
+static_assert(!config::LARGE || sizeof(BoardsForwarding::Memory) <= Reassembly::PLACE_LENGTH,
+              "a relay's memory is that of one message in pieces");
 
 void Receiver::relay(bool on) {
   forwarding_.relay(on ? static_cast<BoardsForwarding::Memory *>(pieces_.lend()) : nullptr);
@@ -63,20 +62,20 @@ void Receiver::open(bool open) {
 void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
   Frame frame;
   if (Frame::parse(packet, length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
-    admission_.drop(Counter::RADIO_BAD_FRAMES);
+    admission_->drop(Counter::RADIO_BAD_FRAMES);
     return;
   }
-  if (config::RELAY && !admission_.isOwn(frame) && !admission_.isFor(frame.destination)) {
+  if (config::LARGE && !admission_->isOwn(frame) && !admission_->isFor(frame.destination)) {
     forwarding_.heard(frame, packet, length, hops);
   }
   const Address::Class to = frame.destination.classOf();
   if (to == Address::ACKNOWLEDGEMENT) {
-    if (!courier_.acknowledged(frame)) admission_.drop(Counter::RADIO_NOT_FOR_US);
+    if (!courier_->acknowledged(frame)) admission_->drop(Counter::RADIO_NOT_FOR_US);
     return;
   }
-  if (to == Address::DEVICE) courier_.copied(packet, length);
+  if (to == Address::DEVICE) courier_->copied(packet, length);
   if (!open_) {
-    admission_.drop(Counter::RADIO_BLOCKED);
+    admission_->drop(Counter::RADIO_BLOCKED);
   } else {
     accept(frame, packet, length);
   }
@@ -87,24 +86,24 @@ static bool isWord(const Frame &frame) { return frame.length != 0 && (frame.mess
 // Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said. No broadcast comes as a
 // relay's copy, and so no word does.
 bool Receiver::mayBeDoubtful(const Frame &frame) const {
-  return config::MENDING && medium_.mender()->hops() == 0 && isWord(frame);
+  return config::LARGE && medium_->mender()->hops() == 0 && isWord(frame);
 }
 
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
 // is right, if there is a doubt.
 void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
-  const uint32_t begun = clock::millis() - medium_.airtimeMillis(length);
+  const uint32_t begun = clock::millis() - medium_->airtimeMillis(length);
   if (frame.destination.classOf() == Address::PIECE) {
-    if (admission_.isOwn(frame)) {
-      admission_.drop(Counter::RADIO_OWN);
+    if (admission_->isOwn(frame)) {
+      admission_->drop(Counter::RADIO_OWN);
     } else {
-      if (pieces_.accept(frame, medium_.pieceLength(), begun, isDoubtful_)) keep();
+      if (pieces_.accept(frame, medium_->pieceLength(), begun, isDoubtful_)) keep();
     }
   } else if (isDoubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
-    admission_.drop(Counter::RADIO_DOUBTFUL);
-  } else if (admission_.isForUs(frame)) {
+    admission_->drop(Counter::RADIO_DOUBTFUL);
+  } else if (admission_->isForUs(frame)) {
     if (frame.destination.isDevice()) keep();
-    if (!admission_.accept(frame, packet, length, begun) && frame.destination.isDevice()) forget();
+    if (!admission_->accept(frame, packet, length, begun) && frame.destination.isDevice()) forget();
   }
 }
 

@@ -11,6 +11,7 @@
 #include "Overheard.h"
 #include "PieceReceiver.h"
 #include "../support/Zeroed.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -29,7 +30,7 @@ class Receiver {
         forwarding_(medium, state.random, state.counters) {}
 
   /// Takes in all that the radio holds.
-  JAVINO_NOINLINE void run();
+  void run();
 
   /// What the board does as a relay.
   BoardsForwarding &forwarding() { return forwarding_; }
@@ -41,20 +42,20 @@ class Receiver {
   void open(bool open);
 
  private:
-  JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length, uint8_t hops);
+  void accept(uint8_t *packet, uint8_t length, uint8_t hops);
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
   bool mayBeDoubtful(const Frame &frame) const;
   void keep();
   void forget();
 
-  MediumAccess &medium_;
-  Admission &admission_;
-  Courier &courier_;
-  Acknowledger &acknowledger_;
-  Overheard &overheard_;
+  Part<MediumAccess> medium_;
+  Part<Admission> admission_;
+  Part<Courier> courier_;
+  Part<Acknowledger> acknowledger_;
+  Part<Overheard> overheard_;
   bool open_ JAVINO_ZEROED;
   bool isDoubtful_ JAVINO_ZEROED;  // the packet that is looked at
-  PiecesTaken<config::REASSEMBLIES != 0>::Type pieces_;
+  PiecesTaken<config::LARGE>::Type pieces_;
   BoardsForwarding forwarding_;
 };
 

@@ -29,11 +29,15 @@ FrameError Frame::parseHeader(const uint8_t *bytes, Frame &into) {
 }
 
 void Frame::writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength) {
-  const uint16_t bits = static_cast<uint16_t>(messageLength * 8);
   destination.write(into);
   origin.write(into + ORIGIN_AT);
-  into[SIZE_AT] = base64Digit(static_cast<uint8_t>(bits >> 6));
-  into[SIZE_AT + 1] = base64Digit(bits & 0x3F);
+  writeSize(into + SIZE_AT, messageLength);
+}
+
+void Frame::writeSize(uint8_t *into, uint16_t messageLength) {
+  const uint16_t bits = static_cast<uint16_t>(messageLength * 8);
+  into[0] = base64Digit(static_cast<uint8_t>(bits >> 6));
+  into[1] = base64Digit(bits & 0x3F);
 }
 
 }  // namespace javinolib

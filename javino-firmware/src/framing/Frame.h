@@ -35,6 +35,9 @@ struct Frame {
   /// Writes the ten bytes before a message.
   /// @param messageLength 0…511 bytes
   static void writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength);
+
+  /// Writes the last two of these bytes.
+  JAVINO_NOINLINE static void writeSize(uint8_t *into, uint16_t messageLength);
 };
 
 }  // namespace javinolib

@@ -21,8 +21,9 @@ static const uint8_t PROOF_LENGTH = 8;
 /// addresses and id (SPEC 4.3).
 static const uint16_t MAX_CONTENT_LENGTH = MAX_MESSAGE_LENGTH - (1 + 1 + 3 + 1 + 4 + 4 + 3);
 
-/// Sequence byte before, CRC after the frame (SPEC 4.1).
-static const uint16_t MAX_PACKET_LENGTH = 1 + MAX_FRAME_LENGTH + 2;
+/// What a packet is longer than its message: sequence byte and header before, CRC behind it (SPEC 4.1).
+static const uint8_t PACKET_OVERHEAD = 1 + HEADER_LENGTH + 2;
+static const uint16_t MAX_PACKET_LENGTH = PACKET_OVERHEAD + MAX_MESSAGE_LENGTH;
 static const uint16_t MIN_PACKET_LENGTH = 1 + HEADER_LENGTH + 2;
 
 /// What a sealed message is longer than its content.

@@ -36,8 +36,8 @@ void PacketDecoder::beginBlock(uint8_t code) {
 }
 
 void PacketDecoder::append(uint8_t byte) {
-  if (length_ < MAX_PACKET_LENGTH) bytes_[length_] = byte;
-  if (length_ <= MAX_PACKET_LENGTH) length_++;
+  if (length_ < room_) bytes_[length_] = byte;
+  if (length_ <= room_) length_++;
 }
 
 PacketEvent PacketDecoder::finish() {
@@ -48,7 +48,7 @@ PacketEvent PacketDecoder::finish() {
 
 PacketEvent PacketDecoder::check() const {
   if (left_ != 0) return PacketEvent::BAD_COBS;
-  if (length_ > MAX_PACKET_LENGTH) return PacketEvent::TOO_LONG;
+  if (length_ > room_) return PacketEvent::TOO_LONG;
   if (length_ < MIN_PACKET_LENGTH) return PacketEvent::TOO_SHORT;
   Crc16 expected;
   expected.add(bytes_, static_cast<size_t>(length_ - 2));

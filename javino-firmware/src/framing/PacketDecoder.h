@@ -13,15 +13,18 @@ enum class PacketEvent : uint8_t {
   NONE,       ///< the packet goes on, or was empty
   PACKET,     ///< a whole packet is there, its CRC right
   BAD_COBS,   ///< refused: it ended within a COBS block
-  TOO_LONG,   ///< refused: more than 524 bytes
+  TOO_LONG,   ///< refused: more bytes than there is room for
   TOO_SHORT,  ///< refused: fewer than 13 bytes
   BAD_CRC     ///< refused: the CRC is not that of its bytes
 };
 
-/// Finds packets in the bytes of the serial line, one byte at a time, in a buffer of fixed size (SPEC 4.1).
+/// Finds packets in the bytes of the serial line, one byte at a time, in a buffer of its user (SPEC 4.1).
 /// After any damage the next packet begins behind the next 0x00.
 class PacketDecoder {
  public:
+  /// @param room the most bytes of a packet, MIN_PACKET_LENGTH…MAX_PACKET_LENGTH
+  PacketDecoder(uint8_t *bytes, uint16_t room) : bytes_(bytes), room_(room) {}
+
   /// Takes the next byte. After PACKET the accessors below hold until the next call.
   PacketEvent add(uint8_t byte);
 
@@ -39,12 +42,13 @@ class PacketDecoder {
   PacketEvent finish();
   PacketEvent check() const;
 
-  uint16_t length_ JAVINO_ZEROED;     // decoded bytes; MAX_PACKET_LENGTH + 1 where there were more than that
-  uint8_t left_ JAVINO_ZEROED;        // bytes that the current COBS block still lacks
-  bool zeroOwed_ JAVINO_ZEROED;       // a zero belongs behind the block, if another block follows
-  bool started_ JAVINO_ZEROED;        // a byte other than 0x00 has come
-  bool ended_ JAVINO_ZEROED;          // the next byte begins a new packet
-  uint8_t bytes_[MAX_PACKET_LENGTH];  // last: AVR reaches only the first 64 bytes of an object in one instruction
+  uint8_t *const bytes_;
+  const uint16_t room_;
+  uint16_t length_ JAVINO_ZEROED;  // decoded bytes; one more than there is room for where there were too many
+  uint8_t left_ JAVINO_ZEROED;     // bytes that the current COBS block still lacks
+  bool zeroOwed_ JAVINO_ZEROED;    // a zero belongs behind the block, if another block follows
+  bool started_ JAVINO_ZEROED;     // a byte other than 0x00 has come
+  bool ended_ JAVINO_ZEROED;       // the next byte begins a new packet
 };
 
 }  // namespace javinolib

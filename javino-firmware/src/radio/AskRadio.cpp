@@ -41,33 +41,32 @@ bool AskRadio::begin() {
 }
 
 bool AskRadio::send(const uint8_t *payload, uint8_t length) {
-  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD || !decoder_.queue().claim()) return false;
+  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD || !decoder_->queue().claim()) return false;
   {
     askhardware::InterruptLock lock;
     stopReceiving();
   }
   // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
-  RadioPacket *packet = decoder_.queue().claim();
-  const bool room = packet && encoder_.start(payload, length, follower_, packet->room, hops_);
+  RadioPacket *packet = decoder_->queue().claim();
+  const bool room = packet && encoder_->start(payload, length, follower_, packet->room, hops_);
   askhardware::InterruptLock lock;
   if (!room) {  // a packet has come since the first look
     startReceiving();
     return false;
   }
   sending_ = true;
-  encoder_.next();  // the first bit is a 0, as is the silence now
-  nextBit_ = encoder_.next();
+  encoder_->next();  // the first bit is a 0, as is the silence now
+  nextBit_ = encoder_->next();
   lastBitOut_ = false;
   // Soon, but not so soon that the alarm could be missed.
-  alarm_ = static_cast<uint16_t>(askhardware::now() + bitTicks_ / 4);
-  askhardware::setAlarm(alarm_);
+  setAlarm(static_cast<uint16_t>(askhardware::now() + bitTicks_ / 4));
   return true;
 }
 
 bool AskRadio::carrier() const {
   askhardware::InterruptLock lock;
   const bool before = carrierHeard_;
-  carrierHeard_ = decoder_.carrier().isHeard();
+  carrierHeard_ = decoder_->carrier().isHeard();
   return before || carrierHeard_;
 }
 
@@ -80,52 +79,62 @@ uint8_t AskRadio::slotMillis() const { return static_cast<uint8_t>((SLOT_BITS * 
 // A packet that is lost waits for release(), or for the next call.
 uint8_t *AskRadio::receive(uint8_t &length) {
   lookAtLine();
-  mender_.setLastTrailer(decoder_.trailer());
-  if (mender_.lost()) release();
-  RadioPacket *packet = decoder_.queue().oldest();
+  if (config::LARGE) mender_->setLastTrailer(decoder_->trailer());
+  if (mender_->lost()) release();
+  RadioPacket *packet = decoder_->queue().oldest();
   if (!packet) return nullptr;
-  if (mender_.step(*packet) != Mender::WHOLE) return nullptr;
+  if (mender_->step(*packet) != Mender::WHOLE) return nullptr;
   length = packet->payloadLength();
   return packet->payload();
 }
 
 void AskRadio::release() {
-  count(mender_.lost() ? decoder_.counters().damaged : decoder_.counters().received);
-  if (!mender_.lost() && mender_.hasMended()) count(decoder_.counters().mended);
-  mender_.begin();
-  decoder_.queue().release();
+  count(mender_->lost() ? decoder_->counters().damaged : decoder_->counters().received);
+  if (!mender_->lost() && mender_->hasMended()) count(decoder_->counters().mended);
+  mender_->begin();
+  decoder_->queue().release();
 }
 
 // A packet whose last bits are alike ends without an edge: it need not wait for the alarm.
 void AskRadio::lookAtLine() {
   askhardware::InterruptLock lock;
-  if (decoder_.inPacket()) hear(askhardware::now());
+  if (decoder_->inPacket()) hear(askhardware::now());
 }
 
-void AskRadio::count(uint32_t &counter) {
+void AskRadio::count(config::Count &counter) {
   askhardware::InterruptLock lock;
   countUp(counter);
 }
 
 void AskRadio::counters(RadioCounters &into) const {
   askhardware::InterruptLock lock;
-  into = decoder_.counters();
+  into = decoder_->counters();
+  const uint32_t late = late_ * 1000ul / (askhardware::ticksPerSecond() / 1000);
+  const config::Count most = static_cast<config::Count>(~0ul);
+  into.lateMicros = late < most ? static_cast<config::Count>(late) : most;
 }
 
 void AskRadio::onEdge(uint16_t now, bool level) {
   if (silentAlarms_ == SILENCE_ALARMS) {
-    bitClock_.reset(level);
+    bitClock_->reset(level);
     heardUntil_ = now;
   } else {
     hear(now);
   }
-  if (!decoder_.inPacket()) decoder_.carrier().addEdge(now, level);
+  if (!decoder_->inPacket()) decoder_->carrier().addEdge(now, level);
   level_ = level;
   silentAlarms_ = 0;
-  askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
+  setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
+}
+
+void AskRadio::setAlarm(uint16_t at) {
+  alarm_ = at;
+  askhardware::setAlarm(at);
 }
 
 void AskRadio::onAlarm() {
+  const uint16_t late = static_cast<uint16_t>(askhardware::now() - alarm_);
+  if (late > late_) late_ = late;
   if (sending_) {
     sendBit();
   } else {
@@ -141,18 +150,18 @@ void AskRadio::startReceiving() {
 void AskRadio::stopReceiving() {
   askhardware::watchEdges(false);
   askhardware::clearAlarm();
-  decoder_.carrier().reset();
-  decoder_.abandon();
+  decoder_->carrier().reset();
+  decoder_->abandon();
 }
 
 // Gives the decoder the bits of the time since the line was last looked at.
 void AskRadio::hear(uint16_t now) {
-  if (decoder_.carrier().isHeard()) carrierHeard_ = true;
+  if (decoder_->carrier().isHeard()) carrierHeard_ = true;
   uint16_t ticks = static_cast<uint16_t>(now - heardUntil_);
   bool bit;
-  while (bitClock_.advance(ticks, level_, bit)) {
-    decoder_.carrier().addBit();
-    decoder_.add(bit);
+  while (bitClock_->advance(ticks, level_, bit)) {
+    decoder_->carrier().addBit();
+    decoder_->add(bit);
   }
   heardUntil_ = now;
 }
@@ -160,20 +169,20 @@ void AskRadio::hear(uint16_t now) {
 void AskRadio::onSilence() {
   const uint16_t now = askhardware::now();
   hear(now);
-  if (level_) decoder_.carrier().addHold();
+  if (level_) decoder_->carrier().addHold();
   if (silentAlarms_ == 0 || isHeldByCollision()) {
     silentAlarms_ = 1;
-    askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
+    setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
   } else {
     silentAlarms_ = SILENCE_ALARMS;
     askhardware::clearAlarm();
-    decoder_.carrier().silence(level_);
-    decoder_.endOfSignal();
+    decoder_->carrier().silence(level_);
+    decoder_->endOfSignal();
   }
 }
 
 // Two packets at once may well fill each other's gaps.
-bool AskRadio::isHeldByCollision() const { return level_ && decoder_.carrier().isHeard(); }
+bool AskRadio::isHeldByCollision() const { return level_ && decoder_->carrier().isHeard(); }
 
 void AskRadio::sendBit() {
   askhardware::transmit(nextBit_);
@@ -181,15 +190,14 @@ void AskRadio::sendBit() {
     finishSending();
     return;
   }
-  lastBitOut_ = !encoder_.hasNext();
-  nextBit_ = encoder_.next();  // off after the last
-  alarm_ += bitTicks_;
-  askhardware::setAlarm(alarm_);
+  lastBitOut_ = !encoder_->hasNext();
+  nextBit_ = encoder_->next();  // off after the last
+  setAlarm(static_cast<uint16_t>(alarm_ + bitTicks_));
 }
 
 void AskRadio::finishSending() {
   askhardware::clearAlarm();
-  countUp(decoder_.counters().sent);
+  countUp(decoder_->counters().sent);
   sending_ = false;
   startReceiving();
 }

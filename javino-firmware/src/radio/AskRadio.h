@@ -8,6 +8,7 @@
 #include "Radio.h"
 #include "RadioDecoder.h"
 #include "RadioEncoder.h"
+#include "../support/Part.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
@@ -42,16 +43,16 @@ class AskRadio : public Radio {
   uint8_t slotMillis() const override;
   uint8_t *receive(uint8_t &length) override;
   void release() override;
-  Mender *mender() override { return &mender_; }
+  Mender *mender() override { return mender_.operator->(); }
   bool setHops(uint8_t hops) override {
     hops_ = hops;
     return true;
   }
-#if JAVINO_PARITY
+#if JAVINO_LARGE
   void follow(Trailer trailer) override { follower_ = trailer; }
 #endif
   void counters(RadioCounters &into) const override;
-  bool idle() const override { return decoder_.queue().empty(); }
+  bool idle() const override { return decoder_->queue().empty(); }
 
   /// Interrupt: the RX pin went to this level.
   void onEdge(uint16_t now, bool level);
@@ -60,7 +61,8 @@ class AskRadio : public Radio {
   void onAlarm();
 
  private:
-  void count(uint32_t &counter);
+  void count(config::Count &counter);
+  void setAlarm(uint16_t at);
   void startReceiving();
   void stopReceiving();
   void lookAtLine();
@@ -81,17 +83,18 @@ class AskRadio : public Radio {
   bool nextBit_ JAVINO_ZEROED;     // computed ahead, so that the carrier switches first thing in the interrupt
   bool lastBitOut_ JAVINO_ZEROED;  // the last bit is on the air: the next alarm ends the packet
   mutable bool carrierHeard_ JAVINO_ZEROED;  // since carrier() was called, or when it was
-  uint16_t alarm_ JAVINO_ZEROED;             // when the carrier switches next
+  uint16_t alarm_ JAVINO_ZEROED;             // when the timer's interrupt is to begin
+  uint16_t late_ JAVINO_ZEROED;              // by how many ticks it was late at most
   uint8_t silentAlarms_;               // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
   uint16_t heardUntil_ JAVINO_ZEROED;  // the time up to which the line has been heard
   bool level_ JAVINO_ZEROED;           // of the line since then
 
-  BitClock bitClock_;
-  RadioEncoder encoder_;
+  OwnPart<BitClock> bitClock_;
+  OwnPart<RadioEncoder> encoder_;
   Trailer follower_ JAVINO_ZEROED;  // what follows the packets that are sent
   uint8_t hops_ JAVINO_ZEROED;      // behind these
-  RadioDecoder decoder_;
-  Mender mender_;
+  OwnPart<RadioDecoder> decoder_;
+  OwnPart<Mender> mender_;
 };
 
 }  // namespace javinolib

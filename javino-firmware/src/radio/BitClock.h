@@ -28,7 +28,7 @@ class BitClock {
   /// a quarter of a bit or more); on return, how much of that is still to be gone through
   /// @param bit set where a window ended
   /// @return whether a window ended; to be called again as long as one did.
-  JAVINO_OUT_OF_LINE bool advance(uint16_t &ticks, bool level, bool &bit);
+  bool advance(uint16_t &ticks, bool level, bool &bit);
 
  private:
   void steer();

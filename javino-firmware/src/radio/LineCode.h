@@ -26,7 +26,7 @@ static const uint8_t PREAMBLE_SYMBOLS = 8;
 static const uint8_t PACKET_OVERHEAD = 3;
 
 /// Bytes of the longest trailer (SPEC 6.1).
-static const uint8_t TRAILER_LENGTH = JAVINO_PARITY ? 17 : 0;
+static const uint8_t TRAILER_LENGTH = JAVINO_LARGE ? 17 : 0;
 
 /// Bytes of a packet without its trailer.
 static const uint8_t MIN_COUNT = 1 + PACKET_OVERHEAD;

@@ -24,7 +24,7 @@ inline bool Mender::note(uint16_t hops) {
   return true;
 }
 
-#if JAVINO_MENDING
+#if JAVINO_LARGE
 
 const uint8_t Mender::NONE;
 const uint8_t Mender::MOST_UNDECIDED;
@@ -84,7 +84,7 @@ Mender::Progress Mender::look(RadioPacket &packet) {
     packet.makeBytes(packet.count());
     return WHOLE;
   }
-  if (config::PARITY && packet.open) return PENDING;
+  if (config::LARGE && packet.open) return PENDING;
   mended_ = true;
   doubtful_ = true;
   next_ = 0;
@@ -92,7 +92,7 @@ Mender::Progress Mender::look(RadioPacket &packet) {
   return PENDING;
 }
 
-#if JAVINO_DAMAGED_COPIES
+#if JAVINO_LARGE
 
 // Looks at one copy at a time.
 Mender::Progress Mender::compare(RadioPacket &packet) {
@@ -212,7 +212,7 @@ uint16_t Mender::nearest(const RadioPacket &packet, uint8_t index, bool inTraile
 uint16_t Mender::nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t &distance) const {
   distance = 0;
   if (index < 2) return bitOf(index == 0 ? static_cast<uint8_t>(next_ >> 4) : static_cast<uint8_t>(next_ & 0x0F));
-  if (!config::PARITY || index < 2 * next_) return nearest(packet, index, false, distance);
+  if (!config::LARGE || index < 2 * next_) return nearest(packet, index, false, distance);
   if (index >= 2 * (next_ + linecode::parityLength(next_))) return ANY;
   return nearest(packet, static_cast<uint8_t>(index + 2), true, distance);
 }
@@ -312,7 +312,7 @@ Mender::Progress Mender::write(RadioPacket &packet) {
   return PENDING;
 }
 
-#if JAVINO_PARITY
+#if JAVINO_LARGE
 
 Trailer Mender::trailerOf(const RadioPacket &packet, uint8_t count) {
   const uint8_t at = static_cast<uint8_t>(2 * count);
@@ -361,7 +361,7 @@ Mender::Progress Mender::correct(RadioPacket &) { return LOST; }
 
 #endif
 
-#if JAVINO_DAMAGED_COPIES
+#if JAVINO_LARGE
 
 void Mender::save(const RadioPacket &packet) {
   if (packet.symbols < 2 * LEAST_KEPT) return;

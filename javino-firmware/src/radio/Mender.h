@@ -6,7 +6,7 @@
 #include "../support/Crc16.h"
 #include "../support/Inlining.h"
 #include "RadioPacket.h"
-#if JAVINO_PARITY
+#if JAVINO_LARGE
 #include "ReedSolomon.h"
 #endif
 #include "../support/Zeroed.h"
@@ -33,7 +33,7 @@ class Mender {
   /// Begins with another packet.
   void begin() {
     progress_ = PENDING;
-#if JAVINO_MENDING
+#if JAVINO_LARGE
     phase_ = Phase::LOOKING;
 #endif
   }
@@ -59,7 +59,7 @@ class Mender {
 
   /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
   /// leaves no doubt. But a copy does: relays copy nothing that has neither.
-#if JAVINO_MENDING
+#if JAVINO_LARGE
   bool isDoubtful() const { return hops_ != 0 || doubtful_; }
 #else
   bool isDoubtful() const { return hops_ != 0; }
@@ -80,7 +80,7 @@ class Mender {
   Progress work(RadioPacket &packet);
   bool note(uint16_t hops);
 
-#if JAVINO_MENDING
+#if JAVINO_LARGE
   enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, WRITING, CORRECTING };
 
   Progress look(RadioPacket &packet);
@@ -118,11 +118,11 @@ class Mender {
   Crc16 crc_;                         // of what was decided, with the first nibble of each undecided symbol
   uint8_t places_[MOST_UNDECIDED];    // of the undecided symbols
   uint16_t nibbles_[MOST_UNDECIDED];  // that they may be: bit k for nibble k; in the end one bit each
-#if JAVINO_PARITY
+#if JAVINO_LARGE
   reedsolomon::Decoder parity_;
 #endif
   bool doubtful_ JAVINO_ZEROED;
-#if JAVINO_DAMAGED_COPIES
+#if JAVINO_LARGE
   RadioPacket copies_[config::DAMAGED_COPIES] JAVINO_ZEROED;
 #endif
 #endif

@@ -23,13 +23,14 @@ enum class Trailer : uint8_t {
   PARITY  ///< another word, and the packet's parity
 };
 
-/// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17, 28).
+/// What a radio has seen since it began (SPEC 4.5, counters 5, 6, 7, 17, 28, 41).
 struct RadioCounters {
-  uint32_t received;  ///< packets with a right CRC, mended ones too
-  uint32_t damaged;   ///< packets with a wrong symbol, count or CRC
-  uint32_t missed;    ///< packets that came while no buffer was free
-  uint32_t sent;      ///< packets that have been on the air whole
-  uint32_t mended;    ///< packets that came damaged and were mended
+  config::Count received;    ///< packets with a right CRC, mended ones too
+  config::Count damaged;     ///< packets with a wrong symbol, count or CRC
+  config::Count missed;      ///< packets that came while no buffer was free
+  config::Count sent;        ///< packets that have been on the air whole
+  config::Count mended;      ///< packets that came damaged and were mended
+  config::Count lateMicros;  ///< how late its interrupt began at most, 0 where it has none
 };
 
 /// A half-duplex packet radio: it sends and receives payloads. Only the driver knows how, and how fast. No function
@@ -50,7 +51,7 @@ class Radio {
   /// received packets wait that there is no room for this one.
   virtual bool send(const uint8_t *payload, uint8_t length) = 0;
 
-#if JAVINO_PARITY
+#if JAVINO_LARGE
   /// Says what follows the packets that are sent from now on. A driver need not do that.
   virtual void follow(Trailer) {}
 #endif

@@ -122,7 +122,7 @@ void RadioDecoder::startBody() {
   }
   end_ = static_cast<uint8_t>(2 * (counted_ ? most : most + linecode::TRAILER_LENGTH));
   phase_ = BODY;
-  trailer_ = Trailer::NONE;
+  if (config::LARGE) trailer_ = Trailer::NONE;
   packet_ = queue_.claim();
   if (packet_) {
     packet_->areBytes = false;
@@ -153,7 +153,7 @@ void RadioDecoder::endBody() {
 }
 
 void RadioDecoder::addToTrailer() {
-  if (!config::PARITY) return;
+  if (!config::LARGE) return;
   if (phase_ == PARITY) {
     close();
     hunt();
@@ -174,7 +174,7 @@ void RadioDecoder::addToTrailer() {
 
 // Nothing more comes for the packet that was queued.
 void RadioDecoder::close() {
-  if (!config::PARITY || (phase_ != TRAILER && phase_ != PARITY)) return;
+  if (!config::LARGE || (phase_ != TRAILER && phase_ != PARITY)) return;
   packet_->symbols = static_cast<uint8_t>(symbols_ & ~1);
   packet_->open = false;
 }

@@ -55,7 +55,7 @@ class RadioDecoder {
   JAVINO_NOINLINE bool isStart();
   bool isBetterStart(uint8_t wrong) const;
   void begin(uint8_t wrong);
-  JAVINO_NOINLINE void addSymbol();
+  void addSymbol();
   void store();
   void startBody();
   void endBody();

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#if JAVINO_PARITY
+#if JAVINO_LARGE
 #include "ReedSolomon.h"
 #endif
 #include "../support/Crc16.h"
@@ -30,7 +30,7 @@ bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer
   return true;
 }
 
-#if JAVINO_PARITY
+#if JAVINO_LARGE
 
 // Puts the trailer behind the packet. Returns its length.
 uint8_t RadioEncoder::addTrailer(Trailer trailer, uint8_t *packet, uint8_t length) {
@@ -66,7 +66,7 @@ uint8_t RadioEncoder::symbolAt(uint8_t index) const {
   if (index < linecode::PREAMBLE_SYMBOLS) return linecode::preambleSymbol(index);
   const uint8_t nibbleIndex = static_cast<uint8_t>(index - linecode::PREAMBLE_SYMBOLS);
   const uint8_t nibble = linecode::nibbleIn(packet_, nibbleIndex);
-#if JAVINO_PARITY
+#if JAVINO_LARGE
   if (nibbleIndex >= 2 * packet_[0]) return linecode::trailerSymbolOf(nibble);
 #endif
   return linecode::symbolOf(nibble);

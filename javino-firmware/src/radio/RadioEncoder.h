@@ -14,7 +14,7 @@ class RadioEncoder {
  public:
   /// Builds the packet of a payload and starts at its first training bit.
   /// @param length 1…77
-  /// @param trailer what follows; without JAVINO_PARITY nothing does
+  /// @param trailer what follows; on a small board nothing does
   /// @param packet room for the packet, 80 bytes and those of a trailer, lent until the last bit
   /// @param hops behind it, 0…2
   /// @return false, and nothing changes, where the length is out of range.

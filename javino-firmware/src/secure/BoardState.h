@@ -18,7 +18,7 @@ namespace javinolib {
 struct BoardState {
   BoardState() : nonces(epoch), replays(keys) {}
 
-  JAVINO_OUT_OF_LINE void count(Counter counter) { counters.count(counter); }
+  void count(Counter counter) { counters.count(counter); }
 
   RfId id;
   Random random;
@@ -28,5 +28,28 @@ struct BoardState {
   ReplayMemory replays;
   Counters counters;
 };
+
+#ifdef __AVR__
+template <>
+inline KeyStore &Part<KeyStore>::the() {
+  return Part<BoardState>::the().keys;
+}
+template <>
+inline const KeyStore &Part<const KeyStore>::the() {
+  return Part<BoardState>::the().keys;
+}
+template <>
+inline BootEpoch &Part<BootEpoch>::the() {
+  return Part<BoardState>::the().epoch;
+}
+template <>
+inline NonceSource &Part<NonceSource>::the() {
+  return Part<BoardState>::the().nonces;
+}
+template <>
+inline ReplayMemory &Part<ReplayMemory>::the() {
+  return Part<BoardState>::the().replays;
+}
+#endif
 
 }  // namespace javinolib

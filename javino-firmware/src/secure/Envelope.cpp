@@ -12,36 +12,36 @@ const uint8_t Envelope::NONCE_AT;
 const uint8_t Envelope::CONTENT_AT;
 
 // The tagged bytes lie in the frame in just the order of SPEC 5: destination, origin, size, N, C.
-uint16_t Envelope::seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const {
+uint16_t Envelope::seal(const DerivedKeys &keys, const Frame &plain, const uint8_t *nonce, uint8_t *sealed) {
   uint8_t *content = sealed + CONTENT_AT;
   Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
   memcpy(sealed + NONCE_AT, nonce, NONCE_LENGTH);
   memmove(content, plain.message, plain.length);  // it may be there already
-  apply(sealed, plain.length, false);
+  apply(keys, sealed, plain.length, false);
   uint8_t tag[Aes128::BLOCK_LENGTH];
-  keys_.authenticate(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
+  keys.authenticate(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
   memcpy(content + plain.length, tag, TAG_LENGTH);
   return static_cast<uint16_t>(MIN_FRAME_LENGTH + plain.length);
 }
 
-bool Envelope::isAuthentic(const uint8_t *frame, uint16_t length) const {
+bool Envelope::isAuthentic(const DerivedKeys &keys, const uint8_t *frame, uint16_t length) {
   if (length < MIN_FRAME_LENGTH) return false;
   const uint16_t tagged = static_cast<uint16_t>(length - TAG_LENGTH);
   uint8_t expected[Aes128::BLOCK_LENGTH];
-  keys_.authenticate(frame, tagged, expected);
+  keys.authenticate(frame, tagged, expected);
   return equalInConstantTime(expected, frame + tagged, TAG_LENGTH);
 }
 
-uint16_t Envelope::open(uint8_t *frame, uint16_t length) const {
+uint16_t Envelope::open(const DerivedKeys &keys, uint8_t *frame, uint16_t length) {
   const uint16_t content = static_cast<uint16_t>(length - MIN_FRAME_LENGTH);
-  apply(frame, content, true);
+  apply(keys, frame, content, true);
   return content;
 }
 
 // Encrypts or decrypts the content. The initial vector is origin, destination, nonce, two zeroes, encrypted: unpredictable,
 // as CFB wants it (NIST SP 800-38A appendix C).
-void Envelope::apply(uint8_t *frame, uint16_t length, bool decrypting) const {
-  const Aes128 cipher(keys_.encryption);
+void Envelope::apply(const DerivedKeys &keys, uint8_t *frame, uint16_t length, bool decrypting) {
+  const Aes128 cipher(keys.encryption);
   uint8_t iv[Aes128::BLOCK_LENGTH];
   memcpy(iv, frame + Address::TEXT_LENGTH, Address::TEXT_LENGTH);
   memcpy(iv + Address::TEXT_LENGTH, frame, Address::TEXT_LENGTH);

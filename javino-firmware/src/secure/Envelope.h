@@ -30,18 +30,23 @@ class Envelope {
   /// @param nonce 6 bytes that were never used under this key
   /// @param sealed room for the content and 24 bytes
   /// @return the sealed frame's length
-  JAVINO_NOINLINE uint16_t seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const;
+  uint16_t seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const {
+    return seal(keys_, plain, nonce, sealed);
+  }
 
   /// Whether a sealed frame is long enough and its tag right; nothing of it may be used before.
   /// @param length of the whole frame
-  JAVINO_NOINLINE bool isAuthentic(const uint8_t *frame, uint16_t length) const;
+  bool isAuthentic(const uint8_t *frame, uint16_t length) const { return isAuthentic(keys_, frame, length); }
 
   /// Decrypts an authentic frame's content in place.
   /// @return the content's length
-  JAVINO_NOINLINE uint16_t open(uint8_t *frame, uint16_t length) const;
+  uint16_t open(uint8_t *frame, uint16_t length) const { return open(keys_, frame, length); }
 
  private:
-  JAVINO_NOINLINE void apply(uint8_t *frame, uint16_t length, bool decrypting) const;
+  static uint16_t seal(const DerivedKeys &keys, const Frame &plain, const uint8_t *nonce, uint8_t *sealed);
+  JAVINO_NOINLINE static bool isAuthentic(const DerivedKeys &keys, const uint8_t *frame, uint16_t length);
+  static uint16_t open(const DerivedKeys &keys, uint8_t *frame, uint16_t length);
+  JAVINO_NOINLINE static void apply(const DerivedKeys &keys, uint8_t *frame, uint16_t length, bool decrypting);
 
   const DerivedKeys &keys_;
 };

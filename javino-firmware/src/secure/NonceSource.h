@@ -7,6 +7,7 @@
 #include "../storage/Retained.h"
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -17,12 +18,12 @@ class NonceSource {
   explicit NonceSource(BootEpoch &epoch) : epoch_(epoch) {}
 
   /// The first half of the nonces to come.
-  uint32_t epoch() const { return epoch_.value(); }
+  uint32_t epoch() const { return epoch_->value(); }
 
   /// Goes on with another epoch, and the counter 0, where that is higher: the next boot then takes over what RAM holds if it is
   /// the one after this.
   /// @param epoch 0…0xFFFFFE
-  JAVINO_NOINLINE void raiseEpoch(uint32_t epoch);
+  void raiseEpoch(uint32_t epoch);
 
   /// OK; EPOCH_LOST until a host raises the epoch; MEMORY_DAMAGED where the counter is not known; NONCE_EXHAUSTED where epoch or counter is used up: nothing can be sealed until the next boot, after the last epoch
   /// never again on this board; STORE_FAILED where the epoch was not kept: a nonce might come again after the next boot.
@@ -37,14 +38,19 @@ class NonceSource {
   /// @param nonce 6 bytes, one that was given, of the frame that was refused for the floor
   /// @return false, and nothing is changed, where the floor is of another epoch or more than 31 above the nonce: no
   ///         receiver has such a floor, and nonces are not to be used up by it, however often it is told.
-  JAVINO_NOINLINE bool raiseAbove(const uint8_t *floor, const uint8_t *nonce);
+  bool raiseAbove(const uint8_t *floor, const uint8_t *nonce);
 
  private:
   static const uint32_t LAST_COUNTER = 0xFFFFFF;
   static const uint8_t MOST_ABOVE = 31;  // as ReplayMemory sets a floor above the nonce that it is written for
 
-  BootEpoch &epoch_;
+  Part<BootEpoch> epoch_;
   uint32_t counter_ JAVINO_ZEROED;
 };
+
+#ifdef __AVR__
+template <>
+NonceSource &Part<NonceSource>::the();
+#endif
 
 }  // namespace javinolib

@@ -16,7 +16,7 @@ static const uint8_t SENDER_AT = NONCE_AT + NONCE_LENGTH;
 static const uint8_t ACKNOWLEDGER_AT = SENDER_AT + Address::TEXT_LENGTH;
 static const uint8_t BODY_AT = ACKNOWLEDGER_AT + Address::TEXT_LENGTH;
 
-void Proof::make(const Claim &claim, uint8_t *proof) const {
+void Proof::make(const DerivedKeys &keys, const Claim &claim, uint8_t *proof) {
   uint8_t covered[BODY_AT + MAX_BODY_LENGTH];
   const uint8_t bodyLength = Proof::bodyLength(claim.type);
   covered[0] = static_cast<uint8_t>(claim.asksParity ? claim.type | ASKS_PARITY : claim.type);
@@ -25,13 +25,13 @@ void Proof::make(const Claim &claim, uint8_t *proof) const {
   claim.acknowledger.write(covered + ACKNOWLEDGER_AT);
   if (bodyLength != 0) memcpy(covered + BODY_AT, claim.body, bodyLength);
   uint8_t *const tag = covered;  // 16 bytes of the stack less
-  keys_.authenticate(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
+  keys.authenticate(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
   memcpy(proof, tag, LENGTH);
 }
 
-bool Proof::isRight(const Claim &claim, const uint8_t *proof) const {
+bool Proof::isRight(const DerivedKeys &keys, const Claim &claim, const uint8_t *proof) {
   uint8_t expected[LENGTH];
-  make(claim, expected);
+  make(keys, claim, expected);
   return equalInConstantTime(expected, proof, LENGTH);
 }
 

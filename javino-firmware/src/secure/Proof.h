@@ -42,13 +42,16 @@ class Proof {
   explicit Proof(const DerivedKeys &keys) : keys_(keys) {}
 
   /// @param proof room for 8 bytes
-  JAVINO_NOINLINE void make(const Claim &claim, uint8_t *proof) const;
+  void make(const Claim &claim, uint8_t *proof) const { make(keys_, claim, proof); }
 
   /// Compares in constant time.
   /// @param proof 8 bytes
-  bool isRight(const Claim &claim, const uint8_t *proof) const;
+  bool isRight(const Claim &claim, const uint8_t *proof) const { return isRight(keys_, claim, proof); }
 
  private:
+  JAVINO_NOINLINE static void make(const DerivedKeys &keys, const Claim &claim, uint8_t *proof);
+  static bool isRight(const DerivedKeys &keys, const Claim &claim, const uint8_t *proof);
+
   const DerivedKeys &keys_;
 };
 

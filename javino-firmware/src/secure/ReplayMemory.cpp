@@ -1,5 +1,7 @@
 #include "ReplayMemory.h"
 
+#include "BoardState.h"
+
 #include <string.h>
 
 #include "../storage/EepromLayout.h"
@@ -83,8 +85,8 @@ void ReplayMemory::doubtFloors() {
   uint8_t highest[NONCE_LENGTH];
   for (uint8_t &byte : highest) byte = 0xFF;
   for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
-    const Address &with = keys_.addressAt(key);
-    if (keys_.isFree(key) || find(key, with) != nullptr) continue;
+    const Address &with = keys_->addressAt(key);
+    if (keys_->isFree(key) || find(key, with) != nullptr) continue;
     reserve(key, with, highest);
     remember(key, with, highest);
   }
@@ -94,7 +96,7 @@ void ReplayMemory::readFloors() {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
     uint8_t record[FLOOR_LENGTH];
     if (!beginPlace(place, record)) continue;
-    if (record[0] < KeyStore::SLOTS && !keys_.isFree(record[0])) {
+    if (record[0] < KeyStore::SLOTS && !keys_->isFree(record[0])) {
       takeOverFloor(place, record);
     } else {
       erase(place);
@@ -136,7 +138,7 @@ void ReplayMemory::beginRing(uint32_t epoch) {
 }
 
 bool ReplayMemory::isDoubtful(uint8_t key) const {
-  const TakenNonce *entry = find(key, keys_.addressAt(key));
+  const TakenNonce *entry = find(key, keys_->addressAt(key));
   return entry != nullptr && entry->state != NOTHING_TAKEN && entry->nonce[0] == 0xFF;
 }
 
@@ -209,7 +211,7 @@ bool ReplayMemory::forget(uint8_t key) {
 bool ReplayMemory::forgetLostKeys() {
   bool erased = true;
   for (uint8_t key = 0; key < KeyStore::PLACES; key++) {
-    if (keys_.isFree(key) && !forget(key)) erased = false;
+    if (keys_->isFree(key) && !forget(key)) erased = false;
   }
   return erased;
 }
@@ -236,26 +238,26 @@ TakenNonce *ReplayMemory::findFree(uint8_t key) {
 
 // Whether one more origin of a key may be remembered.
 bool ReplayMemory::hasRoom(uint8_t key) const {
-  if (!keys_.addressAt(key).isMulticast()) return findFree(key) != nullptr;
+  if (!keys_->addressAt(key).isMulticast()) return findFree(key) != nullptr;
   const Groups groups = this->groups();
   uint8_t own = 0;
   for (const TakenNonce &entry : memory().entries) {
     if (entry.state != FREE && entry.key == key) own++;
   }
-  return groups.origins < groups.places && own < groups.places / groups.keys;
+  return groups.origins < groups.places && (own + 1) * groups.keys <= groups.places;
 }
 
 ReplayMemory::Groups ReplayMemory::groups() const {
   Groups groups = {0, config::REPLAY_ENTRIES, 0};
   for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
-    if (keys_.addressAt(key).isMulticast()) {
+    if (keys_->addressAt(key).isMulticast()) {
       groups.keys++;
-    } else if (!keys_.isFree(key)) {
+    } else if (!keys_->isFree(key)) {
       groups.places--;
     }
   }
   for (const TakenNonce &entry : memory().entries) {
-    if (entry.state != FREE && keys_.addressAt(entry.key).isMulticast()) groups.origins++;
+    if (entry.state != FREE && keys_->addressAt(entry.key).isMulticast()) groups.origins++;
   }
   return groups;
 }
@@ -272,7 +274,7 @@ bool ReplayMemory::isInForce(uint8_t place) const {
 uint8_t ReplayMemory::store(const uint8_t *record) {
   for (uint8_t tries = 0; tries < config::FLOOR_SLOTS; tries++) {
     const uint8_t place = nextPlace_;
-    nextPlace_ = static_cast<uint8_t>((place + 1) % config::FLOOR_SLOTS);
+    nextPlace_ = static_cast<uint8_t>(place + 1 == config::FLOOR_SLOTS ? 0 : place + 1);
     uint8_t present[FLOOR_LENGTH];
     if (isInForce(place) || read(place, present)) continue;
     if (write(place, record)) return retained::holds() ? place : NO_PLACE;

@@ -9,6 +9,7 @@
 #include "../storage/Retained.h"
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -50,11 +51,11 @@ class ReplayMemory {
   /// after a boot, when the epoch was raised and the keys were read: a few ms, and 20 ms for each forgotten floor.
   /// @param epoch the boot epoch
   /// @return false where the stack is over the memory, or was in the boot before
-  JAVINO_NOINLINE bool begin(uint32_t epoch);
+  bool begin(uint32_t epoch);
 
   /// Floors may be lost, since others in EEPROM are: from now on what comes under a stored key is refused, other than above
   /// a floor that is there. It stays so until the key is deleted.
-  JAVINO_NOINLINE void doubtFloors();
+  void doubtFloors();
 
   /// Whether what comes under a key from an origin without a floor is refused.
   JAVINO_NOINLINE bool isDoubtful(uint8_t key) const;
@@ -117,13 +118,18 @@ class ReplayMemory {
   static TakenNonce *findFree(uint8_t key);
   bool hasRoom(uint8_t key) const;
   JAVINO_NOINLINE Groups groups() const;
-  JAVINO_NOINLINE uint8_t store(const uint8_t *record);
+  uint8_t store(const uint8_t *record);
   bool readFloor(const TakenNonce &entry, uint8_t *record) const;
   bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
   static TakenNonces &memory() { return retained::takenNonces(); }
 
-  const KeyStore &keys_;
+  Part<const KeyStore> keys_;
   uint8_t nextPlace_ JAVINO_ZEROED;  // of the ring, where to look for a free one
 };
+
+#ifdef __AVR__
+template <>
+ReplayMemory &Part<ReplayMemory>::the();
+#endif
 
 }  // namespace javinolib

@@ -4,6 +4,7 @@
 
 #include "../support/Inlining.h"
 #include "../support/Status.h"
+#include "../support/Part.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
@@ -49,5 +50,10 @@ class BootEpoch {
   uint32_t value_ JAVINO_ZEROED;
   Status status_ JAVINO_ZEROED;
 };
+
+#ifdef __AVR__
+template <>
+BootEpoch &Part<BootEpoch>::the();
+#endif
 
 }  // namespace javinolib

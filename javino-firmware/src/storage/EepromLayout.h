@@ -14,8 +14,14 @@
 
 namespace javinolib {
 
-/// Where things are in EEPROM, in this order: RF id, ring of boot epochs, keys, ring of nonces' floors, whether the board
-/// relays, the other half of the ring of boot epochs.
+/// What is ours lies at the end of the EEPROM, so that the low addresses are the sketch's: RF id, ring of boot epochs, keys,
+/// ring of nonces' floors, whether the board relays, the other half of the ring of boot epochs, and the number of this layout.
+
+#if defined(E2END)
+static const uint16_t EEPROM_SIZE = E2END + 1;
+#else
+static const uint16_t EEPROM_SIZE = JAVINO_BY_PROFILE(4096, 1024);
+#endif
 
 /// Address and generation.
 static const uint8_t RF_ID_LENGTH = Address::STORED_LENGTH + 1;
@@ -40,24 +46,23 @@ static const uint8_t FLOOR_RECORD_LENGTH = FLOOR_LENGTH + EepromRecord::CHECK_LE
 static const uint8_t FLOOR_COPIES = 2;
 static const uint8_t FLOOR_PLACE_LENGTH = FLOOR_COPIES * FLOOR_RECORD_LENGTH;
 
-static const uint16_t RF_ID_AT = config::EEPROM_START;
-static const uint16_t EPOCHS_AT = RF_ID_AT + RF_ID_PLACES * RF_ID_RECORD_LENGTH;
-static const uint16_t KEYS_AT = EPOCHS_AT + EPOCHS_LENGTH;
-static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_PLACE_LENGTH;
-
-static const uint16_t RELAYING_AT = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
-
 /// A record that is there while the board relays: a number from which its random ones begin if it has no RF id.
 static const uint8_t RELAYING_LENGTH = 2;
+static const uint8_t RELAYING_RECORD_LENGTH = config::LARGE ? RELAYING_LENGTH + EepromRecord::CHECK_LENGTH : 0;
 
-static const uint16_t OTHER_EPOCHS_AT =
-    RELAYING_AT + (config::RELAY ? RELAYING_LENGTH + EepromRecord::CHECK_LENGTH : 0);
+static const uint16_t LAYOUT_AT = EEPROM_SIZE - 1;
+static const uint16_t OTHER_EPOCHS_AT = LAYOUT_AT - EPOCHS_LENGTH;
+static const uint16_t RELAYING_AT = OTHER_EPOCHS_AT - RELAYING_RECORD_LENGTH;
+static const uint16_t FLOORS_AT = RELAYING_AT - config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
+static const uint16_t KEYS_AT = FLOORS_AT - KEY_PLACES * KEY_PLACE_LENGTH;
+static const uint16_t EPOCHS_AT = KEYS_AT - EPOCHS_LENGTH;
+static const uint16_t RF_ID_AT = EPOCHS_AT - RF_ID_PLACES * RF_ID_RECORD_LENGTH;
 
-/// The first byte that is free for the sketch.
-static const uint16_t EEPROM_END = OTHER_EPOCHS_AT + EPOCHS_LENGTH;
+static_assert(RF_ID_AT >= JAVINO_BY_PROFILE(512, 128) && RF_ID_AT < EEPROM_SIZE,
+              "JAVINO_KEYS: so many leave too little of the EEPROM to the sketch");
 
-#if defined(E2END)
-static_assert(EEPROM_END <= E2END + 1, "The keys, epochs and floors of Config.h do not fit the EEPROM of this chip");
-#endif
+/// Makes the EEPROM one of this layout, once. An older layout began at 0: what it holds is wiped.
+/// @return whether it has ever held one
+bool beginLayout();
 
 }  // namespace javinolib

@@ -2,7 +2,6 @@
 
 #include <stdint.h>
 
-#include "../support/Crc16.h"
 #include "../support/Inlining.h"
 
 namespace javinolib {
@@ -30,28 +29,26 @@ class EepromRecord {
   /// of power has left half done. What is no whole record is read twice, then erased.
   /// @param secrets as for erase()
   /// @return as read()
-  bool begin(uint8_t *data, uint8_t secrets) const;
+  bool begin(uint8_t *data, uint8_t secrets) const { return begin(at_, length_, data, secrets); }
 
   /// Copies the data out.
   /// @return false, and the copy is to be thrown away, where there is no whole record.
-  bool read(uint8_t *data) const;
+  bool read(uint8_t *data) const { return read(at_, length_, data); }
 
   /// Writes the data, unless it is there already.
   /// @return false where the EEPROM did not keep it: then no record is there.
-  bool write(const uint8_t *data) const;
+  bool write(const uint8_t *data) const { return write(at_, length_, data); }
 
   /// Takes the record away, and overwrites the first `secrets` bytes of its data. Writes nothing where all that is blank.
   /// @return false where the EEPROM still holds it.
-  bool erase(uint8_t secrets) const;
+  bool erase(uint8_t secrets) const { return erase(at_, length_, secrets); }
 
  private:
-  JAVINO_NOINLINE uint8_t stored(uint8_t index) const;
-  void store(uint8_t index, uint8_t value) const;
-  void storeSeals(const Crc16 &crc, uint8_t right) const;
-  bool isBlank(uint8_t secrets) const;
-  bool holds(const uint8_t *data) const;
-  uint8_t rightSeals(const Crc16 &crc) const;
-  Crc16 crcOf(const uint8_t *data) const;
+  // Place and length in registers, not an object on the stack of each caller.
+  JAVINO_NOINLINE static bool begin(uint16_t at, uint8_t length, uint8_t *data, uint8_t secrets);
+  JAVINO_NOINLINE static bool read(uint16_t at, uint8_t length, uint8_t *data);
+  JAVINO_NOINLINE static bool write(uint16_t at, uint8_t length, const uint8_t *data);
+  JAVINO_NOINLINE static bool erase(uint16_t at, uint8_t length, uint8_t secrets);
 
   uint16_t at_;
   uint8_t length_;

@@ -18,6 +18,8 @@ namespace {
 
 const uint8_t SECRETS_LENGTH = 2 * Aes128::KEY_LENGTH;
 const uint8_t CHECK_AT = SECRETS_LENGTH;
+static_assert(sizeof(DerivedKeys) == CHECK_AT + DerivedKeys::CHECK_LENGTH,
+              "a record begins with derived keys as they are");
 const uint8_t ADDRESS_AT = CHECK_AT + DerivedKeys::CHECK_LENGTH;
 const uint8_t GENERATION_AT = ADDRESS_AT + Address::STORED_LENGTH;
 const uint8_t ALONE_AT = GENERATION_AT + 1;
@@ -63,17 +65,11 @@ struct StoredKey {
   ~StoredKey() { wipe(bytes, sizeof bytes); }
 
   void pack(const Address &address, const DerivedKeys &keys) {
-    memcpy(bytes, keys.encryption, Aes128::KEY_LENGTH);
-    memcpy(bytes + Aes128::KEY_LENGTH, keys.authentication, Aes128::KEY_LENGTH);
-    memcpy(bytes + CHECK_AT, keys.check, DerivedKeys::CHECK_LENGTH);
+    memcpy(bytes, &keys, sizeof keys);
     address.store(bytes + ADDRESS_AT);
   }
 
-  void unpack(DerivedKeys &keys) const {
-    memcpy(keys.encryption, bytes, Aes128::KEY_LENGTH);
-    memcpy(keys.authentication, bytes + Aes128::KEY_LENGTH, Aes128::KEY_LENGTH);
-    memcpy(keys.check, bytes + CHECK_AT, DerivedKeys::CHECK_LENGTH);
-  }
+  void unpack(DerivedKeys &keys) const { memcpy(static_cast<void *>(&keys), bytes, sizeof keys); }
 
   Address address() const { return Address::stored(bytes + ADDRESS_AT); }
 };

@@ -7,6 +7,7 @@
 #include "../support/Status.h"
 #include "../crypto/DerivedKeys.h"
 #include "../support/Inlining.h"
+#include "../support/Part.h"
 #include "SessionKeys.h"
 
 namespace javinolib {
@@ -44,12 +45,10 @@ class KeyStore {
   uint8_t current(const Address &address) const { return best(address, NO_SLOT); }
 
   /// @return the place of the key that opens beside the current one while that is being renewed, or NO_SLOT.
-  uint8_t other(const Address &address) const {
-    return config::KEY_RENEWAL ? best(address, current(address)) : NO_SLOT;
-  }
+  uint8_t other(const Address &address) const { return best(address, current(address)); }
 
   /// The most keys that an address has.
-  static const uint8_t KEYS_OF_ADDRESS = config::KEY_RENEWAL ? 2 : 1;
+  static const uint8_t KEYS_OF_ADDRESS = 2;
 
   /// @return the other key's place where that is to be the current one, and NO_SLOT where it was.
   JAVINO_NOINLINE uint8_t next(const Address &address) const;
@@ -84,7 +83,7 @@ class KeyStore {
 
   /// Makes the next key the current one, and what was the current one the previous: 3.4 ms.
   /// @return OK, NO_KEY where there is no next one, or STORE_FAILED
-  JAVINO_NOINLINE Status use(const Address &address);
+  Status use(const Address &address);
 
   /// Puts a session key into a place that is free.
   /// @param slot one of a session key
@@ -122,5 +121,12 @@ class KeyStore {
   Address addresses_[PLACES];
   SessionKeys sessions_;
 };
+
+#ifdef __AVR__
+template <>
+KeyStore &Part<KeyStore>::the();
+template <>
+const KeyStore &Part<const KeyStore>::the();
+#endif
 
 }  // namespace javinolib

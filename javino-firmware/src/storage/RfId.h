@@ -17,7 +17,7 @@ class RfId {
   RfId() : address_(Address::serialLine()) {}
 
   /// Reads what is stored. To be called once, after a boot.
-  JAVINO_NOINLINE void begin();
+  void begin();
 
   bool isSet() const { return address_.isDevice(); }
 

@@ -8,7 +8,7 @@ namespace javinolib {
 
 /// Numbers of several bytes as the protocol has them, most significant byte first (SPEC, conventions).
 
-JAVINO_NOINLINE void writeUint24(uint8_t *into, uint32_t value);
+void writeUint24(uint8_t *into, uint32_t value);
 void writeUint32(uint8_t *into, uint32_t value);
 JAVINO_NOINLINE uint32_t readUint24(const uint8_t *from);
 

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
+#include "Clock.h"
 #include "Inlining.h"
 #include "Zeroed.h"
 
@@ -47,7 +48,11 @@ enum class Counter : uint8_t {
   RELAY_ANSWERS,
   RELAY_REFUSED,
   MEMORY_DAMAGED,
-  END  ///< one more than the last
+  LOOP_MILLIS,        ///< this and the next two: the longest time since the boot, between two calls of run(),
+  PERCEPTS_MILLIS,    ///< in the sketch's function of percepts,
+  ACTION_MILLIS,      ///< and in a function of an action
+  RADIO_LATE_MICROS,  ///< how late the radio's interrupt began at most
+  END                 ///< one more than the last
 };
 
 /// Adds one; the counter stops at the greatest number that it can hold.
@@ -56,46 +61,78 @@ inline void countUp(Count &counter) {
   if (static_cast<Count>(~counter) != 0) counter++;
 }
 
-/// What was done, damaged and dropped since the boot; nothing is dropped without a count. Where Config.h leaves statistics
-/// out, count() does nothing, and there are no values.
-class Counters {
+/// What was done, damaged and dropped on the serial line since the boot, and percepts that were left out: all that a board
+/// without a radio counts.
+class SerialCounters {
+ public:
+  static bool has(Counter counter) { return indexOf(counter) < COUNT; }
+
+  JAVINO_NOINLINE void count(Counter counter) { countUp(values_[indexOf(counter)]); }
+
+  /// Takes note of a time, if it is the longest so far.
+  /// @param counter LOOP_MILLIS, PERCEPTS_MILLIS or ACTION_MILLIS
+  /// @param began the low half of the clock's milliseconds: what lasts for more than 65 s is not known
+  JAVINO_NOINLINE void longest(Counter counter, uint16_t began) {
+    const uint16_t millis = static_cast<uint16_t>(static_cast<uint16_t>(clock::millis()) - began);
+    config::Count &value = values_[indexOf(counter)];
+    if (millis > value) value = millis;
+  }
+
+  config::Count value(Counter counter) const { return values_[indexOf(counter)]; }
+
+ protected:
+  static const uint8_t COUNT = static_cast<uint8_t>(Counter::SERIAL_REPEATS) + 1 + 3;
+
+ private:
+  static uint8_t indexOf(Counter counter) {
+    const uint8_t number = static_cast<uint8_t>(counter);
+    if (counter == Counter::PERCEPTS_LEFT_OUT) return 0;
+    if (counter >= Counter::LOOP_MILLIS)
+      return static_cast<uint8_t>(number - static_cast<uint8_t>(Counter::LOOP_MILLIS) + 5);
+    return counter <= Counter::SERIAL_REPEATS ? number : COUNT;
+  }
+
+  config::Count values_[COUNT] JAVINO_ZEROED;
+};
+
+/// The same, and what a board with a radio does and drops; nothing is dropped without a count.
+class Counters : public SerialCounters {
  public:
   static const uint8_t COUNT = static_cast<uint8_t>(Counter::END) - 1;
 
   /// Whether the radio counts this one (RadioCounters).
   static bool isRadios(Counter counter) {
     return (counter >= Counter::RADIO_RECEIVED && counter <= Counter::RADIO_MISSED) || counter == Counter::RADIO_SENT ||
-           counter == Counter::RADIO_MENDED;
+           counter == Counter::RADIO_MENDED || counter == Counter::RADIO_LATE_MICROS;
   }
 
   /// @param counter none of the radio's
-
   JAVINO_NOINLINE void count(Counter counter) {
-    if (config::STATISTICS) countUp(values_[indexOf(counter)]);
+    if (has(counter)) {
+      SerialCounters::count(counter);
+    } else {
+      countUp(values_[indexOf(counter)]);
+    }
   }
 
   /// @param counter none of the radio's
-  void set(Counter counter, uint32_t value) { values_[indexOf(counter)] = static_cast<Value>(value); }
-
-  /// @param counter none of the radio's
-  uint32_t value(Counter counter) const { return values_[indexOf(counter)]; }
+  config::Count value(Counter counter) const {
+    return has(counter) ? SerialCounters::value(counter) : values_[indexOf(counter)];
+  }
 
  private:
-  static const uint8_t RADIOS = 5;
+  static const uint8_t RADIOS = 6;
+  static const uint8_t FIRST = static_cast<uint8_t>(Counter::RADIO_BAD_FRAMES);
 
   // The radio's have no place.
   static uint8_t indexOf(Counter counter) {
-    uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(counter) - 1);
-    if (counter > Counter::RADIO_MISSED) index = static_cast<uint8_t>(index - 3);
-    if (counter > Counter::RADIO_SENT) index--;
+    uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(counter) - FIRST);
+    if (counter > Counter::RADIO_SENT) index = static_cast<uint8_t>(index - 2);
     if (counter > Counter::RADIO_MENDED) index--;
     return index;
   }
 
-  // 50 bytes of an Uno's RAM less.
-  typedef JAVINO_BY_CHIP(uint32_t, uint16_t) Value;
-
-  Value values_[config::STATISTICS ? COUNT - RADIOS : 1] JAVINO_ZEROED;
+  config::Count values_[COUNT - RADIOS - SerialCounters::COUNT] JAVINO_ZEROED;
 };
 
 }  // namespace javinolib

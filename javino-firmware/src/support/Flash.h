@@ -5,7 +5,8 @@
 /// Constants that stay in flash on AVR, and are plain constants elsewhere.
 #ifdef __AVR__
 #include <avr/pgmspace.h>
-#define JAVINO_FLASH PROGMEM
+// Before those of others, in the room that the S-box of AES leaves before it (Aes128Avr.S).
+#define JAVINO_FLASH __attribute__((section(".progmem.gcc_javino")))
 #else
 #define JAVINO_FLASH
 #endif

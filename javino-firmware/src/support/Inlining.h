@@ -1,9 +1,8 @@
 #pragma once
 
-/// Marks a function that link-time optimisation must not merge into its only caller. The caller's stack frame would
-/// grow beyond the 64 bytes that AVR reaches in one instruction, and be held while sketches' functions run: merged,
-/// the command dispatcher alone had a frame of 281 bytes. Also marks small functions whose copies in their callers
-/// would take more flash than the calls.
+/// Marks a function that link-time optimisation must not merge into its only caller, as the caller's stack frame, which then
+/// has the keys or buffers of both, would be held while other functions need the stack. Also marks small functions whose copies
+/// in their callers would take more flash than the calls.
 #define JAVINO_NOINLINE __attribute__((noinline))
 
 /// Keeps a function one function. Where gcc sees the whole program, it copies a method that is called for one object only

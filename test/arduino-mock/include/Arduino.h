@@ -6,10 +6,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "WString.h"
+
 enum : uint8_t { LOW = 0, HIGH = 1 };
 enum : uint8_t { INPUT = 0, OUTPUT = 1, INPUT_PULLUP = 2 };
-
-class __FlashStringHelper;
 
 /// A text in flash; here it is in memory like any other.
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))

@@ -19,6 +19,7 @@ uint8_t SerialPort::read() { return *line.in++; }
 bool SerialPort::canWrite() const { return true; }
 
 void SerialPort::write(uint8_t byte) {
+  if (line.measured && byte == 0) return;  // it says that a request has come
   if (line.measured) GPIOR0 = 0;
   line.measured = false;
   if (line.out != nullptr) *line.out++ = byte;

@@ -153,6 +153,8 @@ void hearPacket() {
   mailbox.length = length;
 }
 
+#if JAVINO_LARGE
+
 // A packet of which each so many-th symbol has a wrong bit, from the given one on.
 void makeDamaged(RadioPacket &packet, uint8_t distance, uint8_t first) {
   uint8_t room[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH];
@@ -204,18 +206,20 @@ void mendStep() {
   mailbox.length = static_cast<uint8_t>(progress);
 }
 
-const uint8_t PERCEPTS = 40;
+#endif
+
+const uint8_t PERCEPTS = config::LARGE ? 40 : 20;
 const char PIN_NAME[] JAVINO_FLASH = "pin";
 const FlashText *const PIN = reinterpret_cast<const FlashText *>(PIN_NAME);
 
-// Of a name and a number as sketches have them: some 500 bytes in all, as many as a reply holds.
+// Of a name and a number as sketches have them: as many as a reply holds.
 void perceive(Percepts &percepts) {
   for (uint8_t i = 0; i < PERCEPTS; i++) percepts.add(PIN, 1000 + i);
 }
 
 void answer() {
-  static Board board(SerialPort(reinterpret_cast<Stream &>(line)), modem(), "test 1.0");
-  board.onPercepts(perceive);
+  static Board board(SerialPort(reinterpret_cast<Stream &>(line)), "test 1.0");
+  board.poll().setSource(perceive);
   const uint16_t before = mailbox.measured == 0 ? 0 : mailbox.length - mailbox.measured;
   line.in = mailbox.bytes;
   line.end = mailbox.bytes + before;
@@ -252,6 +256,8 @@ void perform() {
     case Mailbox::OPEN: open(); break;
     case Mailbox::ADD_TO_CRC: addToCrc(); break;
     case Mailbox::HEAR_PACKET: hearPacket(); break;
+    case Mailbox::ANSWER: answer(); break;
+#if JAVINO_LARGE
     case Mailbox::MEND_PACKET: mendPacket(); break;
     case Mailbox::ADD_PARITY: addParity(); break;
     case Mailbox::ERASE: {
@@ -260,7 +266,8 @@ void perform() {
       break;
     }
     case Mailbox::MEND_STEP: mendStep(); break;
-    case Mailbox::ANSWER: answer(); break;
+#endif
+    default: break;
   }
 }
 

@@ -1,5 +1,5 @@
-#include <board/KeyCommands.h>
 #include <gtest/gtest.h>
+#include <radioboard/KeyCommands.h>
 
 #include "support/Addresses.h"
 #include "support/FakeRadio.h"
@@ -60,7 +60,8 @@ class KeyCommandsTest : public testing::Test {
   FakeRadio radio;
   javinolib::BoardState state;
   const javinolib::Delivery idle{radio, state};  // nothing is under way
-  Reply reply;
+  uint8_t bytes[javinolib::MAX_PACKET_LENGTH];
+  Reply reply{bytes, sizeof bytes};
 };
 
 const Bytes TO_SUPO = bytesOf("SUPO");

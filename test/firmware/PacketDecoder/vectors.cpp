@@ -1,8 +1,8 @@
 #include <framing/Frame.h>
-#include <framing/PacketDecoder.h>
 #include <gtest/gtest.h>
 
 #include "Frame/FrameErrors.h"
+#include "support/BufferedDecoder.h"
 #include "support/Vectors.h"
 
 using javinolib::PacketDecoder;
@@ -33,7 +33,7 @@ std::string outcomeOf(PacketEvent event, const PacketDecoder &decoder) {
 }  // namespace
 
 TEST(PacketDecoder, decodes_all_valid_vectors_one_after_the_other) {
-  PacketDecoder decoder;
+  BufferedDecoder decoder;
   for (const Vector &vector : vectors("packets.json", "valid")) {
     SCOPED_TRACE(vector.toString());
     ASSERT_EQ(PacketEvent::PACKET, decode(decoder, vector.bytes("packet")));
@@ -43,7 +43,7 @@ TEST(PacketDecoder, decodes_all_valid_vectors_one_after_the_other) {
 }
 
 TEST(PacketDecoder, refuses_all_invalid_vectors_for_their_reason) {
-  PacketDecoder decoder;
+  BufferedDecoder decoder;
   for (const Vector &vector : vectors("packets.json", "invalid")) {
     SCOPED_TRACE(vector.toString());
     const PacketEvent event = decode(decoder, vector.bytes("packet"));

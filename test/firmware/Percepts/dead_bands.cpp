@@ -28,11 +28,11 @@ class DeadBands : public testing::Test {
     other = 100;
     levelShown = true;
     board.start();
-    board.board->sampleEvery(1);
+    board.board->poll().sampleEvery(1);
   }
 
   void perceive(javinolib::PerceptSource source) {
-    board.board->onPercepts(source);
+    board.board->poll().setSource(source);
     board.hold(PERCEPTS, 0);
     board.takeReply();
   }

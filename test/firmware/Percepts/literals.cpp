@@ -13,7 +13,7 @@ namespace {
 std::vector<std::string> perceived(javinolib::PerceptSource source) {
   TestBoard board;
   board.start();
-  board.board->onPercepts(source);
+  board.board->poll().setSource(source);
   return board.poll(true).texts('P');
 }
 
@@ -67,7 +67,7 @@ TEST(Percepts, are_none_without_a_source) {
 TEST(Percepts, are_not_asked_for_where_the_host_does_not_want_them) {
   TestBoard board;
   board.start();
-  board.board->onPercepts([](Percepts &percepts) { percepts.add(F("dark")); });
+  board.board->poll().setSource([](Percepts &percepts) { percepts.add(F("dark")); });
   const PollReply reply = board.poll(false);
   EXPECT_TRUE(reply.records.empty());
   EXPECT_FALSE(reply.reading);
@@ -76,7 +76,7 @@ TEST(Percepts, are_not_asked_for_where_the_host_does_not_want_them) {
 TEST(Percepts, what_does_not_fit_is_left_out_whole_told_and_counted) {
   TestBoard board;
   board.start();
-  board.board->onPercepts([](Percepts &percepts) {
+  board.board->poll().setSource([](Percepts &percepts) {
     for (int i = 0; i < 100; i++) percepts.add(F("something"), 100 + i);  // 14 + 3 bytes each, 509 in all
     percepts.add(F("x"));
   });
@@ -95,7 +95,7 @@ TEST(Percepts, writes_numbers_of_each_length) {
   static unsigned long number;
   TestBoard board;
   board.start();
-  board.board->onPercepts([](Percepts &percepts) {
+  board.board->poll().setSource([](Percepts &percepts) {
     percepts.add(F("n"), number);
     percepts.add(F("n"), -static_cast<long>(number));
   });

@@ -11,7 +11,7 @@ namespace {
 
 int writesOfFloors(const ReplayRig &rig) {
   int writes = 0;
-  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::EEPROM_END; at++) writes += rig.eeprom.writesOf(at);
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::RELAYING_AT; at++) writes += rig.eeprom.writesOf(at);
   return writes;
 }
 
@@ -85,7 +85,7 @@ TEST(ReplayFloor, of_a_key_that_is_gone_is_erased_at_the_next_boot) {
 
 TEST(ReplayFloor, that_cannot_be_written_is_told_and_nothing_is_remembered) {
   ReplayRig rig;
-  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::EEPROM_END; at++) rig.eeprom.wearOut(at);
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::RELAYING_AT; at++) rig.eeprom.wearOut(at);
   EXPECT_FALSE(rig.reserve(0, SUPO, nonce(5, 7)));
   EXPECT_EQ(Bytes(6), rig.floor(0, SUPO));
 }
@@ -130,7 +130,7 @@ TEST(ReplayFloor, wear_is_spread_over_the_free_places) {
     if (i % 11 == 0) rig.powerCycle();
   }
   const int free = javinolib::config::FLOOR_SLOTS - javinolib::config::REPLAY_ENTRIES;
-  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::EEPROM_END; at++) {
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::RELAYING_AT; at++) {
     EXPECT_LE(rig.eeprom.writesOf(at), 2 * uses / free * 5 / 4) << at;
   }
 }

@@ -3,11 +3,13 @@
 #include <avr/io.h>
 
 #include <board/Board.h>
+#include <radioboard/RadioBoard.h>
 #include <storage/EepromLayout.h>
 #include <storage/Retained.h>
 
 namespace javinolib {
 
+static_assert(config::LARGE, "");
 static_assert(config::KEYS == 16, "");
 static_assert(config::SESSION_KEYS == 8, "");
 static_assert(config::REPLAY_ENTRIES == 24, "");
@@ -25,12 +27,17 @@ static_assert(config::RADIO_PACKETS == 3, "");
 static_assert(config::ACKNOWLEDGEMENTS == 6, "");
 static_assert(config::ACTIONS == 16, "");
 static_assert(config::DEAD_BANDS == 8, "");
-static_assert(config::PARITY, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
-static_assert(config::EEPROM_START == 0, "");
 
-static_assert(EEPROM_END == 3359, "");
+static_assert(RF_ID_AT == 736, "where it differs, so does the number of the layout");
 static_assert(sizeof(TakenNonces) == 424, "retained RAM, beside the board's");
-static_assert(sizeof(Board) <= 5113, "the protocol's part of static RAM");
+
+// The parts of a board lie beside it (support/Part.h).
+const size_t PARTS = sizeof(Actions) + sizeof(Poll);
+const size_t RADIO_PARTS = PARTS + sizeof(Commands) + sizeof(BoardState) + sizeof(Delivery) + sizeof(MediumAccess) +
+                           sizeof(Acknowledger) + sizeof(Inbox) + sizeof(Admission) + sizeof(Courier) +
+                           sizeof(Overheard);
+static_assert(sizeof(Board) + PARTS <= 1320, "static RAM of a board without a radio");
+static_assert(sizeof(RadioBoard) + RADIO_PARTS <= 5149, "and of one with a radio, beside the radio's");
 
 }  // namespace javinolib

@@ -3,15 +3,17 @@
 #include <avr/io.h>
 
 #include <board/Board.h>
+#include <radioboard/RadioBoard.h>
 #include <storage/EepromLayout.h>
 #include <storage/Retained.h>
 
 namespace javinolib {
 
+static_assert(!config::LARGE, "");
 static_assert(config::KEYS == 6, "");
 static_assert(config::SESSION_KEYS == 0, "");
 static_assert(config::REPLAY_ENTRIES == 6, "");
-static_assert(config::FLOOR_SLOTS == 23, "");
+static_assert(config::FLOOR_SLOTS == 18, "");
 static_assert(config::MAX_MESSAGE == 84, "");
 static_assert(config::RECEIVE_BYTES == 92, "");
 static_assert(config::TRANSMIT_BYTES == 97, "");
@@ -25,13 +27,18 @@ static_assert(config::RADIO_PACKETS == 2, "");
 static_assert(config::ACKNOWLEDGEMENTS == 3, "");
 static_assert(config::ACTIONS == 8, "");
 static_assert(config::DEAD_BANDS == 2, "");
-static_assert(!config::PARITY, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
-static_assert(config::EEPROM_START == 0, "");
 
 static_assert(MAX_CONTENT_LENGTH == 67, "a broadcast of one packet");
-static_assert(EEPROM_END == 1016, "of 1024 bytes");
+static_assert(RF_ID_AT == 137, "where it differs, so does the number of the layout");
 static_assert(sizeof(TakenNonces) == 86, "retained RAM, beside the board's");
-static_assert(sizeof(Board) <= 944, "the protocol's part of static RAM");
+
+// The parts of a board lie beside it (support/Part.h).
+const size_t PARTS = sizeof(Actions) + sizeof(Poll);
+const size_t RADIO_PARTS = PARTS + sizeof(Commands) + sizeof(BoardState) + sizeof(Delivery) + sizeof(MediumAccess) +
+                           sizeof(Acknowledger) + sizeof(Inbox) + sizeof(Admission) + sizeof(Courier) +
+                           sizeof(Overheard);
+static_assert(sizeof(Board) + PARTS <= 504, "static RAM of a board without a radio");
+static_assert(sizeof(RadioBoard) + RADIO_PARTS <= 856, "and of one with a radio, beside the radio's");
 
 }  // namespace javinolib

@@ -31,7 +31,7 @@ class SmallBoard : public testing::Test {
 
 TEST_F(SmallBoard, cuts_a_long_name_to_what_fits_a_reply) {
   const std::string name(90, 'n');
-  board.board.reset(new javinolib::Board(javinolib::SerialPort(board.port), board.radio, name.c_str()));
+  board.board.reset(new javinolib::RadioBoard(javinolib::SerialPort(board.port), name.c_str(), board.radio));
   board.board->begin();
   EXPECT_EQ(84u, 1 + board.hello().body.size());
 }
@@ -40,7 +40,7 @@ TEST_F(SmallBoard, tells_the_names_of_its_actions_in_parts) {
   const std::vector<std::string> names = {"turnTheLampOn", "turnTheLampOff", std::string(90, 'n'), "go"};
   Bytes all;
   for (const std::string &name : names) {
-    board.board->action(F(name.c_str()), [](const javinolib::Arguments &) { return true; });
+    board.board->actions().add(F(name.c_str()), [](const javinolib::Arguments &) { return true; });
     all = all + bytesOf(name) + Bytes(1, 0);
   }
   Bytes told;
@@ -114,6 +114,7 @@ TEST_F(SmallBoard, tells_all_outcomes_in_one_poll) {
 
 TEST_F(SmallBoard, leaves_counters_out_that_are_zero) {
   const Bytes body = board.request('S').body;
-  ASSERT_EQ(5u, body.size()) << "but for serialRequests none has counted";
+  ASSERT_EQ(10u, body.size()) << "no other has counted";
   EXPECT_EQ(static_cast<uint8_t>(Counter::SERIAL_REQUESTS), body[0]);
+  EXPECT_EQ(static_cast<uint8_t>(Counter::LOOP_MILLIS), body[5]);
 }

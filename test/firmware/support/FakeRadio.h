@@ -23,7 +23,7 @@ class FakeRadio : public javinolib::Radio {
   uint8_t *receive(uint8_t &length) override;
   void release() override;
   javinolib::Mender *mender() override { return mends ? &mender_ : nullptr; }
-#if JAVINO_PARITY
+#if JAVINO_LARGE
   void follow(javinolib::Trailer trailer) override { trailer_ = trailer; }
 #endif
   bool setHops(uint8_t hops) override {
@@ -48,7 +48,7 @@ class FakeRadio : public javinolib::Radio {
   bool heard = false;             ///< whether another board's carrier is on the air
   mutable bool wasHeard = false;  ///< whether one was, since the board has looked
   uint8_t payload = javinolib::MAX_RADIO_PAYLOAD;
-  javinolib::RadioCounters counts = {0, 0, 0, 0, 0};
+  javinolib::RadioCounters counts = {0, 0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
   std::vector<javinolib::Trailer> trailers;  ///< what followed each of these
   std::vector<uint8_t> hops;                 ///< behind each of these

@@ -2,6 +2,7 @@
 
 #include <secure/Envelope.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "Reference.h"
@@ -9,6 +10,8 @@
 using javinolib::Status;
 
 namespace {
+
+const Bytes EMPTY_PACKET = {1};
 
 // The body of a poll, as SPEC 4.3 defines it.
 Bytes pollBody(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
@@ -80,7 +83,7 @@ bool TestBoard::reboot() {
   const bool mends = radio.mends;
   radio = FakeRadio();
   radio.mends = mends;
-  board.reset(new javinolib::Board(javinolib::SerialPort(port), other_ == nullptr ? radio : *other_, "test 1.0"));
+  board.reset(new javinolib::RadioBoard(javinolib::SerialPort(port), "test 1.0", other_ == nullptr ? radio : *other_));
   return board->begin();
 }
 
@@ -97,28 +100,30 @@ void TestBoard::start(const std::string &rfId) {
   pass(200);
 }
 
-BoardReply TestBoard::hello() { return request('H', {1}); }
+BoardReply TestHost::hello() { return request('H', {1}); }
 
-BoardReply TestBoard::request(const Bytes &message) { return exchange(reference::frame("++++", "++++", message)); }
+BoardReply TestHost::request(const Bytes &message) { return exchange(reference::frame("++++", "++++", message)); }
 
-BoardReply TestBoard::transmit(const std::string &destination, const std::string &origin, const std::string &content) {
+BoardReply TestHost::transmit(const std::string &destination, const std::string &origin, const std::string &content) {
   return exchange(plain(destination, origin, content));
 }
 
-PollReply TestBoard::poll(bool percepts) {
+PollReply TestHost::poll(bool percepts) {
   return parsePoll(request(pollBody(percepts ? PERCEPTS_NOW : NO_PERCEPTS, 0, 0)));
 }
 
-PollReply TestBoard::pollTaking(uint8_t taken) {
-  return parsePoll(request(pollBody(NO_PERCEPTS, 0, 0) + Bytes{taken}));
-}
+PollReply TestHost::pollTaking(uint8_t taken) { return parsePoll(request(pollBody(NO_PERCEPTS, 0, 0) + Bytes{taken})); }
 
-void TestBoard::hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
+void TestHost::hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
   port.arrive(packet(reference::frame("++++", "++++", pollBody(flags, holdMillis, leastMillis))));
-  board->run();
+  run();
 }
 
-PollReply TestBoard::takeReply() {
+bool TestHost::replies() const {
+  return std::count(port.written().begin(), port.written().end(), 0) != static_cast<long>(port.written().size());
+}
+
+PollReply TestHost::takeReply() {
   const std::vector<Bytes> replies = takePackets();
   if (replies.size() != 1) throw std::runtime_error(std::to_string(replies.size()) + " replies");
   return parsePoll(parse(replies[0], sequence_));
@@ -132,7 +137,7 @@ std::vector<PolledMessage> TestBoard::messages() {
   return messages;
 }
 
-uint32_t TestBoard::counter(javinolib::Counter counter) {
+uint32_t TestHost::counter(javinolib::Counter counter) {
   const Bytes body = request('S').body;
   for (size_t i = 0; i + 5 <= body.size(); i += 5) {
     if (body[i] != static_cast<uint8_t>(counter)) continue;
@@ -141,7 +146,7 @@ uint32_t TestBoard::counter(javinolib::Counter counter) {
   throw std::runtime_error("no such counter");
 }
 
-BoardReply TestBoard::exchange(const Bytes &frame) {
+BoardReply TestHost::exchange(const Bytes &frame) {
   std::vector<Bytes> replies = sendRaw(packet(frame));
   const bool isPoll = frame.size() > 10 && frame[0] == '+' && frame[10] == 'P';
   if (replies.empty() && isPoll) replies = sendRaw({0});
@@ -149,22 +154,22 @@ BoardReply TestBoard::exchange(const Bytes &frame) {
   return parse(replies[0], sequence_);
 }
 
-std::vector<Bytes> TestBoard::sendRaw(const Bytes &bytes) {
+std::vector<Bytes> TestHost::sendRaw(const Bytes &bytes) {
   port.arrive(bytes);
-  board->run();
+  run();
   return takePackets();
 }
 
-Bytes TestBoard::packet(const Bytes &frame) { return reference::packet(++sequence_, frame); }
+Bytes TestHost::packet(const Bytes &frame) { return reference::packet(++sequence_, frame); }
 
-std::vector<Bytes> TestBoard::takePackets() {
+std::vector<Bytes> TestHost::takePackets() {
   std::vector<Bytes> packets;
   Bytes packet;
   for (uint8_t byte : port.takeWritten()) {
     if (byte != 0) {
       packet.push_back(byte);
-    } else if (!packet.empty()) {
-      packets.push_back(packet);
+    } else {
+      if (!packet.empty() && packet != EMPTY_PACKET) packets.push_back(packet);
       packet.clear();
     }
   }
@@ -182,10 +187,10 @@ void TestBoard::finishSending() {
   board->run();
 }
 
-void TestBoard::pass(uint32_t millis) {
+void TestHost::pass(uint32_t millis) {
   for (; millis != 0; millis--) {
     clock.millis++;
-    board->run();
+    run();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <board/Board.h>
+#include <radioboard/RadioBoard.h>
 
 #include <memory>
 #include <vector>
@@ -56,9 +57,79 @@ struct BoardReply {
   Bytes body;
 };
 
-/// A board on a fake port, radio, clock and EEPROM, and a host that talks to it by the definition in SPEC 4. The EEPROM
-/// and the RAM that a reset leaves alone outlive reboots.
-class TestBoard {
+/// A host on a fake port that talks to a board by the definition in SPEC 4, and the board's clock.
+class TestHost {
+ public:
+  BoardReply hello();
+
+  /// Sends a message to the board itself under a new sequence byte, and takes its reply; a poll that is held for it is
+  /// released at once.
+  BoardReply request(const Bytes &message);
+  BoardReply request(char command, const Bytes &body = Bytes()) { return request(Bytes(1, command) + body); }
+
+  /// Asks for a content to be transmitted.
+  BoardReply transmit(const std::string &destination, const std::string &origin, const std::string &content);
+
+  /// Polls without a hold. A reading is told only if nothing else waits, but then even if nothing has changed.
+  PollReply poll(bool percepts = false);
+  PollReply pollTaking(uint8_t taken);
+
+  /// Begins a poll that the board may hold.
+  void hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis = 0);
+
+  /// Whether the board has replied to this poll.
+  bool replies() const;
+
+  /// Takes its reply; throws where there is none.
+  PollReply takeReply();
+
+  uint32_t counter(javinolib::Counter counter);
+
+  /// Sends any frame as a request; throws where not exactly one good reply comes.
+  BoardReply exchange(const Bytes &frame);
+
+  /// Sends bytes as they are; @return what comes between zeros, but for empty packets.
+  std::vector<Bytes> sendRaw(const Bytes &bytes);
+
+  /// Lets time pass, and the board run in each millisecond.
+  void pass(uint32_t millis);
+
+  uint8_t lastSequence() const { return sequence_; }
+
+  FakePort port;
+  FakeClock clock;
+
+ protected:
+  virtual ~TestHost() = default;
+  virtual void run() = 0;
+
+ private:
+  Bytes packet(const Bytes &frame);
+  std::vector<Bytes> takePackets();
+
+  uint8_t sequence_ = 0;
+};
+
+/// A board without a radio.
+class PlainBoard : public TestHost {
+ public:
+  PlainBoard() { reboot(); }
+
+  void reboot() {
+    clock.millis = 0;
+    port = FakePort();
+    board.reset(new javinolib::Board(javinolib::SerialPort(port), "plain 1.0"));
+    board->begin();
+  }
+
+  std::unique_ptr<javinolib::Board> board;
+
+ protected:
+  void run() override { board->run(); }
+};
+
+/// A board with a fake radio and EEPROM. The EEPROM and the RAM that a reset leaves alone outlive reboots.
+class TestBoard : public TestHost {
  public:
   /// @param other the board's radio, which outlives it, instead of the fake one
   explicit TestBoard(javinolib::Radio *other = nullptr) : other_(other) { reboot(); }
@@ -76,49 +147,15 @@ class TestBoard {
   /// Reboots, says hello, sets an RF id where one is given, opens the radio, and waits for long quiet.
   void start(const std::string &rfId = "");
 
-  BoardReply hello();
-
-  /// Sends a message to the board itself under a new sequence byte, and takes its reply; a poll that is held for it is
-  /// released at once.
-  BoardReply request(const Bytes &message);
-  BoardReply request(char command, const Bytes &body = Bytes()) { return request(Bytes(1, command) + body); }
-
-  /// Asks for a content to be transmitted.
-  BoardReply transmit(const std::string &destination, const std::string &origin, const std::string &content);
-
   BoardReply setKey(const std::string &address, const Bytes &key) { return request('K', bytesOf(address) + key); }
 
-  /// Polls without a hold. A reading is told only if nothing else waits, but then even if nothing has changed.
-  PollReply poll(bool percepts = false);
-  PollReply pollTaking(uint8_t taken);
-
-  /// Begins a poll that the board may hold.
-  void hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis = 0);
-
-  /// Whether the board has replied to this poll.
-  bool replies() const { return !port.written().empty(); }
-
-  /// Takes its reply; throws where there is none.
-  PollReply takeReply();
-
   std::vector<PolledMessage> messages();
-
-  uint32_t counter(javinolib::Counter counter);
-
-  /// Sends any frame as a request; throws where not exactly one good reply comes.
-  BoardReply exchange(const Bytes &frame);
-
-  /// Sends bytes as they are; @return the replies' packets without their closing 0x00.
-  std::vector<Bytes> sendRaw(const Bytes &bytes);
 
   /// Lets a packet arrive by radio.
   void receive(const Bytes &payload);
 
   /// Lets the packet on the air end, and the board see it.
   void finishSending();
-
-  /// Lets time pass, and the board run in each millisecond.
-  void pass(uint32_t millis);
 
   /// Lets time pass, and each packet of the board end within a millisecond.
   void passSending(uint32_t millis);
@@ -130,21 +167,16 @@ class TestBoard {
   /// Lets time pass until the board sends and then until the packet's end.
   Bytes sendNext();
 
-  uint8_t lastSequence() const { return sequence_; }
-
-  FakePort port;
   FakeRadio radio;
-  FakeClock clock;
   SimulatedEeprom eeprom;
   SimulatedRam ram;
-  std::unique_ptr<javinolib::Board> board;
+  std::unique_ptr<javinolib::RadioBoard> board;
+
+ protected:
+  void run() override { board->run(); }
 
  private:
   javinolib::Radio *const other_;
-  Bytes packet(const Bytes &frame);
-  std::vector<Bytes> takePackets();
-
-  uint8_t sequence_ = 0;
 };
 
 /// Makes what another board would send: a sealed frame, as it is on the air.

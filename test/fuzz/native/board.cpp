@@ -32,8 +32,8 @@ class Scene {
     board_.start("SUPO");
     board_.setKey("ROMA", PAIR_KEY);
     board_.setKey("//SU", GROUP_KEY);
-    board_.board->onPercepts(percepts);
-    board_.board->action(F("act"), act);
+    board_.board->poll().setSource(percepts);
+    board_.board->actions().add(F("act"), act);
   }
 
   void play() {
@@ -232,8 +232,8 @@ class Scene {
   }
 
   void greet() {
-    board_.board->onPercepts(percepts);
-    board_.board->action(F("act"), act);
+    board_.board->poll().setSource(percepts);
+    board_.board->actions().add(F("act"), act);
     board_.hello();
     board_.request('R', {1});
   }

@@ -1,13 +1,13 @@
 // Bytes of a serial line: PacketDecoder judges each packet as SPEC 4.1 does, and Frame::parse reads what write makes.
 
-#include <framing/PacketEncoder.h>
 #include <framing/Frame.h>
-#include <framing/PacketDecoder.h>
+#include <framing/PacketEncoder.h>
 
 #include <cstring>
 #include <stdexcept>
 
 #include "Input.h"
+#include "support/BufferedDecoder.h"
 #include "support/Reference.h"
 
 using namespace javinolib;
@@ -45,7 +45,7 @@ void checkPacket(const PacketDecoder &decoder) {
   Bytes inner = Bytes{decoder.sequence()} + frame + Bytes(2, 0);
   PacketEncoder encoder;
   encoder.start(inner.data(), static_cast<uint16_t>(inner.size() - 2));
-  PacketDecoder again;
+  BufferedDecoder again;
   PacketEvent event = PacketEvent::NONE;
   while (!encoder.done()) event = again.add(encoder.next());
   require(event == PacketEvent::PACKET && again.sequence() == decoder.sequence(), "what was decoded can be encoded");
@@ -55,7 +55,7 @@ void checkPacket(const PacketDecoder &decoder) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  PacketDecoder decoder;
+  BufferedDecoder decoder;
   Bytes packet;
   for (size_t i = 0; i < size; i++) {
     const PacketEvent event = decoder.add(data[i]);

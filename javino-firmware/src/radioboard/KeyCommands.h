@@ -7,8 +7,9 @@
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
 #include "../support/Inlining.h"
-#include "Reply.h"
+#include "../board/Reply.h"
 #include "../support/Status.h"
+#include "../support/Part.h"
 
 namespace javinolib {
 
@@ -21,13 +22,13 @@ class KeyCommands {
       : keys_(keys), replays_(replays), nonces_(nonces) {}
 
   /// The boot epoch.
-  uint32_t epoch() const { return nonces_.epoch(); }
+  uint32_t epoch() const { return nonces_->epoch(); }
 
   /// E: raises the boot epoch.
   Status raiseEpoch(const uint8_t *body, uint16_t length);
 
   /// K: makes a key the only one of its address; N, which renews: the next one.
-  JAVINO_NOINLINE Status store(bool renews, const uint8_t *body, uint16_t length, Reply &reply);
+  Status store(bool renews, const uint8_t *body, uint16_t length, Reply &reply);
 
   /// U: makes the next key of an address the current one.
   /// @return BUSY while a message is under way that is sealed with the key to be replaced: when a board has taken a key into
@@ -44,17 +45,17 @@ class KeyCommands {
   JAVINO_NOINLINE Status setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply);
 
   /// L: tells addresses, roles and check values.
-  JAVINO_NOINLINE Status list(uint16_t length, Reply &reply);
+  Status list(uint16_t length, Reply &reply);
 
  private:
   bool isOneMorePair(bool renews, const Address &address) const;
   uint8_t placeForSession(const Outbox &outbox) const;
   JAVINO_NOINLINE bool erase(uint8_t slot);
-  JAVINO_NOINLINE void addCheckValue(uint8_t slot, Reply &reply) const;
+  void addCheckValue(uint8_t slot, Reply &reply) const;
 
-  KeyStore &keys_;
-  ReplayMemory &replays_;
-  NonceSource &nonces_;
+  Part<KeyStore> keys_;
+  Part<ReplayMemory> replays_;
+  Part<NonceSource> nonces_;
 };
 
 }  // namespace javinolib

@@ -23,7 +23,7 @@ class BoardPolling : public testing::Test {
     shown = 0;
     readings = 0;
     board.start("ROMA");
-    board.board->onPercepts(readLevel);
+    board.board->poll().setSource(readLevel);
   }
 
   // Takes the reading that a poll must have brought.
@@ -153,7 +153,7 @@ TEST_F(BoardPolling, a_byte_ends_a_hold_whenever_it_comes) {
 }
 
 TEST_F(BoardPolling, a_request_after_the_byte_that_ends_a_hold_is_performed_at_once) {
-  board.board->action(F("raise"), [](const javinolib::Arguments &) {
+  board.board->actions().add(F("raise"), [](const javinolib::Arguments &) {
     shown++;
     return true;
   });
@@ -200,7 +200,7 @@ TEST_F(BoardPolling, tells_each_change_of_a_single_byte_and_no_reading_twice) {
   static std::string text;
   for (size_t length = 1; length < 12; length++) {
     text.assign(length, 'a');
-    board.board->onPercepts([](javinolib::Percepts &percepts) { percepts.literal(text.c_str()); });
+    board.board->poll().setSource([](javinolib::Percepts &percepts) { percepts.literal(text.c_str()); });
     board.poll(true);
     for (size_t at = 0; at < length; at++) {
       text[at] = 'b';
@@ -217,7 +217,7 @@ TEST_F(BoardPolling, tells_each_change_of_a_single_byte_and_no_reading_twice) {
 
 TEST_F(BoardPolling, tells_that_nothing_is_perceived_any_more) {
   tellOne();
-  board.board->onPercepts([](javinolib::Percepts &) {});
+  board.board->poll().setSource([](javinolib::Percepts &) {});
   board.hold(PERCEPTS, 100);
   EXPECT_LE(untilReply(), 20u);
   const PollReply reply = board.takeReply();
@@ -228,7 +228,7 @@ TEST_F(BoardPolling, tells_that_nothing_is_perceived_any_more) {
 TEST_F(BoardPolling, reads_the_sensors_as_often_as_the_sketch_says) {
   tellOne();
   for (const uint16_t every : {20, 1, 7, 1000}) {  // 20 is the default
-    if (every != 20) board.board->sampleEvery(every);
+    if (every != 20) board.board->poll().sampleEvery(every);
     board.hold(PERCEPTS, 60000);
     board.pass(2 * every);  // the phase of the samples is that of the last one
     readings = 0;
@@ -240,7 +240,7 @@ TEST_F(BoardPolling, reads_the_sensors_as_often_as_the_sketch_says) {
 
 TEST_F(BoardPolling, reads_the_sensors_once_more_when_the_hold_is_over) {
   tellOne();
-  board.board->sampleEvery(1000);
+  board.board->poll().sampleEvery(1000);
   board.hold(PERCEPTS, 30);
   board.pass(29);
   shown = 3;
@@ -301,7 +301,7 @@ TEST_F(BoardPolling, forgets_the_reading_told_at_hello_and_when_percepts_are_not
 }
 
 TEST_F(BoardPolling, tells_a_board_without_percepts_once_that_there_are_none) {
-  board.board->onPercepts(nullptr);
+  board.board->poll().setSource(nullptr);
   board.hold(PERCEPTS, 60000);
   const PollReply reply = board.takeReply();
   EXPECT_TRUE(reply.reading);
@@ -414,7 +414,7 @@ TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
 }
 
 TEST_F(BoardPolling, statistics_tell_all_counters_in_order) {
-  board.radio.counts = {0x01020304, 6, 7, 17, 28};
+  board.radio.counts = {0x01020304, 6, 7, 17, 28, 41};
   const Bytes body = board.request('S').body;
   ASSERT_EQ(javinolib::Counters::COUNT * 5u, body.size());
   for (size_t i = 0; i < javinolib::Counters::COUNT; i++) EXPECT_EQ(i + 1, body[i * 5]);
@@ -423,14 +423,14 @@ TEST_F(BoardPolling, statistics_tell_all_counters_in_order) {
   EXPECT_EQ(7u, board.counter(javinolib::Counter::RADIO_MISSED));
   EXPECT_EQ(17u, board.counter(javinolib::Counter::RADIO_SENT));
   EXPECT_EQ(28u, board.counter(javinolib::Counter::RADIO_MENDED));
+  EXPECT_EQ(41u, board.counter(javinolib::Counter::RADIO_LATE_MICROS));
   board.reboot();
   board.hello();
   EXPECT_EQ(2u, board.counter(javinolib::Counter::SERIAL_REQUESTS)) << "all start at 0 at each boot";
 }
 
 TEST(Counters, stop_at_their_greatest_value) {
-  javinolib::Counters counters;
-  counters.set(javinolib::Counter::SERIAL_REPEATS, 0xFFFFFFFE);
-  for (int i = 0; i < 3; i++) counters.count(javinolib::Counter::SERIAL_REPEATS);
-  EXPECT_EQ(0xFFFFFFFFu, counters.value(javinolib::Counter::SERIAL_REPEATS));
+  uint8_t counter = 0xFE;
+  for (int i = 0; i < 3; i++) javinolib::countUp(counter);
+  EXPECT_EQ(0xFF, counter);
 }

@@ -1,5 +1,7 @@
 #include "KeyCommands.h"
 
+#include "../secure/BoardState.h"
+
 #include <string.h>
 
 #include "../support/BigEndian.h"
@@ -29,43 +31,43 @@ JAVINO_NOINLINE bool parseAddress(const uint8_t *body, uint16_t length, Address 
 
 Status KeyCommands::raiseEpoch(const uint8_t *body, uint16_t length) {
   if (length != EPOCH_LENGTH || (body[0] & body[1] & body[2]) == 0xFF) return Status::BAD_ARGUMENT;
-  nonces_.raiseEpoch(readUint24(body));
-  return nonces_.status();
+  nonces_->raiseEpoch(readUint24(body));
+  return nonces_->status();
 }
 
 Status KeyCommands::store(bool renews, const uint8_t *body, uint16_t length, Reply &reply) {
   Address address;
   if (length != STORE_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
-  if (isOneMorePair(renews, address) && !replays_.hasPlaceForPair()) return Status::STORE_FULL;
-  const Status status = keys_.store(address, body + Address::TEXT_LENGTH, renews);
-  const bool forgotten = replays_.forgetLostKeys();
+  if (isOneMorePair(renews, address) && !replays_->hasPlaceForPair()) return Status::STORE_FULL;
+  const Status status = keys_->store(address, body + Address::TEXT_LENGTH, renews);
+  const bool forgotten = replays_->forgetLostKeys();
   if (status != Status::OK) return status;
   if (!forgotten) return Status::STORE_FAILED;
-  const uint8_t next = keys_.next(address);
-  addCheckValue(next == KeyStore::NO_SLOT ? keys_.current(address) : next, reply);
+  const uint8_t next = keys_->next(address);
+  addCheckValue(next == KeyStore::NO_SLOT ? keys_->current(address) : next, reply);
   return Status::OK;
 }
 
 // Whether a change makes one key more of a pair, which needs a place of its own in the replay memory.
 bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
   if (!address.isDevice()) return false;
-  const uint8_t slot = renews ? keys_.other(address) : keys_.current(address);
+  const uint8_t slot = renews ? keys_->other(address) : keys_->current(address);
   return slot == KeyStore::NO_SLOT || KeyStore::isSession(slot);
 }
 
 Status KeyCommands::use(const uint8_t *body, uint16_t length, const Delivery &delivery) {
   Address address;
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  if (keys_.next(address) != KeyStore::NO_SLOT && delivery.isUnderWay(keys_.current(address))) return Status::BUSY;
-  return keys_.use(address);
+  if (keys_->next(address) != KeyStore::NO_SLOT && delivery.isUnderWay(keys_->current(address))) return Status::BUSY;
+  return keys_->use(address);
 }
 
 Status KeyCommands::finish(const uint8_t *body, uint16_t length) {
   Address address;
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  const uint8_t previous = keys_.other(address);
-  const bool isNext = previous == keys_.next(address);
-  if (previous == KeyStore::NO_SLOT || isNext || previous != keys_.other(address))
+  const uint8_t previous = keys_->other(address);
+  const bool isNext = previous == keys_->next(address);
+  if (previous == KeyStore::NO_SLOT || isNext || previous != keys_->other(address))
     return Status::NO_KEY;  // a cell may read wrong once
   return erase(previous) ? Status::OK : Status::STORE_FAILED;
 }
@@ -74,8 +76,8 @@ Status KeyCommands::finish(const uint8_t *body, uint16_t length) {
 Status KeyCommands::erase(const uint8_t *body, uint16_t length) {
   Address address;
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  const uint8_t current = keys_.current(address);
-  const uint8_t other = keys_.other(address);
+  const uint8_t current = keys_->current(address);
+  const uint8_t other = keys_->other(address);
   if (current == KeyStore::NO_SLOT) return Status::NO_KEY;
   if (other != KeyStore::NO_SLOT && !erase(other)) return Status::STORE_FAILED;
   return erase(current) ? Status::OK : Status::STORE_FAILED;
@@ -87,17 +89,17 @@ Status KeyCommands::setSession(const uint8_t *body, uint16_t length, Delivery &d
   const uint8_t *const key = body + Address::TEXT_LENGTH;
   DerivedKeys derived;
   derived.derive(key);
-  uint8_t slot = keys_.current(device);
+  uint8_t slot = keys_->current(device);
   if (slot != KeyStore::NO_SLOT && !KeyStore::isSession(slot)) return Status::HAS_KEY;
   if (slot == KeyStore::NO_SLOT ||
-      memcmp(key, keys_.sessions().keyAt(static_cast<uint8_t>(slot - KeyStore::SLOTS)), Aes128::KEY_LENGTH) != 0) {
-    if (keys_.sessions().had(derived.check)) return Status::BAD_ARGUMENT;
+      memcmp(key, keys_->sessions().keyAt(static_cast<uint8_t>(slot - KeyStore::SLOTS)), Aes128::KEY_LENGTH) != 0) {
+    if (keys_->sessions().had(derived.check)) return Status::BAD_ARGUMENT;
     if (slot == KeyStore::NO_SLOT) slot = placeForSession(delivery.outbox());
-    if (!keys_.isFree(slot)) {
+    if (!keys_->isFree(slot)) {
       erase(slot);
       delivery.keysChanged();
     }
-    keys_.setSession(slot, device, key, derived.check);
+    keys_->setSession(slot, device, key, derived.check);
   }
   reply.add(derived.check, sizeof derived.check);
   return Status::OK;
@@ -109,9 +111,9 @@ uint8_t KeyCommands::placeForSession(const Outbox &outbox) const {
   uint8_t most = 0;
   for (uint8_t i = 0; config::SESSION_KEYS > 1 && i != config::SESSION_KEYS; i++) {
     const uint8_t slot = static_cast<uint8_t>(KeyStore::SLOTS + i);
-    if (keys_.isFree(slot)) return slot;
-    uint8_t age = static_cast<uint8_t>(1 + keys_.sessions().ageOf(i));
-    if (!outbox.hasFor(keys_.addressAt(slot))) age = static_cast<uint8_t>(age + config::SESSION_KEYS);
+    if (keys_->isFree(slot)) return slot;
+    uint8_t age = static_cast<uint8_t>(1 + keys_->sessions().ageOf(i));
+    if (!outbox.hasFor(keys_->addressAt(slot))) age = static_cast<uint8_t>(age + config::SESSION_KEYS);
     if (age <= most) continue;
     most = age;
     chosen = slot;
@@ -122,26 +124,26 @@ uint8_t KeyCommands::placeForSession(const Outbox &outbox) const {
 Status KeyCommands::list(uint16_t length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   for (uint8_t slot = 0; slot < KeyStore::PLACES; slot++) {
-    const Address &address = keys_.addressAt(slot);
-    if (keys_.isFree(slot)) continue;
+    const Address &address = keys_->addressAt(slot);
+    if (keys_->isFree(slot)) continue;
     uint8_t entry[Address::TEXT_LENGTH + 1];
     address.write(entry);
-    entry[Address::TEXT_LENGTH] = KeyStore::isSession(slot)        ? SESSION
-                                  : slot == keys_.current(address) ? CURRENT
-                                  : slot == keys_.next(address)    ? NEXT
-                                                                   : PREVIOUS;
-    if (replays_.isDoubtful(slot)) entry[Address::TEXT_LENGTH] |= DOUBTFUL;
+    entry[Address::TEXT_LENGTH] = KeyStore::isSession(slot)         ? SESSION
+                                  : slot == keys_->current(address) ? CURRENT
+                                  : slot == keys_->next(address)    ? NEXT
+                                                                    : PREVIOUS;
+    if (replays_->isDoubtful(slot)) entry[Address::TEXT_LENGTH] |= DOUBTFUL;
     reply.add(entry, sizeof entry);
     addCheckValue(slot, reply);
   }
   return Status::OK;
 }
 
-bool KeyCommands::erase(uint8_t slot) { return keys_.erase(slot) && replays_.forget(slot); }
+bool KeyCommands::erase(uint8_t slot) { return keys_->erase(slot) && replays_->forget(slot); }
 
 void KeyCommands::addCheckValue(uint8_t slot, Reply &reply) const {
   uint8_t check[DerivedKeys::CHECK_LENGTH];
-  keys_.readCheckValue(slot, check);
+  keys_->readCheckValue(slot, check);
   reply.add(check, sizeof check);
 }
 

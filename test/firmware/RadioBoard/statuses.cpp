@@ -49,8 +49,8 @@ TEST_F(BoardStatus, refuses_all_bad_requests_of_the_vectors) {
 }
 
 TEST_F(BoardStatus, understands_all_requests_of_the_vectors) {
-  board.board->action(F("stop"), [](const javinolib::Arguments &) { return true; });
-  board.board->action(F("goTo"), [](const javinolib::Arguments &) { return true; });
+  board.board->actions().add(F("stop"), [](const javinolib::Arguments &) { return true; });
+  board.board->actions().add(F("goTo"), [](const javinolib::Arguments &) { return true; });
   for (const Vector &vector : vectors("commands.json", "requests")) {
     SCOPED_TRACE(vector.toString());
     if (vector.text("name") == "transmit") continue;
@@ -80,6 +80,7 @@ TEST_F(BoardStatus, answers_UNKNOWN_COMMAND_to_every_other_command_byte) {
 }
 
 TEST_F(BoardStatus, answers_BAD_ARGUMENT_to_bodies_that_a_command_does_not_take) {
+  board.board->actions().add(F("go"), [](const javinolib::Arguments &) { return true; });
   for (const std::string &message : {std::string("H"), std::string("H\1\1"), std::string("L1"), std::string("S1"),
                                      std::string("P\2"), std::string("A"), std::string("Astop("), std::string("D////"),
                                      std::string("D++++"), std::string("IROM"), std::string("K")}) {
@@ -88,19 +89,20 @@ TEST_F(BoardStatus, answers_BAD_ARGUMENT_to_bodies_that_a_command_does_not_take)
 }
 
 TEST_F(BoardStatus, answers_UNKNOWN_ACTION_and_ACTION_FAILED) {
-  board.board->action(F("refuse"), [](const javinolib::Arguments &) { return false; });
+  board.board->actions().add(F("refuse"), [](const javinolib::Arguments &) { return false; });
   EXPECT_EQ(Status::UNKNOWN_ACTION, board.request(bytesOf("Afly")).status);
   EXPECT_EQ(Status::ACTION_FAILED, board.request(bytesOf("Arefuse")).status);
 }
 
 TEST_F(BoardStatus, hands_arguments_to_the_action) {
   static long speed;
-  board.board->action(F("speed"), [](const javinolib::Arguments &arguments) { return arguments.integer(0, speed); });
+  board.board->actions().add(F("speed"),
+                             [](const javinolib::Arguments &arguments) { return arguments.integer(0, speed); });
   EXPECT_EQ(Status::OK, board.request(bytesOf("Aspeed(-12)")).status);
   EXPECT_EQ(-12, speed);
 }
 
-TEST(Board, answers_NO_RF_ID_before_one_is_set) {
+TEST(RadioBoard, answers_NO_RF_ID_before_one_is_set) {
   TestBoard board;
   board.start();
   EXPECT_EQ(Status::NO_RF_ID, board.transmit("////", "ROMA", "tell;help").status);
@@ -110,6 +112,7 @@ TEST_F(BoardStatus, answers_WRONG_ORIGIN) {
   EXPECT_EQ(Status::WRONG_ORIGIN, board.transmit("////", "SUPO", "tell;help").status);
   EXPECT_EQ(Status::WRONG_ORIGIN, board.transmit("////", "++++", "tell;help").status);
   EXPECT_EQ(Status::WRONG_ORIGIN, board.exchange(reference::frame("++++", "ROMA", bytesOf("L"))).status);
+  EXPECT_EQ(Status::WRONG_ORIGIN, board.exchange(reference::frame("++++", "////", bytesOf("L"))).status);
 }
 
 TEST_F(BoardStatus, answers_BAD_DESTINATION) {

@@ -200,7 +200,7 @@ TEST_F(BoardReceiving, numbers_run_around_after_255) {
   }
 }
 
-TEST(Board, without_an_id_hears_broadcasts_only) {
+TEST(RadioBoard, without_an_id_hears_broadcasts_only) {
   TestBoard board;
   board.start();
   board.setKey("//++", KEY);

@@ -16,10 +16,10 @@ std::vector<Bytes> secrets() {
 
 }  // namespace
 
-TEST(Board, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks) {
+TEST(RadioBoard, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks) {
   TestBoard board;
   board.start("SUPP");
-  board.board->onPercepts([](javinolib::Percepts &percepts) { percepts.add(F("dark")); });
+  board.board->poll().setSource([](javinolib::Percepts &percepts) { percepts.add(F("dark")); });
   board.setKey("SUHO", KEY);
   RandomBytes random(15);
   for (int i = 0; i < 5000; i++) {
@@ -37,7 +37,7 @@ TEST(Board, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks) {
   }
 }
 
-TEST(Board, random_packets_get_one_reply_each_and_never_break_it) {
+TEST(RadioBoard, random_packets_get_one_reply_each_and_never_break_it) {
   TestBoard board;
   board.start("SUPP");
   RandomBytes random(16);
@@ -50,7 +50,7 @@ TEST(Board, random_packets_get_one_reply_each_and_never_break_it) {
   }
 }
 
-TEST(Board, random_bytes_are_answered_with_silence) {
+TEST(RadioBoard, random_bytes_are_answered_with_silence) {
   TestBoard board;
   board.start("SUPP");
   RandomBytes random(17);

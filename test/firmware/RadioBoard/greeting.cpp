@@ -5,7 +5,7 @@
 
 using javinolib::Status;
 
-TEST(Board, performs_nothing_but_hello_after_each_boot) {
+TEST(RadioBoard, performs_nothing_but_hello_after_each_boot) {
   TestBoard board;
   for (int boot = 0; boot < 3; boot++) {
     board.reboot();
@@ -21,7 +21,7 @@ TEST(Board, performs_nothing_but_hello_after_each_boot) {
   }
 }
 
-TEST(Board, a_repeat_that_crosses_a_reboot_is_not_performed) {
+TEST(RadioBoard, a_repeat_that_crosses_a_reboot_is_not_performed) {
   TestBoard board;
   board.start();
   const Bytes request = reference::packet(77, reference::frame("++++", "++++", bytesOf("IROMA")));
@@ -32,16 +32,16 @@ TEST(Board, a_repeat_that_crosses_a_reboot_is_not_performed) {
   EXPECT_EQ(static_cast<uint8_t>(Status::NOT_GREETED), reference::cobsDecoded(replies[0])[11]);
 }
 
-TEST(Board, tells_version_id_boot_count_and_name) {
+TEST(RadioBoard, tells_version_id_boot_count_capabilities_and_name) {
   TestBoard board;
   board.reboot();
-  EXPECT_EQ(bytesOf("\x01++++") + fromHex("000002") + bytesOf("test 1.0"), board.hello().body);
+  EXPECT_EQ(bytesOf("\x01++++") + fromHex("00000203") + bytesOf("test 1.0"), board.hello().body);
   board.request('I', bytesOf("ROMA"));
   board.reboot();
-  EXPECT_EQ(bytesOf("\x01ROMA") + fromHex("000003") + bytesOf("test 1.0"), board.hello().body);
+  EXPECT_EQ(bytesOf("\x01ROMA") + fromHex("00000303") + bytesOf("test 1.0"), board.hello().body);
 }
 
-TEST(Board, is_not_greeted_by_a_host_of_another_version) {
+TEST(RadioBoard, is_not_greeted_by_a_host_of_another_version) {
   TestBoard board;
   for (uint8_t version : {0, 2, 255}) {
     const BoardReply reply = board.request('H', {version});
@@ -51,12 +51,12 @@ TEST(Board, is_not_greeted_by_a_host_of_another_version) {
   }
 }
 
-TEST(Board, tells_the_names_of_its_actions_from_any_offset_on) {
+TEST(RadioBoard, tells_the_names_of_its_actions_from_any_offset_on) {
   TestBoard board;
   board.start();
   EXPECT_EQ(Bytes(1, 0), board.request('C', fromHex("0000")).body);
-  board.board->action(F("lampOn"), [](const javinolib::Arguments &) { return true; });
-  board.board->action(F("go"), [](const javinolib::Arguments &) { return true; });
+  board.board->actions().add(F("lampOn"), [](const javinolib::Arguments &) { return true; });
+  board.board->actions().add(F("go"), [](const javinolib::Arguments &) { return true; });
   const Bytes names = bytesOf(std::string("lampOn\0go\0", 10));
   for (uint8_t offset = 0; offset <= names.size() + 1; offset++) {
     const Bytes rest(names.begin() + std::min<size_t>(offset, names.size()), names.end());
@@ -66,14 +66,14 @@ TEST(Board, tells_the_names_of_its_actions_from_any_offset_on) {
   EXPECT_EQ(Bytes(1, 2), board.request('C', fromHex("ffff")).body);
 }
 
-TEST(Board, tells_names_that_fit_no_reply_in_parts) {
+TEST(RadioBoard, tells_names_that_fit_no_reply_in_parts) {
   TestBoard board;
   board.start();
   const std::string longName(javinolib::MAX_MESSAGE_LENGTH + 40, 'n');
   std::vector<std::string> names = {"first", longName, "last"};
   Bytes all;
   for (const std::string &name : names) {
-    EXPECT_TRUE(board.board->action(F(name.c_str()), [](const javinolib::Arguments &) { return true; }));
+    EXPECT_TRUE(board.board->actions().add(F(name.c_str()), [](const javinolib::Arguments &) { return true; }));
     all = all + bytesOf(name) + Bytes(1, 0);
   }
   Bytes told;
@@ -87,7 +87,7 @@ TEST(Board, tells_names_that_fit_no_reply_in_parts) {
   EXPECT_EQ(all, told);
 }
 
-TEST(Board, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {
+TEST(RadioBoard, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {
   TestBoard board;
   const Bytes hello = reference::packet(1, reference::frame("++++", "++++", {'H', 1}));
   board.sendRaw(hello);
@@ -95,13 +95,13 @@ TEST(Board, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {
   EXPECT_EQ(0u, board.counter(javinolib::Counter::SERIAL_REPEATS));
 }
 
-TEST(Board, begins_although_the_radio_does_not_and_says_so) {
+TEST(RadioBoard, begins_although_the_radio_does_not_and_says_so) {
   SimulatedEeprom eeprom;
   SimulatedRam ram;
   FakeClock clock;
   FakePort port;
   FakeRadio radio;
   radio.works = false;
-  javinolib::Board board(javinolib::SerialPort(port), radio, "x");
+  javinolib::RadioBoard board(javinolib::SerialPort(port), "x", radio);
   EXPECT_FALSE(board.begin());
 }

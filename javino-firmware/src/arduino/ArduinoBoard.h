@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Arduino.h>
+
+#include "../board/Board.h"
+#include "../radioboard/RadioBoard.h"
+#include "Cpu.h"
+
+namespace javinolib {
+
+/// The type of `Serial`: a UART, or USB on chips that have it (ATmega32U4).
+typedef decltype(Serial) HostSerial;
+
+/// An Arduino that an agent can reach: the one object that a sketch needs, a global or static one (support/Zeroed.h).
+template <typename Board>
+class ArduinoBoard {
+ public:
+  static void *operator new(size_t) = delete;
+
+  // Sets the function that adds the board's percepts. While an agent wants percepts, it is called every 20 ms, and the
+  // agent is told what it adds whenever that has changed.
+  void onPercepts(PerceptSource source) { board_.poll().setSource(source); }
+
+  // Sets another time for these 20 ms, 1…65535 ms.
+  void sampleEvery(uint16_t millis) { board_.poll().sampleEvery(millis); }
+
+  // Names an action. Call it in setup(), as an agent asks for the names only when it connects. Returns false if the
+  // name is taken or empty, or if there are JAVINO_ACTIONS (Config.h) already.
+  bool action(const FlashText *name, Action action) { return board_.actions().add(name, action); }
+
+  // Sets what performs all actions without a name, after those with one.
+  bool otherActions(Action action) { return board_.actions().addOthers(action); }
+
+  // Does all work that is due.
+  void serve() { board_.run(); }
+
+  // Whether an agent waits for percepts.
+  bool wantsPercepts() const { return board_.poll().wantsPercepts(); }
+
+  // Opens the serial line, 8N1, and starts the radio if there is one; call it once, at the end of setup().
+  // Returns false if the radio does not start or the EEPROM cannot be written; all else works nevertheless.
+  bool begin(unsigned long baud) {
+    serial_.begin(baud);
+    return board_.begin();
+  }
+
+  // Does all work that is due, then lets the CPU idle until the next interrupt, which comes within 1 ms (the timer of
+  // millis()). Call it from loop(), and at least every 5 ms while requests may come: the UART holds 64 bytes.
+  void run() {
+    serve();
+    cpu::holdInterrupts();
+    if (board_.isIdle()) {
+      cpu::releaseInterruptsAndIdle();
+    } else {
+      cpu::releaseInterrupts();
+    }
+  }
+
+ protected:
+  template <typename... Parts>
+  explicit ArduinoBoard(HostSerial &serial, Parts &&...parts) : serial_(serial), board_(SerialPort(serial), parts...) {}
+
+ private:
+  HostSerial &serial_;
+  Board board_;
+};
+
+/// A board with percepts and actions.
+class Javino : public ArduinoBoard<Board> {
+ public:
+  // The name tells the host which sketch this is; it is a plain "lamp 1.0", as F("…") is not possible outside of functions.
+  Javino(HostSerial &serial, const char *firmwareName) : ArduinoBoard(serial, firmwareName) {}
+};
+
+/// A board with percepts, actions and a radio.
+class JavinoWithRadio : public ArduinoBoard<RadioBoard> {
+ public:
+  // The radio outlives it.
+  JavinoWithRadio(HostSerial &serial, const char *firmwareName, Radio &radio)
+      : ArduinoBoard(serial, firmwareName, radio) {}
+};
+
+}  // namespace javinolib

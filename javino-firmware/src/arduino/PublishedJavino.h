@@ -1,0 +1,80 @@
+#pragma once
+
+#include "ArduinoBoard.h"
+
+/// The interface of the published Javino 1.7, so that its sketches compile unchanged: a global `Javino javino;`. It has one
+/// object, on `Serial`.
+class Javino {
+ public:
+  typedef void (*Function)();
+
+  /// The functions of actions, by name: `javino.act["ledOn"] = ledOn;` with a name that lasts.
+  class Actions {
+   public:
+    Function &operator[](const char *name);
+
+   private:
+    friend class Javino;
+
+    struct Entry {
+      const char *name;
+      Function function;
+    };
+
+    Entry entries_[javinolib::config::ACTIONS];
+    uint8_t count_;
+  };
+
+  Javino();
+
+  // Opens the line, at 115200 baud whatever is asked: hosts begin with that.
+  void start(unsigned long);
+
+  // Sets the function that calls addPercept().
+  void perceive(Function function) { perceive_ = function; }
+
+  // Adds a literal to the next reading.
+  void addPercept(const String &literal) { percepts_ += literal + '\n'; }
+
+  // Does all work that is due. Call it from loop().
+  void run() { readSerial(); }
+
+  Actions act;
+
+  // What run() is made of, for a sketch that does without it.
+
+  // Reads and answers what the line brings.
+  void readSerial();
+
+  // Whether an agent wants percepts that no function adds, or an action, if `act` has none. What it wants is told once.
+  bool availableMsg();
+
+  // What the last availableMsg() was about.
+  bool requestPercepts() const { return message_ == F("getPercepts"); }
+  bool requestAction(const String &action) const { return message_ == action; }
+  String getMsg() const { return message_; }
+
+  // The percepts that were added are the board's from now on.
+  void sendPercepts();
+  void clearPercepts() { percepts_ = String(); }
+
+  // The literals, with semicolons between them, are the board's percepts from now on (SPEC 4.6).
+  void sendMsg(const String &literals);
+
+ private:
+  class Board : public javinolib::ArduinoBoard<javinolib::Board> {
+   public:
+    Board() : ArduinoBoard(Serial, "Javino 1.7") {}
+  };
+
+  static void perceive(javinolib::Percepts &percepts);
+  static bool perform(const javinolib::Arguments &arguments);
+
+  Board board_;
+  Function perceive_;
+  String percepts_;  // each with a line feed
+  String reading_;   // those that hold
+  String wanted_;    // an action that availableMsg() has not told of
+  String message_;
+  unsigned long askedAt_;
+};

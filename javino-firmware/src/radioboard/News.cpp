@@ -1,0 +1,88 @@
+#include "News.h"
+
+#include "../board/Poll.h"
+
+namespace javinolib {
+
+bool News::areWaiting() const {
+  return delivery_->outbox().outcomes().areUntold() || inbox_->first().bytes != nullptr ||
+         inbox_->noKeys().areUntold() || overheard_->areUntold();
+}
+
+void News::write(Reply &reply) {
+  const uint16_t flagsAt = reply.mark();
+  reply.add(0);
+  addOutcomes(reply);
+  if (!addMessages(reply) || !addNoKeys(reply) || !addOverheard(reply)) reply.replace(flagsAt, Poll::MORE_WAITING);
+}
+
+void News::tellAgain() {
+  delivery_->outbox().outcomes().keepTold();
+  inbox_->noKeys().keepTold();
+  overheard_->keepTold();
+}
+
+void News::forgetTold() {
+  delivery_->outbox().outcomes().forgetTold();
+  inbox_->noKeys().forgetTold();
+  overheard_->forgetTold();
+}
+
+// All of them fit: Outcomes::MAX_UNREPORTED sees to that.
+void News::addOutcomes(Reply &reply) {
+  while (delivery_->outbox().outcomes().areUntold()) {
+    const TransmissionEnd &end = delivery_->outbox().outcomes().tell();
+    Record record(reply, 'T');
+    record.add(end.number);
+    record.add(static_cast<uint8_t>(end.outcome));
+    record.close();
+  }
+}
+
+// Returns whether all messages fitted.
+bool News::addMessages(Reply &reply) {
+  uint8_t number = inbox_->firstNumber();
+  for (ByteQueue::Record record = inbox_->first(); record.bytes != nullptr; record = inbox_->after(record)) {
+    if (!addMessage(number++, Inbox::read(record), reply)) return false;
+  }
+  return true;
+}
+
+// Returns whether all fitted.
+bool News::addNoKeys(Reply &reply) {
+  while (inbox_->noKeys().areUntold()) {
+    const KeylessFrame &frame = inbox_->noKeys().next();
+    uint8_t addresses[2 * Address::TEXT_LENGTH];
+    frame.destination.write(addresses);
+    frame.origin.write(addresses + Address::TEXT_LENGTH);
+    Record record(reply, 'N');
+    record.add(addresses, sizeof addresses);
+    if (!record.close()) return false;
+    inbox_->noKeys().tell();
+  }
+  return true;
+}
+
+// Returns whether all packets fitted.
+bool News::addOverheard(Reply &reply) {
+  for (ByteQueue::Record packet = overheard_->firstUntold(); packet.bytes != nullptr;
+       packet = overheard_->after(packet)) {
+    Record record(reply, 'O');
+    record.add(packet.bytes, packet.length);
+    if (!record.close()) return false;
+    overheard_->tell();
+  }
+  return true;
+}
+
+bool News::addMessage(uint8_t number, const Inbox::Message &message, Reply &reply) {
+  const uint8_t id[] = {message.nonce[2], message.nonce[4], message.nonce[5]};
+  Record record(reply, 'M');
+  record.add(number);
+  record.add(message.addresses, 2 * Address::TEXT_LENGTH);
+  record.add(id, sizeof id);
+  record.add(message.content, message.length);
+  return record.close();
+}
+
+}  // namespace javinolib

@@ -1,0 +1,185 @@
+#include "RadioCommands.h"
+
+#include "../storage/EepromLayout.h"
+#include "../support/BigEndian.h"
+
+namespace javinolib {
+
+namespace {
+
+const bool ALL_COUNTERS_FIT = 1 + Counters::COUNT * 5 <= MAX_MESSAGE_LENGTH;
+const uint8_t FLAGS_AT = 1 + HEADER_LENGTH + 1;  // of a poll's reply, in its packet behind the status
+
+}  // namespace
+
+bool RadioCommands::perform(const Request &request, Reply &reply) {
+  if (!commands_->allows(request, reply)) return false;
+  reply.setStatus(dispatch(request, reply));
+  return true;
+}
+
+Status RadioCommands::dispatch(const Request &request, Reply &reply) {
+  if (!request.toBoard) return transmit(request, reply);
+  const Status status = Commands::check(request);
+  return status == Status::OK ? command(request, reply) : status;
+}
+
+bool RadioCommands::answer(Reply &reply, bool released) {
+  if (!poll_->isHeld()) return true;
+  if (news_.areWaiting()) {
+    news_.write(reply);
+    poll_->end();
+  } else if (!poll_->answer(reply, released)) {
+    return false;
+  }
+  if (state_->counters.value(Counter::MEMORY_DAMAGED) != 0) reply.packet()[FLAGS_AT] |= Poll::MEMORY_DAMAGED;
+  return true;
+}
+
+// Puts a frame to an RF address, with the plain content as message, into the outbox.
+Status RadioCommands::transmit(const Request &request, Reply &reply) {
+  Frame frame;
+  Frame::parseHeader(request.frame, frame);  // an origin that is no device is not the board's either
+  const Status status = mayTransmit(frame);
+  if (status != Status::OK) return status;
+  Outbox &outbox = delivery_->outbox();
+  reply.add(frame.destination.isBroadcast() ? outbox.addPlain(frame) : outbox.addUnsealed(frame));
+  return Status::OK;
+}
+
+// The first that applies, in the order of SPEC 4.4.
+Status RadioCommands::mayTransmit(const Frame &frame) const {
+  const Status addresses = checkAddresses(frame);
+  if (addresses != Status::OK) return addresses;
+  const bool sealed = !frame.destination.isBroadcast();
+  if (sealed && state_->keys.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
+  const uint16_t length = static_cast<uint16_t>(HEADER_LENGTH + (sealed ? SEAL_LENGTH : 0) + frame.length);
+  if (frame.length > MAX_CONTENT_LENGTH || !delivery_->carries(length)) return Status::TOO_LONG;
+  if (!delivery_->outbox().fits(length)) return Status::QUEUE_FULL;
+  return sealed ? state_->nonces.status() : Status::OK;
+}
+
+Status RadioCommands::checkAddresses(const Frame &frame) const {
+  if (!state_->id.isSet()) return Status::NO_RF_ID;
+  if (frame.origin != state_->id.address()) return Status::WRONG_ORIGIN;
+  const Address::Class to = frame.destination.classOf();
+  const bool canBeSentTo = to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST;
+  return canBeSentTo && frame.destination != state_->id.address() ? Status::OK : Status::BAD_DESTINATION;
+}
+
+Status RadioCommands::command(const Request &request, Reply &reply) {
+  const char name = static_cast<char>(*request.message());
+  const uint8_t *const body = request.message() + 1;
+  const uint16_t length = static_cast<uint16_t>(request.length - 1);
+  switch (name) {
+    case 'I': return setRfId(body, length);
+    case 'R': return openRadio(body, length);
+    case 'O': return overhear(body, length);
+    case 'Y': return relay(body, length, reply);
+    case 'W': return config::LARGE ? relaying(body, length, reply) : Status::UNKNOWN_COMMAND;
+    case 'E': return keyCommands_.raiseEpoch(body, length);
+    case 'K':
+    case 'N': return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
+    case 'U': return keyCommands_.use(body, length, delivery_);
+    case 'F': return keysChanged(keyCommands_.finish(body, length));
+    case 'D': return keysChanged(keyCommands_.erase(body, length));
+    case 'V':
+      return config::SESSION_KEYS ? keyCommands_.setSession(body, length, delivery_, reply) : Status::UNKNOWN_COMMAND;
+    case 'L': return keyCommands_.list(length, reply);
+    case Request::STATISTICS: return statistics(length, reply);
+    default: return shared(name, request, reply);
+  }
+}
+
+Status RadioCommands::shared(char name, const Request &request, Reply &reply) {
+  if (name == Request::HELLO) {
+    news_.tellAgain();
+    if (!retained::holds()) state_->count(Counter::MEMORY_DAMAGED);
+  }
+  Identity identity = {PROTOCOL_VERSION, {}, {}, HAS_RADIO | HAS_MEMORY};
+  writeUint24(identity.bootEpoch, keyCommands_.epoch());
+  if (hadOlderMemory_ && !state_->id.isSet()) identity.capabilities |= HAD_OLDER_MEMORY;
+  state_->id.address().write(identity.id);
+  const Status status = commands_->command(request, identity, reply);
+  if (name == Request::POLL && status == Status::OK) polled(request);
+  return status;
+}
+
+void RadioCommands::polled(const Request &request) {
+  const uint8_t *const body = request.message() + 1;
+  if ((body[0] & Poll::REPLY_LOST) != 0) {
+    news_.tellAgain();
+  } else if ((body[0] & Poll::REPLY_COMING) == 0) {
+    news_.forgetTold();
+  }
+  if (request.length > 1 + Request::POLL_LENGTH) delivery_->inbox().taken(body[Request::POLL_LENGTH]);
+}
+
+// What was sealed with a key that is gone must not be opened, acknowledged or sealed anew with the next one in its place.
+Status RadioCommands::keysChanged(Status status) {
+  delivery_->keysChanged();
+  return status;
+}
+
+Status RadioCommands::setRfId(const uint8_t *body, uint16_t length) {
+  Address address;
+  if (length != Address::TEXT_LENGTH || !Address::parse(body, address) || !address.isDevice()) {
+    return Status::BAD_ARGUMENT;
+  }
+  if (!state_->id.set(address)) return Status::STORE_FAILED;
+  delivery_->seed();
+  return Status::OK;
+}
+
+Status RadioCommands::openRadio(const uint8_t *body, uint16_t length) {
+  if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
+  delivery_->open(body[0] == 1);
+  return Status::OK;
+}
+
+Status RadioCommands::overhear(const uint8_t *body, uint16_t length) {
+  if (!config::LARGE) return Status::UNKNOWN_COMMAND;
+  if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
+  delivery_->overheard().listen(body[0] == 1);
+  return Status::OK;
+}
+
+// The frame waits for the air as the message of a broadcast from the serial line.
+Status RadioCommands::relay(const uint8_t *body, uint16_t length, Reply &reply) {
+  if (!config::LARGE) return Status::UNKNOWN_COMMAND;
+  Frame frame;
+  if (Frame::parse(body, length, frame) != FrameError::NONE || !frame.origin.isDevice()) return Status::BAD_ARGUMENT;
+  if (frame.origin == state_->id.address()) return Status::WRONG_ORIGIN;
+  const Address::Class to = frame.destination.classOf();
+  if (to == Address::SERIAL_LINE || to == Address::RESERVED) return Status::BAD_DESTINATION;
+  if (frame.length > delivery_->pieceLength()) return Status::TOO_LONG;
+  Outbox &outbox = delivery_->outbox();
+  if (!outbox.fits(static_cast<uint16_t>(HEADER_LENGTH + length))) return Status::QUEUE_FULL;
+  reply.add(outbox.addPlain({Address::broadcast(), Address::serialLine(), body, length}));
+  return Status::OK;
+}
+
+Status RadioCommands::relaying(const uint8_t *body, uint16_t length, Reply &reply) {
+  if (!delivery_->canRelay()) return Status::UNKNOWN_COMMAND;
+  const bool on = length == 1 + RELAYING_LENGTH && body[0] == 1;
+  const bool off = length == 1 && body[0] == 0;
+  if (length != 0 && !on && !off) return Status::BAD_ARGUMENT;
+  if (length != 0 && !delivery_->relay(on ? body + 1 : nullptr)) return Status::STORE_FAILED;
+  reply.add(delivery_->relays() ? 1 : 0);
+  return Status::OK;
+}
+
+Status RadioCommands::statistics(uint16_t length, Reply &reply) {
+  if (length != 0) return Status::BAD_ARGUMENT;
+  RadioCounters radio;
+  delivery_->radioCounters(radio);
+  const config::Count *nextOfRadio = reinterpret_cast<const config::Count *>(&radio);  // in the order of their numbers
+  for (uint8_t number = 1; number <= Counters::COUNT; number++) {
+    const Counter counter = static_cast<Counter>(number);
+    const config::Count value = Counters::isRadios(counter) ? *nextOfRadio++ : state_->counters.value(counter);
+    if (ALL_COUNTERS_FIT || value != 0) Commands::addCounter(number, value, reply);
+  }
+  return Status::OK;
+}
+
+}  // namespace javinolib
