@@ -2,6 +2,7 @@ package javino.fake;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -13,6 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Capability;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
@@ -24,6 +26,9 @@ public final class FakeBoard {
 
     /** Requests that change and send nothing, which are not logged. */
     private static final Set<String> READS = Set.of("list actions", "list keys", "statistics");
+
+    /** The commands of a board with a radio. */
+    private static final String RADIOS = "IROYWEKNUFDVL";
 
     public final FakePort port;
     public final PacketLine line = new PacketLine(this);
@@ -48,6 +53,8 @@ public final class FakeBoard {
     private volatile String rfId = Address.SERIAL.toString();
     private volatile int version = 1;
     private volatile String firmware = "fake";
+    private volatile Set<Capability> capabilities =
+            EnumSet.of(Capability.RADIO, Capability.MEMORY, Capability.SAYS_TAKEN);
     private volatile boolean damaged;
     private volatile boolean greeted;
     private volatile int transmissionCount;
@@ -80,6 +87,10 @@ public final class FakeBoard {
         if (command == 'P') {
             prepare(new Poll(message));
             return null;
+        }
+        if (!capabilities.contains(Capability.RADIO) && (!isCommand || RADIOS.indexOf(command) >= 0)) {
+            requests.add("of a radio");
+            return status(Status.NO_RADIO);
         }
         String request = isCommand ? describe(command, message) : frame.destination() + " " + contentOf(message);
         if (!isCommand) {
@@ -157,8 +168,19 @@ public final class FakeBoard {
         mail.hostArrived();
         percepts.forgetReading();
         greeted = true;
-        return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(keys.epoch(), 3),
-                Bytes.ofText(firmware));
+        boolean remembers = capabilities.contains(Capability.MEMORY);
+        return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(remembers ? keys.epoch() : 0, 3),
+                saysTaken() ? Bytes.of(bits()) : Bytes.EMPTY, Bytes.ofText(firmware));
+    }
+
+    private int bits() {
+        return List.of(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY).stream()
+                .mapToInt(each -> capabilities.contains(each) ? 1 << each.ordinal() : 0).sum();
+    }
+
+    /** Whether it sends a 0x00 for each request that it has taken. */
+    boolean saysTaken() {
+        return capabilities.contains(Capability.SAYS_TAKEN);
     }
 
     private void prepare(Poll poll) {
@@ -362,6 +384,12 @@ public final class FakeBoard {
 
     public String rfId() {
         return rfId;
+    }
+
+    /** Is another board: one of an earlier library, say, or without a radio. */
+    public FakeBoard setCapabilities(Capability... all) {
+        capabilities = Set.of(all);
+        return this;
     }
 
     public void setFirmware(String name) {

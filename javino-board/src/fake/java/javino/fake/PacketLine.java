@@ -49,6 +49,7 @@ public final class PacketLine implements FakePort.Device {
     private Bytes stalledReplies = Bytes.EMPTY;
     private boolean loading;
     private boolean badPolls;
+    private Bytes prints = Bytes.EMPTY;
     private int deaf;
     private boolean haltsReadings;
     /** The end of a reading: its last byte waits for the host's next one. */
@@ -131,11 +132,11 @@ public final class PacketLine implements FakePort.Device {
         return Math.min(heldSince + poll.holdNanos() - System.nanoTime(), board.percepts.nanosUntilReading(poll));
     }
 
-    /** The zero of a board that has booted, or the rest of a reading. */
+    /** What a board sends that has booted, or the rest of a reading. */
     private void writeWhatWaits(boolean byteCame) {
         if (booted) {
             booted = false;
-            write(Bytes.of(0));
+            askAgain();
         }
         int end = byteCame ? rest.length() : Math.min(1, rest.length() - 1);
         if (end > 0) {
@@ -158,6 +159,9 @@ public final class PacketLine implements FakePort.Device {
     private void answer(SerialPacket request) {
         if (silent || loses.test(request.frame().message())) {
             return;
+        }
+        if (board.saysTaken()) {
+            FakePort.write(line, Bytes.join(prints, Bytes.of(0)).toArray());
         }
         if (request.equals(lastRequest)) {
             write(fault.apply(lastReply));
@@ -210,6 +214,21 @@ public final class PacketLine implements FakePort.Device {
         } else {
             FakePort.TIMER.schedule(() -> FakePort.write(to, bytes.toArray()), delay.toNanos(), TimeUnit.NANOSECONDS);
         }
+    }
+
+    /** As after damage: an earlier library sends one zero for it. */
+    public synchronized void askAgain() {
+        write(board.saysTaken() ? Bytes.of(0, 1, 0) : Bytes.of(0));
+    }
+
+    /** Writes what is no packet, as a sketch that prints does. */
+    public synchronized void print(String text) {
+        write(Bytes.ofText(text));
+    }
+
+    /** Writes this before it takes each request. */
+    public synchronized void setPrints(String text) {
+        prints = Bytes.ofText(text);
     }
 
     synchronized void boot() {

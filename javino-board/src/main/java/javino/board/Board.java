@@ -105,7 +105,8 @@ public final class Board implements AutoCloseable {
         String description = "transmit to " + to + ": " + what;
         return transmission(description, board -> {
             return request.apply(
-                    board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID)));
+                    board.rfId().orElseThrow(() -> new RequestFailedException(description,
+                            board.hasRadio() ? Status.NO_RF_ID : Status.NO_RADIO)));
         });
     }
 

@@ -14,6 +14,9 @@ import javino.protocol.Request;
  *                       the board writes to its EEPROM (SPEC 4.2).
  * @param attempts       how many times a request is sent before the board counts as offline, at least 1; 15 by default:
  *                       a board that hangs is noticed 3 s late, and a busy machine may take a second over a reply.
+ * @param actionTime     how long a board that has taken a request may take to reply: the sketch's function of an action
+ *                       or of percepts may take its time; 10 s by default (SPEC 4.2). A board that hangs meanwhile is
+ *                       noticed so much later.
  * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.
  * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
@@ -21,8 +24,8 @@ import javino.protocol.Request;
  * @param queueCapacity  how many requests may wait, at least 1; 64 by default.
  * @param epochNotes     what is known of a board that has lost its boot epoch; nothing by default.
  */
-public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration helloInterval,
-        Duration reopenInterval, Duration patience, int queueCapacity, EpochNotes epochNotes) {
+public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration actionTime,
+        Duration helloInterval, Duration reopenInterval, Duration patience, int queueCapacity, EpochNotes epochNotes) {
 
     private static final Duration MAX_HOLD = Duration.ofMillis(Request.MAX_HOLD_MILLIS);
 
@@ -33,6 +36,7 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
             throw new IllegalArgumentException("hold must be at most " + MAX_HOLD.toMillis() + " ms, not " + hold);
         }
         checkPositive("replyTimeout", replyTimeout);
+        checkPositive("actionTime", actionTime);
         checkPositive("helloInterval", helloInterval);
         checkPositive("reopenInterval", reopenInterval);
         checkPositive("patience", patience);
@@ -70,6 +74,7 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         private Duration hold = Duration.ofSeconds(2);
         private Duration replyTimeout = Duration.ofMillis(200);
         private int attempts = 15;
+        private Duration actionTime = Duration.ofSeconds(10);
         private Duration helloInterval = Duration.ofMillis(100);
         private Duration reopenInterval = Duration.ofMillis(200);
         private Duration patience = Duration.ofSeconds(5);
@@ -94,6 +99,12 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         /** Sets {@link BoardConfig#attempts()}. */
         public Builder setAttempts(int count) {
             attempts = count;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#actionTime()}. */
+        public Builder setActionTime(Duration longest) {
+            actionTime = longest;
             return this;
         }
 
@@ -128,8 +139,8 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         }
 
         private BoardConfig build() {
-            return new BoardConfig(hold, replyTimeout, attempts, helloInterval, reopenInterval, patience,
-                    queueCapacity, epochNotes);
+            return new BoardConfig(hold, replyTimeout, attempts, actionTime, helloInterval, reopenInterval,
+                    patience, queueCapacity, epochNotes);
         }
     }
 }

@@ -67,8 +67,16 @@ public interface BoardListener {
     }
 
     /**
+     * The sketch has printed on the board's serial line, between two packets.
+     *
+     * @param text some of it; it may have several lines.
+     */
+    default void printed(String text) {
+    }
+
+    /**
      * A percept or message from the board was skipped, since it is no text or no content; or the board has lost what
-     * its security rests on.
+     * its security rests on, or its sketch prints on the line.
      *
      * @param what one line that says what, why, and what to do.
      */

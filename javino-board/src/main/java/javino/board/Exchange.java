@@ -32,7 +32,10 @@ final class Exchange {
      */
     private static final Bytes START_SKETCH = Bytes.of(0x1B, 0x01, 0x00, 0x01, 0x0E, 0x11, 0x04);
 
+    private static final int MOST_SHOWN = 80;
+
     private final Link link;
+    private final SessionContext context;
     private final SessionCounters counters;
     private final PacketDecoder decoder = new PacketDecoder();
     private final byte[] buffer = new byte[1024];
@@ -41,17 +44,26 @@ final class Exchange {
     private final Deque<Integer> left = new ArrayDeque<>();
     private Consumer<Frame> lateReplies = reply -> {};
     private boolean replyLost;
+    private boolean saysTaken;
+    private boolean overdue;
+    private boolean warned;
 
     /** @param firstSequence that of the first request, 0…255. */
-    Exchange(Link link, int firstSequence, SessionCounters counters) {
+    Exchange(Link link, int firstSequence, SessionContext context) {
         this.link = link;
-        this.counters = counters;
+        this.context = context;
+        this.counters = context.counters();
         this.sequence = firstSequence - 1;
     }
 
     /** Says who takes the replies to polls that were left; they come while a later request is asked. */
     void setLateReplies(Consumer<Frame> taker) {
         lateReplies = taker;
+    }
+
+    /** Says whether the board sends a 0x00 when it has taken a request. */
+    void setSaysTaken(boolean says) {
+        saysTaken = says;
     }
 
     /**
@@ -69,7 +81,10 @@ final class Exchange {
         if (request.command() == Request.Command.HELLO) {
             left.clear();
             replyLost = false;
+            // A zero before the reply to hello may be that of a boot.
+            saysTaken = false;
         }
+        overdue = false;
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new SerialPacket(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
@@ -83,7 +98,7 @@ final class Exchange {
             boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1;
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
             attempts++;
-            Optional<SerialPacket> reply = awaitReply(request.hold(), timeout, leaves);
+            Optional<SerialPacket> reply = new Attempt(request, timeout, bytes).await(leaves);
             if (reply.isPresent()) {
                 return Optional.of(Reply.decode(reply.get().frame()));
             }
@@ -94,6 +109,11 @@ final class Exchange {
     /** Whether the last request is a poll that was left. */
     boolean hasLeft() {
         return !left.isEmpty() && left.getLast() == sequence;
+    }
+
+    /** Whether the board has taken the last request, and not answered it in the time for an action. */
+    boolean isOverdue() {
+        return overdue;
     }
 
     /** Whether the reply to the last request has begun to come, and seems to be a reading. */
@@ -110,46 +130,136 @@ final class Exchange {
         return left.isEmpty() ? Request.LastReply.HERE : Request.LastReply.COMING;
     }
 
-    private Optional<SerialPacket> awaitReply(Duration hold, Duration timeout, BooleanSupplier leaves)
-            throws LinkException {
-        Deadline end = Deadline.in(hold.plus(timeout));
-        Deadline deadline = end;
-        while (!deadline.passed()) {
-            if (!hold.isZero() && leaves.getAsBoolean()) {
-                left.add(sequence);
-                return Optional.empty();
-            }
-            int count = link.read(buffer, Duration.ofNanos(Math.max(1, deadline.nanosLeft())));
-            SerialPacket reply = null;
-            boolean endsWhole = false;
-            List<PacketDecoder.Result> results = decoder.feed(buffer, count);
-            for (PacketDecoder.Result result : results) {
-                endsWhole = result instanceof PacketDecoder.Found;
-                if (!(result instanceof PacketDecoder.Found found)) {
-                    counters.count(SessionCounter.DAMAGED_PACKETS);
-                } else if (found.packet().sequence() == sequence) {
-                    reply = found.packet();
-                } else {
-                    takeLate(found.packet());
+    /** One sending of a request, until its reply is here or its time is over. */
+    private final class Attempt {
+
+        private final Duration hold;
+        private final Duration timeout;
+        private final byte[] bytes;
+        private final boolean saysTakenNow;
+        private final Deadline usual;
+        private Deadline end;
+        private Deadline deadline;
+        private SerialPacket reply;
+        private boolean taken;
+        private boolean damaged;
+        private boolean asked;
+        private boolean repeated;
+
+        Attempt(Request request, Duration timeout, byte[] bytes) {
+            hold = request.hold();
+            this.timeout = timeout;
+            this.bytes = bytes;
+            // An action has its time once.
+            saysTakenNow = saysTaken && !overdue;
+            usual = Deadline.in(hold.plus(timeout));
+            end = usual;
+            deadline = usual;
+        }
+
+        Optional<SerialPacket> await(BooleanSupplier leaves) throws LinkException {
+            while (!deadline.passed()) {
+                if (!hold.isZero() && leaves.getAsBoolean()) {
+                    left.add(sequence);
+                    return Optional.empty();
+                }
+                int count = link.read(buffer, Duration.ofNanos(Math.max(1, deadline.nanosLeft())));
+                take(decoder.feed(buffer, count), count > 0);
+                if (reply != null) {
+                    // The board replies in order.
+                    replyLost |= !left.isEmpty();
+                    left.clear();
+                    return Optional.of(reply);
+                }
+                if (asked && !hold.isZero()) {
+                    return Optional.empty();
+                }
+                if (asked && !repeated) {
+                    // Once an attempt, so that they last for as long as damage may.
+                    repeated = true;
+                    counters.count(SessionCounter.REPEATS);
+                    link.write(bytes);
+                }
+                asked = false;
+                if (context.queue().isClosed()) {
+                    deadline = deadline.orBefore(usual);
                 }
             }
-            if (reply != null) {
-                // The board replies in order.
-                replyLost |= !left.isEmpty();
-                left.clear();
-                return Optional.of(reply);
+            overdue |= taken && deadline.equals(end);
+            // A text goes on to the zero of a request that is taken.
+            if ((decoder.packetComes() || !saysTaken) && decoder.abandon()) {
+                counters.count(SessionCounter.DAMAGED_PACKETS);
             }
-            if (!hold.isZero() && results.isEmpty() && count > 0 && buffer[count - 1] == 0) {
-                // The board has booted, or refused the poll.
-                return Optional.empty();
+            return Optional.empty();
+        }
+
+        private void take(List<PacketDecoder.Result> results, boolean came) {
+            boolean spoiled = false;
+            for (PacketDecoder.Result result : results) {
+                if (result instanceof PacketDecoder.Found found) {
+                    spoiled = false;
+                    deadline = end;
+                    take(found.packet());
+                } else if (result instanceof PacketDecoder.Empty empty) {
+                    take(empty);
+                } else if (result instanceof PacketDecoder.Printed printed) {
+                    print(printed.text());
+                } else {
+                    counters.count(SessionCounter.DAMAGED_PACKETS);
+                    damaged = true;
+                    spoiled = true;
+                }
             }
-            // Whatever else comes ends the hold, as a damaged reply may be all that comes.
-            deadline = count == 0 ? deadline : endsWhole ? end : Deadline.in(timeout).orBefore(end);
+            // A damaged reply may be all that comes.
+            if (spoiled || came && decoder.packetComes()) {
+                deadline = Deadline.in(timeout).orBefore(end);
+            }
         }
-        if (decoder.abandon()) {
-            counters.count(SessionCounter.DAMAGED_PACKETS);
+
+        private void take(SerialPacket packet) {
+            if (packet.sequence() == sequence) {
+                reply = packet;
+            } else {
+                takeLate(packet);
+            }
         }
-        return Optional.empty();
+
+        private void take(PacketDecoder.Empty empty) {
+            if (empty.asksAgain()) {
+                // The zero before it was none of a request that was taken.
+                asked = true;
+                taken = false;
+                end = Deadline.in(hold.plus(timeout));
+                deadline = end;
+            } else if (saysTakenNow) {
+                zeroCame();
+            } else {
+                // A board of an earlier library has booted, or refused the poll.
+                asked |= !hold.isZero();
+            }
+        }
+
+        /** Unless it is that of a poll that was left: the board replies in order, but perhaps damaged. */
+        private void zeroCame() {
+            if (saysTakenNow && !taken && (left.isEmpty() || damaged && hold.isZero())) {
+                taken = true;
+                end = Deadline.in(hold.plus(context.config().actionTime()));
+                deadline = end;
+            }
+        }
+    }
+
+    private void print(String text) {
+        counters.count(SessionCounter.PRINTED_TEXTS);
+        context.listener().tell(listener -> listener.printed(text));
+        // What setup() prints harms nobody.
+        if (saysTaken && !warned) {
+            warned = true;
+            String line = text.replaceAll("\\s+", " ");
+            context.listener().warn("the sketch prints on the line of the protocol, which delays it: \""
+                    + (line.length() > MOST_SHOWN ? line.substring(0, MOST_SHOWN) + "…" : line)
+                    + "\"; remove that print, or use another serial port for it");
+        }
     }
 
     private void takeLate(SerialPacket packet) {

@@ -7,6 +7,7 @@ import javino.legacy.LegacyMessage;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.protocol.BoardInfo;
+import javino.protocol.Capability;
 import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
@@ -50,7 +51,7 @@ final class Greeting {
         this.goOn = goOn;
         baud = link.baud();
         // Random, so that a reply to the program that had the port before is hardly taken for one to this.
-        exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context.counters());
+        exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context);
         legacyExchange = new LegacyExchange(link, context.counters());
     }
 
@@ -98,7 +99,10 @@ final class Greeting {
     private Optional<BoardInfo> hello(int hellos) throws LinkException, ProtocolException {
         Optional<Reply> reply = exchange.ask(Request.hello(), context.config().helloInterval(), () -> false,
                 attempts -> attempts < hellos && goOn.getAsBoolean());
-        return reply.isEmpty() ? Optional.empty() : Optional.of(boardInfo(reply.get()));
+        Optional<BoardInfo> board = reply.isEmpty() ? Optional.empty() : Optional.of(boardInfo(reply.get()));
+        board.ifPresent(
+                greeted -> exchange.setSaysTaken(greeted.capabilities().contains(Capability.SAYS_TAKEN)));
+        return board;
     }
 
     private Optional<BoardInfo> askInLegacy() throws LinkException {

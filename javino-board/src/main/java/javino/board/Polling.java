@@ -42,7 +42,7 @@ final class Polling {
     /** A board came online; after a boot it counts messages and transmissions anew. */
     void greeted(BoardInfo board) {
         // Without an epoch no boot can be told from the one before.
-        if (!board.equals(source) || board.hasLostEpoch()) {
+        if (!board.equals(source) || board.bootEpoch() == 0) {
             toldDamage = false;
             taken = Request.NOTHING_TAKEN;
             owesTaken = false;

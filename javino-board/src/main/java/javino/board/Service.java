@@ -40,7 +40,10 @@ final class Service {
     }
 
     /** Has the radio open and overhears as it was wished: a board that has booted does neither. */
-    void restoreWishes() throws LinkException, LostException {
+    void restoreWishes(BoardInfo board) throws LinkException, LostException {
+        if (!board.hasRadio()) {
+            return;
+        }
         restore(context.radio().get(), Request::radio);
         restore(context.overhear().get(), Request::overhear);
     }
@@ -112,7 +115,11 @@ final class Service {
 
     private void perform(PendingRequest<?> pending, BoardInfo board) throws LinkException, LostException {
         try {
-            pending.answer(ask(pending.source().request(board)));
+            Request request = pending.source().request(board);
+            if (request.command().needsRadio() && !board.hasRadio()) {
+                throw new RequestFailedException(pending.description(), Status.NO_RADIO);
+            }
+            pending.answer(ask(request));
         } catch (RequestFailedException e) {
             pending.fail(e);
         } catch (ProtocolException e) {
@@ -205,7 +212,10 @@ final class Service {
             throw new LostException(context.name() + ": the session was closed");
         }
         context.counters().count(SessionCounter.SILENCES);
-        throw new LostException(context.name() + ": the board left a request unanswered");
+        throw new LostException(context.name() + (exchange.isOverdue()
+                ? ": the board has taken a request and not answered it in " + context.config().actionTime().toSeconds()
+                        + " s; the sketch's functions of actions and percepts must return at once"
+                : ": the board left a request unanswered"));
     }
 
     /** Whether there is more to ask; also while a long reading comes, so that the next one may follow it at once. */

@@ -12,6 +12,7 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Capability;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
@@ -131,7 +132,10 @@ final class Session implements Runnable {
                 raiseLostEpoch(service);
             }
             lost.greeted(info);
-            service.restoreWishes();
+            service.restoreWishes(info);
+            if (info.capabilities().contains(Capability.HAD_OLDER_MEMORY)) {
+                context.listener().warn(LostState.ofOlderMemory());
+            }
             nowOnline();
             service.run(() -> info);
         }

@@ -8,6 +8,8 @@ public enum SessionCounter {
     REPEATS,
     /** Packets from the board refused: damaged, or cut off. */
     DAMAGED_PACKETS,
+    /** Texts that the sketch has printed on the line. */
+    PRINTED_TEXTS,
     /** Replies to another request than the one under way. */
     STALE_REPLIES,
     /** Undamaged replies that are not what SPEC 4.3 says. */

@@ -48,7 +48,8 @@ abstract class BoardFixture {
     /** Settings with which little is waited for. */
     static BoardConfig quick(Consumer<BoardConfig.Builder> settings) {
         return BoardConfig.create(builder -> settings.accept(builder.setHold(Duration.ofMillis(20))
-                .setReplyTimeout(Duration.ofMillis(20)).setHelloInterval(Duration.ofMillis(10))
+                .setReplyTimeout(Duration.ofMillis(20)).setActionTime(Duration.ofSeconds(1))
+                .setHelloInterval(Duration.ofMillis(10))
                 .setReopenInterval(Duration.ofMillis(10)).setPatience(Duration.ofSeconds(30)).setAttempts(20)));
     }
 

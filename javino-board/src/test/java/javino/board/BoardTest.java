@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -24,6 +25,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
+import javino.protocol.Capability;
 import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
@@ -104,7 +106,8 @@ class BoardTest extends BoardFixture {
         open();
         assertEquals("online 1", listener.next());
         assertEquals(BoardState.ONLINE, board.state());
-        assertEquals(Optional.of(new BoardInfo(1, Optional.empty(), 1, "fake", List.of())), board.info());
+        assertEquals(Optional.of(new BoardInfo(1, Optional.empty(), 1,
+                Set.of(Capability.RADIO, Capability.MEMORY, Capability.SAYS_TAKEN), "fake", List.of())), board.info());
     }
 
     @Test
@@ -474,7 +477,7 @@ class BoardTest extends BoardFixture {
         listener.until("online");
         fake.line.awaitHeld();
         AtomicInteger replies = new AtomicInteger();
-        fake.line.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 0) : reply);
+        fake.line.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(5, 0) : reply);
         board.act("go").get();
         fake.line.awaitHeld();
         assertEquals(List.of("act go"), List.copyOf(fake.requests));
@@ -901,7 +904,9 @@ class BoardTest extends BoardFixture {
     @Test
     void greeted_boardThere_tellsWhoItIs() throws Exception {
         open();
-        assertEquals(new BoardInfo(1, Optional.empty(), 1, "fake", List.of()), board.greeted().get());
+        assertEquals(new BoardInfo(1, Optional.empty(), 1,
+                Set.of(Capability.RADIO, Capability.MEMORY, Capability.SAYS_TAKEN), "fake", List.of()),
+                board.greeted().get());
     }
 
     @Test

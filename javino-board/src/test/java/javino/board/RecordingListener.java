@@ -50,6 +50,11 @@ final class RecordingListener implements BoardListener {
     }
 
     @Override
+    public void printed(String text) {
+        lines.add("printed " + text);
+    }
+
+    @Override
     public void warning(String what) {
         lines.add("warning " + what);
     }

@@ -1,0 +1,164 @@
+package javino.board;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import javino.protocol.Bytes;
+import javino.protocol.Capability;
+import org.junit.jupiter.api.Test;
+
+/** SPEC 4.2: the 0x00 of a request that was taken, the wish to be asked again, and what a sketch prints. */
+class TakenRequestTest extends BoardFixture {
+
+    private static final Duration HOUR = Duration.ofHours(1);
+
+    private void openAndAwaitOnline(Consumer<BoardConfig.Builder> settings) throws InterruptedException {
+        open(listener, settings);
+        listener.until("online");
+    }
+
+    @Test
+    void act_boardTakesItsTime_isNotRepeatedAndSucceeds() throws Exception {
+        openAndAwaitOnline(config -> config.setAttempts(2).setActionTime(HOUR));
+        fake.stallAt("act wait");
+        CompletableFuture<Void> action = board.act("wait");
+        assertEquals("act wait", fake.requests.take());
+        long repeats = board.counters().get(SessionCounter.REPEATS);
+        // Longer than all attempts.
+        Thread.sleep(100);
+        assertFalse(action.isDone());
+        fake.resume();
+        action.get();
+        assertEquals(repeats, board.counters().get(SessionCounter.REPEATS));
+        assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
+        board.act("go").get();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void act_boardOfAnEarlierLibraryTakesItsTime_isLost() throws Exception {
+        fake.setCapabilities(Capability.RADIO, Capability.MEMORY);
+        openAndAwaitOnline(config -> config.setAttempts(2));
+        fake.stallAt("act wait");
+        failure(OutcomeUnknownException.class, board.act("wait"));
+        assertEquals("offline fake: the board left a request unanswered", listener.until("offline").get(0));
+        fake.resume();
+    }
+
+    @Test
+    void act_boardTakesTooLong_failsAndSaysThatItMustReturn() throws Exception {
+        openAndAwaitOnline(config -> {});
+        fake.stallAt("act wait");
+        assertEquals("fake: the board has taken a request and not answered it in 1 s; the sketch's functions of "
+                + "actions and percepts must return at once; it is not known whether act wait was performed",
+                failure(OutcomeUnknownException.class, board.act("wait")).getMessage());
+        assertEquals(List.of("act wait"), List.copyOf(fake.requests));
+        fake.resume();
+        listener.until("online");
+    }
+
+    @Test
+    void act_replyThatTookItsTimeIsDamaged_isRepeatedSoon() throws Exception {
+        openAndAwaitOnline(config -> config.setActionTime(HOUR).setHold(Duration.ofMillis(1)));
+        AtomicInteger replies = new AtomicInteger();
+        fake.line.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(5, 5, 0) : reply);
+        board.act("go").get();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void act_replyThatTookItsTimeIsLost_isRepeatedInTheEnd() throws Exception {
+        openAndAwaitOnline(config -> config.setHold(Duration.ofMillis(1)));
+        AtomicInteger replies = new AtomicInteger();
+        fake.line.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.EMPTY : reply);
+        board.act("go").get();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
+        assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
+    }
+
+    @Test
+    void close_boardTakesItsTime_isNotWaitedFor() throws Exception {
+        openAndAwaitOnline(config -> config.setActionTime(HOUR));
+        fake.stallAt("act wait");
+        CompletableFuture<Void> action = board.act("wait");
+        fake.requests.take();
+        board.end().get(30, TimeUnit.SECONDS);
+        failure(OutcomeUnknownException.class, action);
+    }
+
+    @Test
+    void act_boardAsksAgain_isSentAgainAtOnce() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR).setHold(HOUR.dividedBy(100)));
+        AtomicInteger lost = new AtomicInteger();
+        fake.line.setLoses(message -> {
+            boolean loses = message.at(0) == 'A' && lost.getAndIncrement() == 0;
+            if (loses) {
+                fake.line.askAgain();
+            }
+            return loses;
+        });
+        board.act("go").get();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void act_boardAsksAgainForTheRepeatToo_isRepeatedSoon() throws Exception {
+        openAndAwaitOnline(config -> config.setActionTime(HOUR).setHold(Duration.ofMillis(1)));
+        AtomicInteger lost = new AtomicInteger();
+        fake.line.setLoses(message -> {
+            boolean loses = message.at(0) == 'A' && lost.getAndIncrement() < 3;
+            if (loses) {
+                fake.line.askAgain();
+            }
+            return loses;
+        });
+        board.act("go").get();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void poll_boardAsksAgain_isSentAgainAtOnce() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR).setHold(Duration.ofMinutes(1)));
+        fake.line.awaitHeld();
+        long repeats = board.counters().get(SessionCounter.REPEATS);
+        fake.line.askAgain();
+        fake.perceive("dark");
+        board.percepts(true);
+        listener.until("percepts [dark]");
+        assertTrue(board.counters().get(SessionCounter.REPEATS) > repeats);
+    }
+
+    @Test
+    void print_lines_areToldAndCountedAndWarnedOfOnce() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR));
+        fake.line.print("t =\t20.99\r\n");
+        board.act("go").get();
+        assertEquals(
+                List.of("printed t =\t20.99", "warning the sketch prints on the line of the protocol, which delays "
+                        + "it: \"t = 20.99\"; remove that print, or use another serial port for it"),
+                listener.rest());
+        fake.line.print("t = 21\r\n");
+        board.act("go").get();
+        assertEquals(List.of("printed t = 21"), listener.rest());
+        assertEquals(2, board.counters().get(SessionCounter.PRINTED_TEXTS));
+        assertEquals(0, board.counters().get(SessionCounter.DAMAGED_PACKETS));
+    }
+
+    @Test
+    void poll_sketchPrintsInItsHold_isHeldOn() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(Duration.ofMillis(1)).setAttempts(1)
+                .setHold(Duration.ofSeconds(60)));
+        fake.line.awaitHeld();
+        fake.line.print("still here");
+        Thread.sleep(50);
+        board.act("go").get();
+        assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
+    }
+}
