@@ -26,6 +26,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply.StoredKey;
+import javino.protocol.Status;
 import javino.protocol.HostMessage;
 
 /**
@@ -34,8 +35,8 @@ import javino.protocol.HostMessage;
  */
 final class Device implements BoardListener, KeyService.Host {
 
-    /** Longer than a session waits and repeats, so that it ends only what the session itself has lost. */
-    private static final long ANSWER_SECONDS = 10;
+    /** Longer than a session waits for two actions, so that it ends only what the session itself has lost. */
+    private static final long ANSWER_SECONDS = 30;
     /** Until sensors that are held are read by themselves. */
     private static final Duration NEVER = Duration.ofDays(36_500);
 
@@ -52,6 +53,7 @@ final class Device implements BoardListener, KeyService.Host {
     private volatile BoardSettings settings;
     private volatile boolean online;
     private volatile boolean legacy;
+    private volatile boolean hasRadio = true;
     /** What the sketch has named, when it was greeted last; null before the first time. */
     private volatile Set<String> actions;
     private volatile Optional<Address> address = Optional.empty();
@@ -114,12 +116,17 @@ final class Device implements BoardListener, KeyService.Host {
 
     /** The address that the board has or is to have, as far as is known. */
     Optional<Address> address() {
-        return settings.rfId().or(() -> address);
+        return hasRadio ? settings.rfId().or(() -> address) : Optional.empty();
     }
 
     /** Whether the board speaks the older protocol, as far as is known: then it has actions for {@code .act} only. */
     boolean isLegacy() {
         return legacy;
+    }
+
+    /** Whether the board has a radio, as far as is known. */
+    boolean hasRadio() {
+        return hasRadio;
     }
 
     /** Whether an action of that name is the board's; one that speaks the older protocol cannot say, so any may be. */
@@ -187,7 +194,7 @@ final class Device implements BoardListener, KeyService.Host {
 
     /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
     Transmission transmit(Address to, Content content) {
-        return context.keyService().filter(keyService -> keys.lacks(to))
+        return context.keyService().filter(keyService -> hasRadio && keys.lacks(to))
                 .map(keyService -> heard(keyService.transmit(this, to, content)))
                 .orElseGet(() -> transmitAsIs(to, content));
     }
@@ -290,6 +297,7 @@ final class Device implements BoardListener, KeyService.Host {
             return;
         }
         legacy = info.isLegacy();
+        hasRadio = info.hasRadio();
         actions = Set.copyOf(info.actions());
         address = info.rfId();
         if (legacy) {
@@ -299,7 +307,10 @@ final class Device implements BoardListener, KeyService.Host {
         }
         bootEpoch = info.bootEpoch();
         BoardSettings wanted = settings;
-        boolean hasOther = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
+        if (!hasRadio && !legacy && (wanted.radio() || wanted.rfId().isPresent())) {
+            context.warnings().once(port + ": " + Status.NO_RADIO.explanation());
+        }
+        boolean hasOther = hasRadio && wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
         if (hasOther) {
             session.thenCompose(board -> board.setRfId(wanted.rfId().get())).whenComplete((done, thrown) -> {
                 if (thrown != null) {
@@ -314,8 +325,8 @@ final class Device implements BoardListener, KeyService.Host {
 
     /** Before the agent may act, it is to be known for whom there are keys. */
     private void askForKeys(boolean hasAddress) {
-        if (legacy) {
-            nowOnline(hasAddress);
+        if (!hasRadio) {
+            nowOnline(false);
             return;
         }
         session.thenCompose(Board::keys).whenComplete((list, thrown) -> {
@@ -343,7 +354,7 @@ final class Device implements BoardListener, KeyService.Host {
     }
 
     private void tellFinder() {
-        if (online && !legacy && !closed) {
+        if (online && hasRadio && !closed) {
             address().ifPresent(self -> context.keyService()
                     .ifPresent(keyService -> keyService.online(this, self, bootEpoch, toldKeys)));
         }

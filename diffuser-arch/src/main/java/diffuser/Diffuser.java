@@ -296,8 +296,8 @@ public class Diffuser extends AgArch {
     }
 
     /** Whether the board, if one was opened, has a radio, as far as is known. */
-    protected boolean hasRadio() {
-        return device().map(board -> !board.isLegacy()).orElse(true);
+    public boolean hasRadio() {
+        return device().map(Device::hasRadio).orElse(true);
     }
 
     /** The board, if a port was opened. */

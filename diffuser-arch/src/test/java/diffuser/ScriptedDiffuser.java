@@ -92,6 +92,7 @@ public class ScriptedDiffuser extends Diffuser {
         return BoardConfig.create(config -> config
                 .setHold(Duration.ofMillis(50))
                 .setReplyTimeout(Duration.ofMillis(50))
+                .setActionTime(Duration.ofSeconds(1))
                 .setHelloInterval(Duration.ofMillis(10))
                 .setReopenInterval(Duration.ofMillis(10))
                 .setPatience(Duration.ofSeconds(5)).setAttempts(20));

@@ -33,7 +33,7 @@ local MARK, PARITY = 0x78, 0x87
 local FROM = {[0] = "host", [1] = "board"}
 local STATUSES = {[0] = "OK", "NOT_GREETED", "UNKNOWN_COMMAND", "BAD_ARGUMENT", "UNKNOWN_ACTION", "ACTION_FAILED", "NO_RF_ID",
   "WRONG_ORIGIN", "BAD_DESTINATION", "NO_KEY", "TOO_LONG", "QUEUE_FULL", "STORE_FULL", "STORE_FAILED", "NONCE_EXHAUSTED", "BUSY", "HAS_KEY",
-  "EPOCH_LOST", "MEMORY_DAMAGED"}
+  "EPOCH_LOST", "MEMORY_DAMAGED", "NO_RADIO"}
 local OUTCOMES = {[0] = "sent", "delivered", "undelivered"}
 local ROLES = {[0] = "current", "previous", "next", "session",
   "current, floors may be lost", "previous, floors may be lost", "next, floors may be lost"}
@@ -46,7 +46,7 @@ local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialR
   "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
   "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated", "radioOverheardDropped", "relayCopies",
-  "relayAnswers", "relayRefused", "memoryDamaged"}
+  "relayAnswers", "relayRefused", "memoryDamaged", "loopMillis", "perceptsMillis", "actionMillis", "radioLateMicros"}
 -- How a performative goes with a conversation.
 local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
   askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always", move = "never"}
@@ -180,6 +180,10 @@ field(serial, "body", "bytes", "Body")
 field(serial, "protocol_version", "uint8", "Protocol version")
 field(serial, "rf_id", "string", "RF id")
 field(serial, "boot_epoch", "uint24", "Boot epoch")
+field(serial, "capabilities", "uint8", "Capabilities", base.HEX)
+field(serial, "capabilities.radio", "bool", "Has a radio", 8, nil, 0x01)
+field(serial, "capabilities.memory", "bool", "Has a memory", 8, nil, 0x02)
+field(serial, "capabilities.older_memory", "bool", "Had a memory of an earlier layout", 8, nil, 0x04)
 field(serial, "firmware", "string", "Firmware name")
 field(serial, "poll.flags", "uint8", "Flags", base.HEX)
 field(serial, "poll.percepts", "bool", "Percepts are wanted", 8, nil, 0x01)
@@ -1190,11 +1194,16 @@ local RECORD = {
 
 -- Each shows a reply's body, and returns whether it is one to the command.
 local REPLIES = {
-  H = function(r)
+  H = function(r, _, range)
     r.take("serial.protocol_version", 1)
     local _, id = r.address("serial.rf_id")
-    return id and digits(id, 1, 4) and r.take("serial.boot_epoch", 3)
-      and (r.left() == 0 or is_utf8(select(2, r.text("serial.firmware", r.left()))))
+    if not id or not digits(id, 1, 4) or not r.take("serial.boot_epoch", 3) then return false end
+    -- A board of an earlier library has its name there.
+    if r.left() > 0 and range(r.at, 1):uint() < 0x20 then
+      local item, _, bits = r.take("serial.capabilities", 1)
+      for _, name in ipairs({"radio", "memory", "older_memory"}) do item:add(f["serial.capabilities." .. name], bits) end
+    end
+    return (r.left() == 0 or is_utf8(select(2, r.text("serial.firmware", r.left()))))
   end,
   P = function(r, tree, range)
     local item, _, flags = r.take("serial.poll.flags", 1)

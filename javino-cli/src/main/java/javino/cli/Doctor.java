@@ -13,9 +13,14 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Status;
 
 /** Looks for the usual troubles with a board, and writes a line for each: ok, or what to do. */
 final class Doctor {
+
+    private static final Duration READING = Duration.ofSeconds(1);
+    /** How long a board without a radio is looked at, for what it prints. */
+    private static final long LOOK_MILLIS = 2000;
 
     private final PortOption port;
     private final Findings findings;
@@ -61,18 +66,42 @@ final class Doctor {
     boolean examine(Address id, Map<Address, SharedKey> keys, int noted, Duration listen)
             throws JavinoException, InterruptedException {
         Watched link = new Watched(port.link());
-        try (Board board = Board.open(link, port.config(), new BoardListener() {})) {
+        Prints prints = new Prints();
+        try (Board board = Board.open(link, port.config(), prints)) {
             if (isReached(board, link)) {
                 BoardInfo info = Await.result(board.greeted());
                 TrafficCheck traffic = new TrafficCheck(board, findings);
-                EepromCheck eeprom = new EepromCheck(port.name(), findings);
-                eeprom.examineId(info, id);
-                eeprom.examineKeys(Await.result(board.keys()), keys, id);
-                eeprom.examineNonces(info, noted, id);
-                traffic.examine(listen);
+                // Most boards have booted just now, and not called the sketch's function yet.
+                board.percepts(true);
+                Await.result(board.reading(READING));
+                if (!info.hasRadio()) {
+                    Thread.sleep(Math.min(listen.toMillis(), LOOK_MILLIS));
+                    traffic.examine();
+                } else {
+                    EepromCheck eeprom = new EepromCheck(port.name(), findings);
+                    eeprom.examineId(info, id);
+                    eeprom.examineKeys(Await.result(board.keys()), keys, id);
+                    eeprom.examineNonces(info, noted, id);
+                    traffic.examine(listen);
+                }
+                traffic.examinePrints(prints.last);
+                if (!info.hasRadio() && id != null) {
+                    findings.trouble("RF id", "none; " + Status.NO_RADIO.explanation());
+                }
             }
         }
         return findings.areHealthy();
+    }
+
+    /** Remembers what the sketch has printed last. */
+    private static final class Prints implements BoardListener {
+
+        private volatile String last;
+
+        @Override
+        public void printed(String text) {
+            last = text;
+        }
     }
 
     private boolean isReached(Board board, Watched link) throws InterruptedException {

@@ -7,6 +7,7 @@ import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
+import javino.protocol.Capability;
 import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
@@ -24,6 +25,9 @@ final class EepromCheck {
 
     /** @param wanted null where any will do. */
     void examineId(BoardInfo info, Address wanted) {
+        if (info.capabilities().contains(Capability.HAD_OLDER_MEMORY)) {
+            findings.trouble("memory", LostState.ofOlderMemory());
+        }
         if (info.rfId().isEmpty()) {
             findings.trouble("RF id", "none; " + provision(wanted));
         } else if (wanted != null && !info.rfId().get().equals(wanted)) {

@@ -10,6 +10,7 @@ import javino.board.Board;
 import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Capability;
 import javino.protocol.Counter;
 import javino.protocol.Reply;
 import javino.protocol.Reply.Role;
@@ -56,7 +57,8 @@ final class InfoCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
             BoardInfo info = Await.result(board.greeted());
-            List<Reply.StoredKey> keys = Await.result(board.keys());
+            boolean hasKeys = info.hasRadio() || info.isLegacy();
+            List<Reply.StoredKey> keys = hasKeys ? Await.result(board.keys()) : List.of();
             print(info, keys, out);
             LostState.ofFloors(keys).ifPresent(what -> out.println(line("floors", what)));
             if (seconds == null) {
@@ -75,14 +77,22 @@ final class InfoCommand implements Callable<Integer> {
             throw new JavinoException(port.name() + ": the board has booted meanwhile, and counts from 0; try again");
         }
         counters.forEach(
-                (counter, value) -> out.println(line(counter, "+" + (value - counted.getOrDefault(counter, 0L)))));
+                (counter, value) -> out.println(line(counter, counter.isTime() ? value
+                        : "+" + (value - counted.getOrDefault(counter, 0L)))));
     }
 
     private static void print(BoardInfo info, List<Reply.StoredKey> keys, PrintWriter out) {
         out.println(line("firmware", info.firmware()));
         out.println(line("protocol version", info.protocolVersion()));
-        out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
-        out.println(line("boot epoch", info.hasLostEpoch() ? LostState.notRaised() : info.bootEpoch()));
+        out.println(line("library", info.isOfEarlierLibrary() ? "earlier; flash the sketch anew" : "current"));
+        out.println(line("radio", info.hasRadio() ? "yes" : "none: the board has percepts and actions"));
+        if (info.hasRadio()) {
+            out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
+            out.println(line("boot epoch", info.hasLostEpoch() ? LostState.notRaised() : info.bootEpoch()));
+        }
+        if (info.capabilities().contains(Capability.HAD_OLDER_MEMORY)) {
+            out.println(line("memory", LostState.ofOlderMemory()));
+        }
         out.println(line("actions", info.actions().isEmpty() ? "none" : String.join(", ", info.actions())));
         keys.forEach(key -> out.println(line(nameOf(key.role()),
                 key.address() + ", check value " + key.check())));

@@ -45,8 +45,9 @@ final class Monitor implements BoardListener {
         wasOnline = true;
         // They may have started anew, and what was counted before is told once more.
         counted = Map.of();
-        line(Style.fg_green, "online", info.firmware() + ", RF id "
-                + info.rfId().map(Address::toString).orElse("none") + ", boot epoch " + info.bootEpoch());
+        line(Style.fg_green, "online", info.firmware() + (!info.hasRadio() ? ", no radio"
+                : ", RF id " + info.rfId().map(Address::toString).orElse("none") + ", boot epoch "
+                        + info.bootEpoch()));
     }
 
     @Override
@@ -71,6 +72,11 @@ final class Monitor implements BoardListener {
     }
 
     @Override
+    public void printed(String text) {
+        text.lines().forEach(each -> line(Style.fg_yellow, "printed", each));
+    }
+
+    @Override
     public void warning(String what) {
         line(Style.fg_red, "warning", what);
     }
@@ -80,7 +86,11 @@ final class Monitor implements BoardListener {
         counters.forEach((counter, value) -> {
             long risen = value - counted.getOrDefault(counter, 0L);
             boolean lost = !NO_LOSS.contains(counter);
-            if (risen > 0 && counter != ROUTINE) {
+            if (counter.isTime()) {
+                if (risen > 0 && TimeCheck.isLong(counter, value)) {
+                    line(Style.reset, "longest", counter + " " + value);
+                }
+            } else if (risen > 0 && counter != ROUTINE) {
                 line(lost ? Style.fg_red : Style.reset, lost ? "dropped" : "counted",
                         counter + " " + value + " (+" + risen + ")");
             }

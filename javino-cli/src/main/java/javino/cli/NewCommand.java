@@ -4,14 +4,17 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javino.JavinoException;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /** {@code javino new}: writes a project that runs at once. */
 @Command(name = "new", description = {
@@ -29,6 +32,10 @@ final class NewCommand implements Callable<Integer> {
     @ArgGroup
     private Which which = new Which();
 
+    @Option(names = "--board", paramLabel = "BOARD", defaultValue = "mega", converter = ModelByName.class,
+            description = "The board: mega (the default), uno, nano or pro-mini.")
+    private NewProject.Model model;
+
     @Spec
     private CommandSpec spec;
 
@@ -42,6 +49,16 @@ final class NewCommand implements Callable<Integer> {
         private boolean jacamo;
     }
 
+    private static final class ModelByName implements ITypeConverter<NewProject.Model> {
+
+        @Override
+        public NewProject.Model convert(String name) {
+            return Stream.of(NewProject.Model.values()).filter(model -> model.toString().equals(name)).findFirst()
+                    .orElseThrow(() -> new TypeConversionException(
+                            "the boards are mega, uno, nano and pro-mini, not " + name));
+        }
+    }
+
     @Override
     public Integer call() throws IOException, JavinoException {
         Path name = folder.getFileName();
@@ -50,7 +67,7 @@ final class NewCommand implements Callable<Integer> {
                     "a project is named by letters, digits, - and _, a letter first, not " + folder);
         }
         NewProject.Kind kind = which.jacamo ? NewProject.Kind.JACAMO : NewProject.Kind.JASON;
-        new NewProject(name.toString(), kind, NewProject.installed()).write(folder);
+        new NewProject(name.toString(), kind, model, NewProject.installed()).write(folder);
         spec.commandLine().getOut().println("project " + name + " written; next: cd " + folder + " && gradle run");
         return 0;
     }

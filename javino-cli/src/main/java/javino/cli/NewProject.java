@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Properties;
 import javino.JavinoException;
 
@@ -16,9 +17,10 @@ import javino.JavinoException;
  *
  * @param name       of the project.
  * @param kind       what runs its agent.
+ * @param model      its board.
  * @param javinoHome Javino's folder, from which the project has the emulator and the library for sketches.
  */
-record NewProject(String name, Kind kind, Path javinoHome) {
+record NewProject(String name, Kind kind, Model model, Path javinoHome) {
 
     private static final List<String> COMMON =
             List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
@@ -45,6 +47,34 @@ record NewProject(String name, Kind kind, Path javinoHome) {
             this.masFile = masFile;
             this.moreFiles = moreFiles;
             this.files = files;
+        }
+    }
+
+    /** A board that a project can have. */
+    enum Model {
+        MEGA("Mega", "mega:cpu=atmega2560", "mega", "-p atmega2560 -c wiring -b 115200"),
+        UNO("Uno", "uno", "uno", "-p atmega328p -c arduino -b 115200"),
+        NANO("Nano", "nano:cpu=atmega328", "uno", "-p atmega328p -c arduino -b 115200"),
+        PRO_MINI("Pro Mini", "pro:cpu=8MHzatmega328", "promini", "-p atmega328p -c arduino -b 57600");
+
+        private final String title;
+        /** As arduino-cli knows it. */
+        private final String fqbn;
+        /** As the emulator knows it. */
+        private final String emulated;
+        /** As avrdude knows it. */
+        private final String programmer;
+
+        Model(String title, String fqbn, String emulated, String programmer) {
+            this.title = title;
+            this.fqbn = "arduino:avr:" + fqbn;
+            this.emulated = emulated;
+            this.programmer = programmer;
+        }
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT).replace('_', '-');
         }
     }
 
@@ -83,6 +113,8 @@ record NewProject(String name, Kind kind, Path javinoHome) {
         Files.createDirectories(file.getParent());
         Files.writeString(file,
                 template.replace("@name@", name).replace("@masFile@", kind.masFile)
+                        .replace("@board@", model.title).replace("@fqbn@", model.fqbn)
+                        .replace("@model@", model.emulated).replace("@programmer@", model.programmer)
                         .replace("@moreFiles@", kind.moreFiles)
                         .replace("@javinoHome@", property("javinoHome", javinoHome.toString())));
     }

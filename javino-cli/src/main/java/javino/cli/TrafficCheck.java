@@ -28,12 +28,25 @@ final class TrafficCheck {
         before = board.counters();
     }
 
-    /** @param listen how long to wait for a radio packet. */
+    /**
+     * Examines a board with a radio.
+     *
+     * @param listen how long to wait for a radio packet.
+     */
     void examine(Duration listen) throws JavinoException, InterruptedException {
         Map<Counter, Long> counters = listen(listen);
         examineMemory(counters);
         examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
-        examineRadio(counters, listen);
+        boolean lasts = new TimeCheck(counters, findings).examine(true);
+        examineRadio(counters, listen, lasts);
+    }
+
+    /** Examines a board without a radio. */
+    void examine() throws JavinoException, InterruptedException {
+        Map<Counter, Long> counters = Await.result(board.statistics());
+        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
+        new TimeCheck(counters, findings).examine(false);
+        findings.ok("radio", "none");
     }
 
     /** The counters once a radio packet was received undamaged, or when the time is over. */
@@ -65,18 +78,28 @@ final class TrafficCheck {
         }
     }
 
+    /** @param text that the sketch has printed; null where there is none. */
+    void examinePrints(String text) {
+        long texts = since(SessionCounter.PRINTED_TEXTS);
+        if (texts > 0 && text != null) {
+            findings.trouble("prints", "the sketch prints on the serial line: \"" + text.lines().findFirst().orElse("")
+                    + "\"; remove that print, or use another serial port for it");
+        }
+    }
+
     private long since(SessionCounter counter) {
         return board.counters().get(counter) - before.get(counter);
     }
 
-    private void examineRadio(Map<Counter, Long> counters, Duration listened) {
+    private void examineRadio(Map<Counter, Long> counters, Duration listened, boolean lasts) {
         long received = counters.getOrDefault(Counter.RADIO_RECEIVED, 0L);
         long damaged = counters.getOrDefault(Counter.RADIO_DAMAGED, 0L);
         String count = received + " packets received, " + damaged + " damaged";
         if (received + damaged == 0) {
-            findings.trouble("radio", "nothing was heard in " + listened.toSeconds()
-                    + " s; if another board was sending, "
-                    + "look at the receiver's supply, ground and data wire (pin 11), the antennas, the distance");
+            findings.trouble("radio", "nothing was heard in " + listened.toSeconds() + " s; " + (lasts
+                    ? "first do what is said above of the sketch, which may be why"
+                    : "if another board was sending, look at the receiver's supply, ground and data wire (pin 11), the "
+                            + "antennas, the distance"));
         } else if (damaged > received) {
             findings.trouble("radio",
                     count + "; antenna, distance, the same bit rate in all sketches, other transmitters");

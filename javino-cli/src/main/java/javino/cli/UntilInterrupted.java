@@ -40,10 +40,14 @@ public final class UntilInterrupted {
     }
 
     /**
-     * Does the work with the board's radio open, and blocks it then, so that no message waits for a program that has
-     * ended.
+     * Does the work with the board's radio open, if it has one, and blocks it then, so that no message waits for a
+     * program that has ended.
      */
     static void listen(Board board, Work work) throws JavinoException, InterruptedException {
+        if (board.info().filter(info -> !info.hasRadio() && !info.isLegacy()).isPresent()) {
+            work.run();
+            return;
+        }
         try {
             Await.result(board.radio(true));
             work.run();

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javino.JavinoException;
 import java.util.stream.Stream;
+import javino.protocol.Capability;
 import javino.protocol.Counter;
 import javino.protocol.Key;
 import org.junit.jupiter.api.BeforeEach;
@@ -316,6 +317,78 @@ class DoctorCommandTest extends CommandFixture {
         await(out, written -> fake.line.count('S') > 0);
         fake.setCounter(Counter.RADIO_RECEIVED, 1);
         assertEquals(0, status());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "LOOP_MILLIS | 6 | loop() | up to 6 ms passed between two calls of run()",
+            "PERCEPTS_MILLIS | 250 | percepts | up to 250 ms passed in the sketch's function of percepts",
+            "ACTION_MILLIS | 1000 | actions | up to 1000 ms passed in a function of an action",
+            "RADIO_LATE_MICROS | 1800 | interrupts | up to 1800 us passed before the radio was served"})
+    void sketch_thatTakesItsTime_isTold(Counter counter, long time, String what, String remedy) {
+        fake.setCounter(counter, time);
+        assertTrouble(what, remedy);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"LOOP_MILLIS, 5", "PERCEPTS_MILLIS, 5", "ACTION_MILLIS, 5", "RADIO_LATE_MICROS, 200"})
+    void sketch_thatReturnsSoon_isOk(Counter counter, long time) {
+        fake.setCounter(counter, time);
+        assertEquals(0, examine(), out.toString());
+    }
+
+    @Test
+    void radio_nothingHeardWhileTheSketchTakesItsTime_doesNotBlameTheAntenna() {
+        fake.setCounter(Counter.RADIO_RECEIVED, 0).setCounter(Counter.RADIO_LATE_MICROS, 5000);
+        assertEquals(1, examine());
+        assertTrue(out.toString().contains("radio               nothing was heard in 0 s; first do what is said above "
+                + "of the sketch, which may be why"), out.toString());
+        assertFalse(out.toString().contains("antenna"));
+    }
+
+    @Test
+    void board_withoutRadio_isOk() {
+        fake.setCapabilities(Capability.SAYS_TAKEN).setCounter(Counter.PERCEPTS_MILLIS, 200);
+        assertEquals(0, examine(), out.toString());
+        assertEquals(List.of("port                ok, fake", "board               ok, fake",
+                "protocol            ok, version 1"), lines().subList(0, 3));
+        assertTrue(lines().get(3).startsWith("serial line         ok, "), out.toString());
+        assertEquals("radio               ok, none", lines().get(4));
+        assertEquals(5, lines().size());
+        assertEquals(List.of(), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void board_examined_readsItsSensorsFirst() {
+        fake.perceive("dark");
+        assertEquals(0, examine(), out.toString());
+        List<String> messages = fake.line.messages();
+        List<String> before = messages.subList(0, messages.indexOf("53"));
+        assertTrue(before.stream().anyMatch(message -> message.matches("50.[37b].*")), messages::toString);
+    }
+
+    @Test
+    void board_withoutRadioThatTakesItsTime_isTold() {
+        fake.setCapabilities(Capability.SAYS_TAKEN).setCounter(Counter.PERCEPTS_MILLIS, 201);
+        assertTrouble("percepts", "up to 201 ms passed in the sketch's function of percepts");
+    }
+
+    @Test
+    void board_withoutRadioThatShouldHaveAnId_isTold() {
+        fake.setCapabilities(Capability.SAYS_TAKEN);
+        assertTrouble("RF id", "none; the board has no radio", "--id", "ROMA");
+    }
+
+    @Test
+    void memory_ofAnEarlierLibrary_isToldToBeProvisioned() {
+        fake.setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY, Capability.SAYS_TAKEN);
+        assertTrouble("memory", "provision it again");
+    }
+
+    @Test
+    void prints_ofTheSketch_areShown() {
+        fake.line.setPrints("t = 20.99\r\n");
+        assertTrouble("prints", "the sketch prints on the serial line: \"t = 20.99\"; remove that print");
     }
 
     @Test

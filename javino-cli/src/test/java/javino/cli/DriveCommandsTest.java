@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import javino.protocol.Capability;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -181,6 +182,15 @@ class DriveCommandsTest extends CommandFixture {
                         + "all else flash a sketch with the Javino library"),
                 err.toString());
         assertEquals(1, err.toString().lines().count(), err.toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"send SUPO tell;help", "forget --all", "relay", "relay on", "provision --id ROMA"})
+    void boardWithoutRadio_commandOfTheRadio_saysSo(String arguments) {
+        fake.setCapabilities(Capability.SAYS_TAKEN);
+        assertFails(1, "failed: NO_RADIO, the board has no radio; for one, its sketch makes a "
+                + "javinolib::JavinoWithRadio", (arguments + " --port fake").split(" "));
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import javino.protocol.Bytes;
+import javino.protocol.Capability;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,11 +23,40 @@ class InfoCommandTest extends CommandFixture {
         fake.setActions("lampOn", "lampOff");
         fake.keys.setSession("ROMA", Bytes.of(4, 5, 6));
         assertEquals(0, run("info", "--port", "fake"), err.toString());
-        assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
-                "boot epoch          1", "actions             lampOn, lampOff",
+        assertEquals(List.of("firmware            fake", "protocol version    1", "library             current",
+                "radio               yes", "RF id               none", "boot epoch          1",
+                "actions             lampOn, lampOff",
                 "key                 SUPO, check value 010203", "session key         ROMA, check value 040506",
                 "serialRequests      9"), lines());
         assertEquals(List.of(), radio());
+    }
+
+    @Test
+    void board_withoutRadio_isShown() {
+        fake.setCapabilities(Capability.SAYS_TAKEN).setFirmware("blink 1.0");
+        assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
+        assertEquals(List.of("firmware            blink 1.0", "protocol version    1", "library             current",
+                "radio               none: the board has percepts and actions", "actions             none",
+                "serialRequests      +0"), lines());
+        assertEquals(List.of(), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void board_ofAnEarlierLibraryOrWithWipedMemory_saysSo() {
+        fake.setCapabilities(Capability.RADIO, Capability.MEMORY);
+        run("info", "--port", "fake");
+        assertTrue(lines().contains("library             earlier; flash the sketch anew"), out.toString());
+        fake.setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY, Capability.SAYS_TAKEN);
+        run("info", "--port", "fake");
+        assertTrue(lines().contains("memory              the board's memory was of an earlier library, and its RF id "
+                + "and keys are gone: provision it again (javino provision)"), out.toString());
+    }
+
+    @Test
+    void after_times_areShownAsTheyAre() {
+        fake.setCounter(Counter.LOOP_MILLIS, 30);
+        assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
+        assertTrue(lines().contains("loopMillis          30"), out.toString());
     }
 
     @ParameterizedTest

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import javino.protocol.Capability;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,6 +32,33 @@ class MonitorCommandTest extends CommandFixture {
         assertTrue(lines().get(0).matches(" *\\d+\\.\\d{3} s  online    fake, RF id ROMA, boot epoch 1"),
                 out.toString());
         assertEquals("", err.toString());
+    }
+
+    @Test
+    void online_boardWithoutRadio_isWatchedWithoutIt() throws Exception {
+        fake.setCapabilities(Capability.SAYS_TAKEN).perceive("dark");
+        startOnline();
+        awaitLine("percept   +dark");
+        assertEquals(0, interrupt());
+        assertTrue(told().contains("online    fake, no radio"), out.toString());
+        assertEquals(List.of(), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void printed_lines_areShownAndWarnedOf() throws Exception {
+        fake.line.setPrints("t = 20.99\r\nh = 3\r\n");
+        startOnline();
+        awaitLine("printed   t = 20.99");
+        awaitLine("printed   h = 3");
+        await("warning   the sketch prints on the line of the protocol");
+    }
+
+    @Test
+    void count_timeThatIsLong_isNoLoss() throws Exception {
+        fake.setCounter(Counter.LOOP_MILLIS, 30).setCounter(Counter.ACTION_MILLIS, 5);
+        startOnline();
+        awaitLine("longest   loopMillis 30");
+        assertFalse(out.toString().contains("actionMillis"));
     }
 
     @ParameterizedTest

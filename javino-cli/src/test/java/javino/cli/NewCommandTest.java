@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is written; that it builds and runs is tested with an emulated board (test/system). */
@@ -74,6 +75,29 @@ class NewCommandTest extends CommandFixture {
     }
 
     @ParameterizedTest
+    @CsvSource({"mega, arduino:avr:mega:cpu=atmega2560, mega, Mega, atmega2560",
+            "uno, arduino:avr:uno, uno, Uno, atmega328p",
+            "nano, arduino:avr:nano:cpu=atmega328, uno, Nano, atmega328p",
+            "pro-mini, arduino:avr:pro:cpu=8MHzatmega328, promini, Pro Mini, atmega328p"})
+    void new_board_isThatOfSketchEmulatorAndReadme(String board, String fqbn, String emulated, String title,
+            String chip)
+            throws IOException {
+        Path project = folder.resolve("robot");
+        assertEquals(0, run("new", "--board", board, project.toString()), err.toString());
+        assertTrue(text(project.resolve("javino.gradle")).contains("'" + fqbn + "'"));
+        assertTrue(text(project.resolve("board.json")).contains("\"model\": \"" + emulated + "\""));
+        String readme = text(project.resolve("README.md"));
+        assertTrue(readme.contains("## With a real " + title + "\n") && readme.contains("avrdude -p " + chip + " "),
+                readme);
+    }
+
+    @Test
+    void new_unknownBoard_isWrongUsageAndNamesThoseThatThereAre() {
+        assertFails(2, "the boards are mega, uno, nano and pro-mini, not due", "new", "--board", "due",
+                folder.resolve("robot").toString());
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"--jason", "--jacamo"})
     void new_readme_hasTheLineForAgentsThatMove(String kind) throws IOException {
         Path project = folder.resolve("robot");
@@ -108,7 +132,7 @@ class NewCommandTest extends CommandFixture {
     void newProject_folderWithOddLetters_isReadBackFromTheProperties() throws IOException {
         Path project = folder.resolve("robot");
         Path home = Path.of("/home/josé/a=b\\c #d");
-        new NewProject("robot", NewProject.Kind.JASON, home).write(project);
+        new NewProject("robot", NewProject.Kind.JASON, NewProject.Model.MEGA, home).write(project);
         Properties properties = new Properties();
         try (Reader lines = Files.newBufferedReader(project.resolve("gradle.properties"))) {
             properties.load(lines);

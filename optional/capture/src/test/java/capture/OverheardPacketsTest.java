@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -22,7 +23,7 @@ import org.junit.jupiter.api.Timeout;
 class OverheardPacketsTest {
 
     private static final long SECOND = 1_000_000;
-    private static final BoardInfo INFO = new BoardInfo(1, Optional.empty(), 1, "test", List.of());
+    private static final BoardInfo INFO = new BoardInfo(1, Optional.empty(), 1, Set.of(), "test", List.of());
 
     private final List<AirPacket> taken = new ArrayList<>();
     private final BlockingQueue<String> notes = new LinkedBlockingQueue<>();

@@ -705,12 +705,24 @@ class VectorsTest {
         dissect();
     }
 
+    /** A board of an earlier library does not tell it. */
+    private void showsCapability(int index, String name, JsonElement value) {
+        if (!dissected.get(index).hex("javino.serial.capabilities").isEmpty()) {
+            shows(index, "serial.capabilities." + name, value.getAsBoolean() ? 1 : 0);
+        }
+    }
+
     private void showsReply(int index, String name, String field, JsonElement value) {
         switch (field) {
             case "version" -> shows(index, "serial.protocol_version", value.getAsInt());
             case "rfId" -> shows(index, "serial.rf_id", value.isJsonNull() ? "++++" : value.getAsString());
             case "bootEpoch" -> shows(index, "serial.boot_epoch", value.getAsInt());
             case "firmware" -> has(index, "serial.firmware", nonEmpty(value.getAsString()));
+            case "earlier" -> assertEquals(value.getAsBoolean(),
+                    dissected.get(index).hex("javino.serial.capabilities").isEmpty());
+            case "radio" -> showsCapability(index, "radio", value);
+            case "memory" -> showsCapability(index, "memory", value);
+            case "hadOlderMemory" -> showsCapability(index, "older_memory", value);
             case "more" -> shows(index, "serial.poll.more", value.getAsBoolean() ? 1 : 0);
             case "leftOut" -> shows(index, "serial.poll.left_out", value.getAsBoolean() ? 1 : 0);
             case "reading" -> shows(index, "serial.poll.reading", value.getAsBoolean() ? 1 : 0);

@@ -22,7 +22,7 @@ import javino.protocol.Counter;
 /** One board without any agent. Its radio is open meanwhile: this takes the messages. */
 final class BoardSource implements Source, BoardListener {
 
-    private static final long SECONDS_TO_ANSWER = 10;
+    private static final long SECONDS_TO_ANSWER = 15;
     private static final double NANOS_A_MILLI = 1e6;
     private static final double MILLIS_A_SECOND = 1000;
 
@@ -59,7 +59,7 @@ final class BoardSource implements Source, BoardListener {
             throw e;
         }
         source.board.percepts(true);
-        // A board of the older protocol has no radio for us; the rest of it can be watched.
+        // The rest of a board without a radio for us can be watched.
         source.board.radio(true);
         source.clock.scheduleAtFixedRate(source::count, 0, 1, TimeUnit.SECONDS);
         return source;
@@ -83,7 +83,7 @@ final class BoardSource implements Source, BoardListener {
     public synchronized void online(BoardInfo info) {
         counted = Map.of();
         tell("board", "online", true, "address", info.rfId().map(Object::toString).orElse(""), "firmware",
-                info.firmware(), "actions", info.actions());
+                info.firmware(), "radio", info.hasRadio(), "actions", info.actions());
     }
 
     @Override

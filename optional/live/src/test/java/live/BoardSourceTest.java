@@ -12,6 +12,7 @@ import javino.JavinoException;
 import javino.board.BoardConfig;
 import javino.fake.FakeBoard;
 import javino.fake.FakePort;
+import javino.protocol.Capability;
 import javino.protocol.Counter;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -61,6 +62,7 @@ class BoardSourceTest {
         try (BoardSource source = open()) {
             TraceEvent board = await("board", event -> true);
             assertEquals("ROMA", board.text("address"));
+            assertEquals("true", board.text("radio"));
             assertEquals("[\"lampOn\"]", board.json("actions").toString());
             assertEquals("[\"light(312)\"]",
                     await("percepts", event -> event.json("percepts").getAsJsonArray().size() > 0).json("percepts")
@@ -73,6 +75,20 @@ class BoardSourceTest {
             assertEquals(List.of("act"), source.controls());
         }
         assertEquals("radio 0", List.copyOf(fake.requests).get(fake.requests.size() - 1));
+    }
+
+    @Test
+    void board_withoutRadio_isWatchedAndSaysSo() throws Exception {
+        fake.setCapabilities(Capability.SAYS_TAKEN);
+        fake.perceive("dark");
+        fake.line.setPrints("t = 20.99\r\n");
+        try (BoardSource source = open()) {
+            assertEquals("false", await("board", event -> true).text("radio"));
+            await("percepts", event -> event.json("percepts").getAsJsonArray().size() > 0);
+            assertTrue(await("note", event -> true).text("text").contains("\"t = 20.99\""));
+            assertTrue(source.isLive());
+        }
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @Test

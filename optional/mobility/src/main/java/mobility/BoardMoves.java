@@ -131,6 +131,10 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
         CompletableFuture<String> end = new CompletableFuture<>();
         execute(() -> {
             try {
+                if (!diffuser.hasRadio()) {
+                    throw new Failure("no_radio", "agents move by a board's radio, which this one has not")
+                            .toException();
+                }
                 Optional<Address> here = diffuser.address();
                 if (here.isEmpty()) {
                     throw new Failure("no_rf_id", "the board has no address yet; set one with .setMyRFId")

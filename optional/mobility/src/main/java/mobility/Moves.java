@@ -86,7 +86,7 @@ final class Moves {
 
     /** Why the board here does not send, where it will not later either. */
     private static final Set<String> HOPELESS =
-            Set.of("no_key", "bad_destination", "too_long", "legacy_board", "nonce_exhausted");
+            Set.of("no_key", "bad_destination", "too_long", "legacy_board", "no_radio", "nonce_exhausted");
 
     /** What is counted, for who looks for a fault. */
     enum Count {

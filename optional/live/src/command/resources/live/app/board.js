@@ -17,6 +17,16 @@ export function rate(board, name, t) {
 
 const AIR = [['radioReceived', 'heard well'], ['radioDamaged', 'heard damaged'], ['radioSent', 'sent'], ['radioNotForUs', 'for others']];
 
+// SPEC 4.5: the longest time since the boot, not a count.
+const isTime = (name) => /(Millis|Micros)$/.test(name);
+
+const radio = (board, messages, t) => html`<h3>messages</h3>
+    <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.performative, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
+      ${messages.length === 0 ? html`<li class="hint">none yet</li>` : nothing}</ul>
+    <h3>the air</h3>
+    <div class="plots">${AIR.map(([name, words]) => html`<figure><figcaption>${words} <b>${rate(board, name, t).toFixed(1)}</b> a second</figcaption>
+      <div class="plotted"><canvas class="plot" data-board=${board.name} data-counter=${name}></canvas></div></figure>`)}</div>`;
+
 export function boardPage(app, model, state, t) {
   const board = [...state.boards.values()][0];
   if (!board) return html`<p class="hint">Waiting for the board …</p>`;
@@ -37,13 +47,8 @@ export function boardPage(app, model, state, t) {
       ${board.actions.length === 0 ? html`<li class="hint">this sketch has no actions</li>` : nothing}</ul>
       <p id="acted" aria-live="polite">${board.acted ? `${seconds(board.acted.t, 1)}: ${plain(board.acted.action, 60)} ${board.acted.error ? '✗ ' + plain(board.acted.error) : '✓ done'}` : nothing}</p>` : nothing}
   </section>
-  <section class="agent hue-0"><h3>messages</h3>
-    <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.performative, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
-      ${messages.length === 0 ? html`<li class="hint">none yet</li>` : nothing}</ul>
-    <h3>the air</h3>
-    <div class="plots">${AIR.map(([name, words]) => html`<figure><figcaption>${words} <b>${rate(board, name, t).toFixed(1)}</b> a second</figcaption>
-      <div class="plotted"><canvas class="plot" data-board=${board.name} data-counter=${name}></canvas></div></figure>`)}</div>
+  <section class="agent hue-0">${board.radio ? radio(board, messages, t) : html`<p class="hint">this board has no radio</p>`}
     <h3>counters</h3>
-    <table class="counters"><tbody>${[...board.counters].map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${rate(board, name, t).toFixed(1)} a second</td></tr>`)}</tbody></table>
+    <table class="counters"><tbody>${[...board.counters].map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${isTime(name) ? 'longest' : `${rate(board, name, t).toFixed(1)} a second`}</td></tr>`)}</tbody></table>
   </section>`;
 }

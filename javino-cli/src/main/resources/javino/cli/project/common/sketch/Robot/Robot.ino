@@ -1,7 +1,6 @@
 // A board with a lamp and a light sensor.
 //
 // Wiring: light dependent resistor from A0 to 5 V, 10 kΩ from A0 to ground; the lamp is the one on the board (pin 13).
-//         A radio, if there is one: 433 MHz receiver's data to pin 11, transmitter's to pin 12.
 //
 // Percepts: light(L)  0 (dark) … 1023 (bright)
 //           lamp(on) or lamp(off)
