@@ -34,8 +34,8 @@ chromium                 the tests of the live page
 chromium-driver          drives it
 fonts-dejavu-core        letters for it
 "
-# For systems without these packages: the commands that must be there.
-COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake clang++ clang-format"
+# For systems without these packages: the commands that must be there (a|b: one of them).
+COMMANDS="javac gradle avr-gcc arduino-cli|arduino-builder gcc g++ make cmake clang++ clang-format"
 
 case "${1-}" in
     "") ;;
@@ -81,7 +81,7 @@ on_another_system() {
     printf '%s\n' "$PACKAGES" | sed '/^$/d; s/^/    /'
     local missing=""
     for command in $COMMANDS; do
-        command -v "$command" >/dev/null || missing+=" $command"
+        command -v ${command//|/ } >/dev/null || missing+=" $command"
     done
     [ -z "$missing" ] && { say "all commands that it calls are on the path"; return 0; }
     say "not on the path:$missing"
