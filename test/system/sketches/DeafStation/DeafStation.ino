@@ -21,7 +21,7 @@ class DeafRadio : public javinolib::AskRadio {
 };
 
 DeafRadio radio;
-javinolib::Javino board(Serial, "deaf station 1.0", radio);
+javinolib::JavinoWithRadio board(Serial, "deaf station 1.0", radio);
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

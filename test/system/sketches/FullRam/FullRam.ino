@@ -2,13 +2,18 @@
 
 #include <Javino.h>
 
-javinolib::Javino board(Serial, "full RAM 1.0");
+const uint8_t LEFT_BYTES = 60;
 
-volatile char buffer[780];
+extern uint8_t __heap_start;  // behind all static memory
 
-void setup() {
-  buffer[0] = 1;  // so that it is there
-  board.begin(115200);
+javinolib::AskRadio radio;
+javinolib::JavinoWithRadio board(Serial, "full RAM 1.0", radio);
+
+void setup() { board.begin(115200); }
+
+void loop() {
+  volatile uint8_t taken[SP - reinterpret_cast<uint16_t>(&__heap_start) - LEFT_BYTES];
+  taken[0] = 1;  // so that it is there
+  board.run();
+  taken[0] = 2;
 }
-
-void loop() { board.run(); }

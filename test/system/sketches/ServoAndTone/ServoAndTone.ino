@@ -13,7 +13,8 @@ const uint16_t PERIOD_MICROS = 20000;
 
 volatile uint16_t pulseMicros = 1500;
 
-javinolib::Javino board(Serial, "servo and tone 1.0");
+javinolib::AskRadio radio;
+javinolib::JavinoWithRadio board(Serial, "servo and tone 1.0", radio);
 
 ISR(TIMER1_COMPA_vect) {
   if (digitalRead(SERVO_PIN)) {

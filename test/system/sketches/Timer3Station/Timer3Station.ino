@@ -8,7 +8,8 @@ EMPTY_INTERRUPT(TIMER1_COMPA_vect)
 EMPTY_INTERRUPT(TIMER1_COMPB_vect)
 EMPTY_INTERRUPT(TIMER1_OVF_vect)
 
-javinolib::Javino board(Serial, "timer 3 station 1.0");
+javinolib::AskRadio radio;
+javinolib::JavinoWithRadio board(Serial, "timer 3 station 1.0", radio);
 
 void setup() { board.begin(115200); }
 

@@ -33,7 +33,7 @@ class NumbersTest {
     private static final int MOST_WINDOW = firmware("MOST_WINDOW");
     private static final int EXPIRY = firmware("EXPIRY_MILLIS") / 1000;
     private static final int AHEAD = firmware("MORE_PER_WRITE");
-    private static final int FLOORS = firmware("JAVINO_FLOOR_SLOTS");
+    private static final int FLOORS = firmware("FLOOR_SLOTS");
     private static final int SAMPLE = firmware("DEFAULT_SAMPLE_MILLIS");
     private static final BoardConfig SESSION = BoardConfig.create();
 
@@ -85,7 +85,7 @@ class NumbersTest {
                 says("javino-firmware/README.md", "sends 1…%d bytes", PART),
                 says("javino-firmware/README.md", "a sealed content of %d bytes or a broadcast of %d", SEALED, PART),
                 says("javino-firmware/README.md", "a unicast up to %d times", ATTEMPTS),
-                says("javino-firmware/README.md", "a ring of %d places of 6 bytes", firmware("JAVINO_EPOCH_SLOTS")),
+                says("javino-firmware/README.md", "a ring of %d places of 6 bytes", firmware("EPOCH_SLOTS")),
                 says("javino-firmware/README.md", "keys: %d places", firmware("JAVINO_KEYS") + 1),
                 says("javino-firmware/README.md", "a ring of %d places of 26 bytes, twice", FLOORS),
                 says("javino-board/README.md", "a content of up to %d bytes", Content.MAX_LENGTH),

@@ -24,9 +24,9 @@ class ExamplesTest {
                 .board("cold", "Thermometer", reading("uno", 82))       // 400 mV
                 .board("mini", "Thermometer", reading("promini", 232))  // 748 mV of 3.3 V
                 .start(folder)) {
-            assertEquals("temperature(25)", percept(emulator, "warm"));
-            assertEquals("temperature(-10)", percept(emulator, "cold"));
-            assertEquals("temperature(25)", percept(emulator, "mini"));
+            assertEquals("celsius(24.71)", percept(emulator, "warm"));
+            assertEquals("celsius(-9.96)", percept(emulator, "cold"));
+            assertEquals("celsius(24.77)", percept(emulator, "mini"));
         }
     }
 

@@ -58,6 +58,35 @@ class NewProjectTest {
     }
 
     @Test
+    void sketch_forAnUno_takesLibrariesOfProjectAndSketchbookAndTellsItsSize(@TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project, "--board", "uno").waitFor());
+        // That of the project goes before the other of its name; the published library does not go before ours.
+        Path sketchbook = folder.resolve("Arduino/libraries");
+        write(project.resolve("libraries/Lamp/Lamp.h"), "#define LAMP 13");
+        write(sketchbook.resolve("Lamp/Lamp.h"), "#error not that of the project");
+        write(sketchbook.resolve("Dark/Dark.h"), "#define DARK 300");
+        write(sketchbook.resolve("Javino/Javino.h"), "#error not ours");
+        Path sketch = project.resolve("sketch/Robot/Robot.ino");
+        Files.writeString(sketch, "#include <Lamp.h>\n#include <Dark.h>\nstatic_assert(LAMP + DARK == 313, \"\");\n"
+                + Files.readString(sketch));
+
+        Path said = folder.resolve("said");
+        int status = gradle("sketch", "-Duser.home=" + folder).directory(project.toFile()).redirectErrorStream(true)
+                .redirectOutput(said.toFile()).start().waitFor();
+
+        String text = Files.readString(said);
+        assertEquals(0, status, text);
+        assertTrue(text.contains("Maximum is 32256 bytes.") && text.contains("Maximum is 2048 bytes."), text);
+        assertTrue(Files.size(project.resolve("build/sketch/Robot.ino.hex")) > 0);
+    }
+
+    private static void write(Path file, String line) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, line + "\n");
+    }
+
+    @Test
     void bundle_takenElsewhere_runsByJavaAlone(@TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project).waitFor());
@@ -81,18 +110,20 @@ class NewProjectTest {
         assertTrue(least <= value && value <= most, () -> value + " is not between " + least + " and " + most);
     }
 
-    private static Process newProject(Path folder) throws IOException {
-        ProcessBuilder javino = new ProcessBuilder(home.resolve("bin/javino").toString(), "new", folder.toString())
-                .redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.INHERIT);
+    private static Process newProject(Path folder, String... options) throws IOException {
+        ProcessBuilder javino = new ProcessBuilder(home.resolve("bin/javino").toString(), "new", folder.toString());
+        javino.command().addAll(List.of(options));
+        javino.redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.INHERIT);
         javino.environment().put("JAVA_HOME", JAVA_HOME);
         return javino.start();
     }
 
     /** The Gradle that runs this test. */
-    private static ProcessBuilder gradle(String task) {
+    private static ProcessBuilder gradle(String... arguments) {
         ProcessBuilder gradle =
                 new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
-                        "--gradle-user-home", System.getProperty("javino.gradleUserHome"), task);
+                        "--gradle-user-home", System.getProperty("javino.gradleUserHome"));
+        gradle.command().addAll(List.of(arguments));
         gradle.environment().put("JAVA_HOME", JAVA_HOME);
         return gradle;
     }

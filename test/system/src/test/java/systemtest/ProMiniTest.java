@@ -31,7 +31,7 @@ class ProMiniTest {
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
-                .board("mini", "Blink",
+                .board("mini", "Station",
                         Map.of("model", "promini", "watch", List.of(Map.of("pin", 12, "name", "transmitter"))))
                 .board("mega", "Station")
                 .start(folder);

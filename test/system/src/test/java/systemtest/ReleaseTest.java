@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,28 +46,53 @@ class ReleaseTest {
         }
     }
 
+    /** With all warnings of the compiler, as the IDE can show them. */
     @Test
-    void arduinoLibrary_unzipped_compilesAnExample() throws Exception {
-        Path libraries = Files.createDirectory(folder.resolve("libraries"));
-        Release.run("cmake", "-E", "chdir", libraries.toString(), "cmake", "-E", "tar", "xf",
-                Release.file("Javino-", "\\.zip").toString());
-        try (Stream<Path> top = Files.list(libraries)) {
-            assertEquals(List.of("Javino"), top.map(file -> file.getFileName().toString()).toList());
+    void arduinoLibrary_installed_compilesAllExamplesForTheirBoardsWithoutAWarning() throws Exception {
+        Path zip = Release.file("JavinoBDI-", "\\.zip");
+        String[] calls = System.getProperty("javino.examples").replace("PLACE", folder.toString()).split("\n\n");
+        if (calls[0].startsWith("arduino-cli")) {
+            Release.run("env", "ARDUINO_DIRECTORIES_USER=" + folder, "arduino-cli", "--config-file",
+                    System.getProperty("javino.arduino") + "/arduino-cli.yaml", "lib", "install", "--zip-path",
+                    zip.toString());
+        } else {
+            System.out.println("skipped: the library's installation by arduino-cli, as there is none; it is unzipped");
+            Path libraries = Files.createDirectory(folder.resolve("libraries"));
+            Release.run("cmake", "-E", "chdir", libraries.toString(), "cmake", "-E", "tar", "xf", zip.toString());
         }
-        Path library = libraries.resolve("Javino");
+        Path library = folder.resolve("libraries/JavinoBDI");
+        try (Stream<Path> all = Files.list(library.getParent())) {
+            assertEquals(List.of(library), all.toList());
+        }
         JsonObject json = JsonParser.parseString(Files.readString(library.resolve("library.json"))).getAsJsonObject();
-        assertEquals("Javino", json.get("name").getAsString());
+        assertEquals("JavinoBDI", json.get("name").getAsString());
         assertTrue(Files.readAllLines(library.resolve("library.properties"))
                 .contains("version=" + json.get("version").getAsString()));
-        Files.createDirectory(folder.resolve("build"));
-        Release.run("arduino-builder", "-compile", "-quiet", "-hardware", "/usr/share/arduino/hardware",
-                "-hardware", "/usr/share/arduino-builder", "-tools", "/usr/share/arduino-builder", "-tools", "/usr/bin",
-                "-fqbn", "arduino:avr:uno", "-libraries", libraries.toString(),
-                "-build-path", folder.resolve("build").toString(), "-prefs", "runtime.tools.avr-gcc.path=/usr",
-                "-prefs", "runtime.tools.ctags.path=/usr/bin",
-                "-prefs", "compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__",
-                library.resolve("examples/TwoBoards/TwoBoards.ino").toString());
-        assertTrue(Files.size(folder.resolve("build/TwoBoards.ino.hex")) > 0);
+        for (String call : calls) {
+            compile(library, List.of(call.split("\n")));
+        }
+    }
+
+    private void compile(Path library, List<String> call) throws Exception {
+        Path into = Files
+                .createDirectories(Path.of(call.get(call.indexOf("--build-path") + call.indexOf("-build-path") + 2)));
+        Files.createDirectories(folder.resolve("core"));
+        // What was made of the last sketch for this board; the compiled library stays.
+        Release.run("rm", "-rf", into + "/sketch", into + "/preproc", into + "/build.options.json");
+        Path said = folder.resolve("said");
+        int status = new ProcessBuilder(call).redirectErrorStream(true).redirectOutput(said.toFile()).start().waitFor();
+        assertEquals(0, status, () -> call + " says:\n" + read(said));
+        List<String> warnings = read(said).lines()
+                .filter(line -> line.contains("warning:") && line.contains(library.toString())).toList();
+        assertEquals(List.of(), warnings, call::toString);
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test

@@ -34,13 +34,8 @@ class TimersTest {
     }
 
     @Test
-    void onTimer0OfAnUno_servoAndToneGoOnWhileItTalks(@TempDir Path folder) throws Exception {
-        talksBesideServoAndTone(folder, "uno");
-    }
-
-    @Test
     void onTimer0OfAMega_servoAndToneGoOnWhileItTalks(@TempDir Path folder) throws Exception {
-        talksBesideServoAndTone(folder, "mega");
+        talksBesideServoAndTone(folder);
     }
 
     @Test
@@ -52,8 +47,8 @@ class TimersTest {
         }
     }
 
-    private static void talksBesideServoAndTone(Path folder, String model) throws Exception {
-        Map<String, Object> watched = Map.of("model", model,
+    private static void talksBesideServoAndTone(Path folder) throws Exception {
+        Map<String, Object> watched = Map.of(
                 "watch", List.of(Map.of("pin", 9, "name", "servo"), Map.of("pin", 8, "name", "buzzer")));
         try (Emulator emulator =
                 scenario().board("arm", "ServoAndTone", watched).board("other", "Station").start(folder);

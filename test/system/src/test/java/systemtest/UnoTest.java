@@ -39,7 +39,7 @@ class UnoTest {
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
-                .board("uno", "Blink", Map.of("model", "uno", "watch", List.of(Map.of("pin", 13, "name", "led"))))
+                .board("uno", "RadioBlink", Map.of("model", "uno", "watch", List.of(Map.of("pin", 13, "name", "led"))))
                 .board("mega", "Station")
                 .start(folder);
         uno = Host.of(emulator, "uno").as("LAMP", Map.of("ROMA", TestKeys.PAIR, "//LA", TestKeys.GROUP));
@@ -88,7 +88,7 @@ class UnoTest {
     void unicastToBoardThatLostItsMemory_isSealedAnewAndDelivered(@TempDir Path folder) throws Exception {
         emulator.close();
         emulator = new Emulator.Scenario()
-                .board("uno", "Blink", Map.of("model", "uno")).board("mega", "Station")
+                .board("uno", "RadioBlink", Map.of("model", "uno")).board("mega", "Station")
                 .fault(Map.of("t", POWER_CUT_AT, "board", "mega", "do", "power-cut", "duration", 0.2))
                 .fault(Map.of("t", LONG_UP_AT, "do", "jam", "duration", 0.001, "position", List.of(10_000, 0)))
                 .start(folder);
