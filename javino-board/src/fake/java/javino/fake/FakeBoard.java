@@ -170,12 +170,7 @@ public final class FakeBoard {
         greeted = true;
         boolean remembers = capabilities.contains(Capability.MEMORY);
         return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(remembers ? keys.epoch() : 0, 3),
-                saysTaken() ? Bytes.of(bits()) : Bytes.EMPTY, Bytes.ofText(firmware));
-    }
-
-    private int bits() {
-        return List.of(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY).stream()
-                .mapToInt(each -> capabilities.contains(each) ? 1 << each.ordinal() : 0).sum();
+                saysTaken() ? Bytes.of(Capability.encode(capabilities)) : Bytes.EMPTY, Bytes.ofText(firmware));
     }
 
     /** Whether it sends a 0x00 for each request that it has taken. */

@@ -24,6 +24,11 @@ public enum Capability {
         this.bit = bit;
     }
 
+    /** The byte of a hello that says so. */
+    public static int encode(Set<Capability> all) {
+        return all.stream().mapToInt(capability -> capability.bit).sum();
+    }
+
     static Set<Capability> decode(int bits) {
         Set<Capability> all = EnumSet.of(SAYS_TAKEN);
         for (Capability capability : values()) {
