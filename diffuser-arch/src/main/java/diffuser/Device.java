@@ -17,6 +17,7 @@ import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.LostState;
 import javino.board.ReceivedMessage;
+import javino.board.SketchTimes;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -212,6 +213,8 @@ final class Device implements BoardListener, KeyService.Host {
     private Outcome ended(Outcome outcome) {
         if (outcome == Outcome.DELIVERED) {
             communicability.heard();
+        } else if (outcome == Outcome.UNDELIVERED) {
+            counters();
         }
         return outcome;
     }
@@ -228,9 +231,13 @@ final class Device implements BoardListener, KeyService.Host {
         return session.join().end().whenComplete((done, thrown) -> link.leave());
     }
 
-    /** Asks for the board's counters. */
+    /** Asks for the board's counters, and warns of what in the sketch keeps the radio waiting. */
     CompletableFuture<Map<Counter, Long>> counters() {
-        return session.thenCompose(Board::statistics);
+        return session.thenCompose(Board::statistics).thenApply(counters -> {
+            SketchTimes.slow(counters, hasRadio).forEach(slow -> context.warnings().once(slow.part(),
+                    "the sketch on " + port + " is slow, " + slow.part() + ": " + slow.remedy()));
+            return counters;
+        });
     }
 
     private CompletableFuture<Long> packetsReceived() {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 
 import javino.fake.FakeBoard;
+import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 
@@ -67,6 +68,16 @@ class OutcomeTest {
         board.end(request, Outcome.UNDELIVERED);
         agent.notes("undelivered " + event + " undelivered");
         agent.notesNothingElse();
+    }
+
+    @Test
+    void unicast_undeliveredBySlowSketch_warnsOfWhatIsSlow() {
+        FakeBoard board = new FakeBoard("antenna").setCounter(Counter.PERCEPTS_MILLIS, 250);
+        RunningAgent agent = taken(".diffuse(ROMA,tell,help)", "ROMA tell;help", board);
+        board.end("ROMA tell;help", Outcome.UNDELIVERED);
+        agent.warns(
+                "the sketch on antenna is slow, percepts: up to 250 ms passed in the sketch's function of percepts; "
+                        + "read slow sensors in loop(), and tell what they said");
     }
 
     @Test

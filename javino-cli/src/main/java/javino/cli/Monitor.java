@@ -9,6 +9,7 @@ import java.util.Set;
 import javino.Printable;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
+import javino.board.SketchTimes;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
@@ -87,7 +88,7 @@ final class Monitor implements BoardListener {
             long risen = value - counted.getOrDefault(counter, 0L);
             boolean lost = !NO_LOSS.contains(counter);
             if (counter.isTime()) {
-                if (risen > 0 && TimeCheck.isLong(counter, value)) {
+                if (risen > 0 && SketchTimes.isLong(counter, value)) {
                     line(Style.reset, "longest", counter + " " + value);
                 }
             } else if (risen > 0 && counter != ROUTINE) {

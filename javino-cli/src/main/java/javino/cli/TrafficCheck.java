@@ -1,11 +1,13 @@
 package javino.cli;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.LostState;
 import javino.board.SessionCounter;
+import javino.board.SketchTimes;
 import javino.protocol.Counter;
 
 /** Examines how well packets come through, on the serial line and on the radio. */
@@ -37,7 +39,7 @@ final class TrafficCheck {
         Map<Counter, Long> counters = listen(listen);
         examineMemory(counters);
         examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
-        boolean lasts = new TimeCheck(counters, findings).examine(true);
+        boolean lasts = examineSketch(counters, true);
         examineRadio(counters, listen, lasts);
     }
 
@@ -45,7 +47,7 @@ final class TrafficCheck {
     void examine() throws JavinoException, InterruptedException {
         Map<Counter, Long> counters = Await.result(board.statistics());
         examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
-        new TimeCheck(counters, findings).examine(false);
+        examineSketch(counters, false);
         findings.ok("radio", "none");
     }
 
@@ -76,6 +78,13 @@ final class TrafficCheck {
         } else {
             findings.ok("serial line", count);
         }
+    }
+
+    /** @return whether the radio may have heard nothing because of the sketch. */
+    private boolean examineSketch(Map<Counter, Long> counters, boolean hasRadio) {
+        List<SketchTimes.Slow> slow = SketchTimes.slow(counters, hasRadio);
+        slow.forEach(each -> findings.trouble(each.part(), each.remedy()));
+        return !slow.isEmpty();
     }
 
     /** @param text that the sketch has printed; null where there is none. */
