@@ -55,6 +55,8 @@ bool SerialSession::take(Request &request) {
 void SerialSession::send() {
   replyOpen_ = false;
   reply_.finish();
+  // A sketch may have printed while a poll was held.
+  port_.write(0);
   encoder_.start(reply_.packet(), reply_.packetLength());
 }
 

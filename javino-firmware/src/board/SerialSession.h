@@ -50,7 +50,7 @@ class SerialSession {
  private:
   template <typename Commands>
   void finish(Commands &commands) {
-    if (replyOpen_ && commands.answer(reply_, port_.canRead())) send();
+    if (replyOpen_ && port_.canWrite() && commands.answer(reply_, port_.canRead())) send();
   }
   bool mayTake() const { return requestWaits_ && encoder_.done() && port_.canWrite(); }
   void exchange();

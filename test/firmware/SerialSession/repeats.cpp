@@ -87,7 +87,7 @@ TEST_F(SerialSessionTest, a_reply_goes_out_in_whatever_fragments_the_line_takes)
     board.board->run();
     written = written + board.port.takeWritten();
   }
-  EXPECT_EQ(4, std::count(written.begin(), written.end(), 0)) << "one before and one behind each reply";
+  EXPECT_EQ(6, std::count(written.begin(), written.end(), 0)) << "two before and one behind each reply";
   EXPECT_EQ(1, performed);
 }
 
@@ -128,6 +128,15 @@ TEST_F(SerialSessionTest, what_a_sketch_prints_ends_before_the_reply) {
   EXPECT_EQ(1, reference::cobsDecoded(packets[1])[0]);
 }
 
+TEST_F(SerialSessionTest, what_a_sketch_prints_while_a_poll_is_held_ends_before_the_reply) {
+  board.hold(0, 100);
+  board.port.takeWritten();
+  for (uint8_t byte : bytesOf("x = 3\r\n")) board.port.put(byte);
+  const std::vector<Bytes> packets = board.sendRaw({0});
+  ASSERT_EQ(2u, packets.size());
+  EXPECT_EQ("x = 3\r\n", textOf(packets[0]));
+}
+
 TEST_F(SerialSessionTest, is_not_idle_while_bytes_wait) {
   EXPECT_TRUE(board.board->isIdle());
   board.port.arrive({1});
@@ -156,7 +165,7 @@ TEST_F(SerialSessionTest, damage_has_the_host_ask_again_but_not_within_a_reply) 
   board.port.setRoom(SIZE_MAX);
   board.board->run();
   const Bytes reply = board.port.takeWritten();
-  EXPECT_EQ(2, std::count(reply.begin(), reply.end(), 0)) << "before it and behind it";
+  EXPECT_EQ(3, std::count(reply.begin(), reply.end(), 0)) << "twice before it, and behind it";
   EXPECT_EQ(2u, board.counter(Counter::SERIAL_DAMAGED));
 }
 

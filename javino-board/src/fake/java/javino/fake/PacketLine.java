@@ -189,7 +189,7 @@ public final class PacketLine implements FakePort.Device {
             rest = bytes.from(bytes.length() - 4);
             bytes = bytes.slice(0, bytes.length() - 4);
         }
-        write(bytes);
+        write(board.saysTaken() ? Bytes.join(Bytes.of(0), bytes) : bytes);
     }
 
     private static boolean isHolding(Bytes request) {
