@@ -202,8 +202,7 @@ final class Device implements BoardListener, KeyService.Host {
 
     @Override
     public Transmission transmitAsIs(Address to, Content content) {
-        Transmission begun = session.join().transmit(to, content);
-        return heard(new Transmission(bounded(begun.taken()), begun.end()));
+        return heard(session.join().transmit(to, content));
     }
 
     private Transmission heard(Transmission begun) {

@@ -81,7 +81,7 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Sends a content by radio from the board's own address.
+     * Sends a content by radio from the board's own address. It waits here until the board has room for it.
      *
      * @throws IllegalArgumentException if the destination is the serial line.
      */
@@ -103,7 +103,7 @@ public final class Board implements AutoCloseable {
             throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
         }
         String description = "transmit to " + to + ": " + what;
-        return transmission(description, board -> {
+        return transmission(description, true, board -> {
             return request.apply(
                     board.rfId().orElseThrow(() -> new RequestFailedException(description,
                             board.hasRadio() ? Status.NO_RF_ID : Status.NO_RADIO)));
@@ -118,12 +118,12 @@ public final class Board implements AutoCloseable {
      */
     public Transmission relay(Frame frame) {
         Request request = Request.relay(frame);
-        return transmission(request.toString(), board -> request);
+        return transmission(request.toString(), false, board -> request);
     }
 
-    private Transmission transmission(String description, PendingRequest.Source source) {
+    private Transmission transmission(String description, boolean waits, PendingRequest.Source source) {
         CompletableFuture<Outcome> end = new CompletableFuture<>();
-        CompletableFuture<Void> taken = ask(description, source, reply -> {
+        CompletableFuture<Void> taken = ask(description, waits, source, reply -> {
             session.transmitting(reply.transmissionNumber(), end);
             return null;
         });
@@ -352,15 +352,15 @@ public final class Board implements AutoCloseable {
     }
 
     private <T> CompletableFuture<T> ask(Request request, PendingRequest.Reader<T> reader) {
-        return ask(request.toString(), board -> request, reader);
+        return ask(request.toString(), false, board -> request, reader);
     }
 
-    private <T> CompletableFuture<T> ask(String description, PendingRequest.Source source,
+    private <T> CompletableFuture<T> ask(String description, boolean waits, PendingRequest.Source source,
             PendingRequest.Reader<T> reader) {
         CompletableFuture<T> result = new CompletableFuture<>();
         try {
             context.queue().add(new PendingRequest<>(description, source, reader, result,
-                    Deadline.in(context.config().patience())));
+                    Deadline.in(context.config().patience()), waits));
         } catch (QueueFullException e) {
             context.counters().count(SessionCounter.REFUSED_REQUESTS);
             result.completeExceptionally(e);

@@ -21,7 +21,7 @@ import javino.protocol.Request;
  * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
- * @param queueCapacity  how many requests may wait, at least 1; 64 by default.
+ * @param queueCapacity  how many requests may wait, at least 1; 512 by default.
  * @param epochNotes     what is known of a board that has lost its boot epoch; nothing by default.
  */
 public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration actionTime,
@@ -78,7 +78,7 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         private Duration helloInterval = Duration.ofMillis(100);
         private Duration reopenInterval = Duration.ofMillis(200);
         private Duration patience = Duration.ofSeconds(5);
-        private int queueCapacity = 64;
+        private int queueCapacity = 512;
         private EpochNotes epochNotes = EpochNotes.NONE;
 
         private Builder() {

@@ -16,9 +16,10 @@ import javino.protocol.Status;
  * @param reader      makes the result of the reply.
  * @param result      completed on the session's thread.
  * @param expiry      when it fails if the board is still offline.
+ * @param isTransmission whether it waits where the board has no room for it.
  */
 record PendingRequest<T>(String description, Source source, Reader<T> reader, CompletableFuture<T> result,
-        Deadline expiry) {
+        Deadline expiry, boolean isTransmission) {
 
     /** Makes a request for the board as it is then. */
     interface Source {

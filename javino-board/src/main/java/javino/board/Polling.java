@@ -63,7 +63,7 @@ final class Polling {
         source = null;
     }
 
-    /** The session ends. */
+    /** The session ends, or its board was away for long. */
     void close() {
         abandonAll();
     }
@@ -87,7 +87,13 @@ final class Polling {
         }
     }
 
+    /** Whether the board has taken a transmission that has not ended. */
+    boolean isTransmitting() {
+        return !underWay.isEmpty();
+    }
+
     private void end(PollReply.Transmission transmission) {
+        context.queue().setRoom();
         CompletableFuture<Outcome> end = underWay.remove(transmission.number());
         if (end == null) {
             context.counters().count(SessionCounter.UNKNOWN_OUTCOMES);

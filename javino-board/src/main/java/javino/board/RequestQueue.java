@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /**
  * The bounded queue between those who ask and the session's thread, which waits here only while no live board is there:
@@ -15,6 +16,9 @@ final class RequestQueue {
 
     private final int capacity;
     private final Deque<PendingRequest<?>> waiting = new ArrayDeque<>();
+    /** Transmissions, in their order, from the first one on for which the board had no room. */
+    private final Deque<PendingRequest<?>> held = new ArrayDeque<>();
+    private boolean hasRoom;
     private boolean woken;
     private String closedWhy;
     private volatile Runnable waker = () -> {};
@@ -38,7 +42,7 @@ final class RequestQueue {
         if (closedWhy != null) {
             throw new BoardOfflineException(request.description(), closedWhy);
         }
-        if (waiting.size() >= capacity) {
+        if (waiting.size() + held.size() >= capacity) {
             throw new QueueFullException(request.description(), capacity);
         }
         waiting.add(request);
@@ -50,7 +54,7 @@ final class RequestQueue {
      */
     synchronized PendingRequest<?> next(Deadline deadline) {
         try {
-            while (waiting.isEmpty() && closedWhy == null && !woken && !deadline.passed()) {
+            while (!hasRequest() && closedWhy == null && !woken && !deadline.passed()) {
                 TimeUnit.NANOSECONDS.timedWait(this, deadline.nanosLeft());
             }
         } catch (InterruptedException e) {
@@ -58,7 +62,29 @@ final class RequestQueue {
             return null;
         }
         woken = false;
-        return closedWhy == null ? waiting.poll() : null;
+        if (closedWhy != null || !hasRequest()) {
+            return null;
+        }
+        return hasRoom && !held.isEmpty() ? held.poll() : waiting.poll();
+    }
+
+    /** Whether there is a request to perform; transmissions behind one that is held are held, too. */
+    private boolean hasRequest() {
+        while (!held.isEmpty() && !waiting.isEmpty() && waiting.peek().isTransmission()) {
+            held.add(waiting.poll());
+        }
+        return !waiting.isEmpty() || hasRoom && !held.isEmpty();
+    }
+
+    /** Holds a transmission until {@link #setRoom}: the board has no room for it. */
+    synchronized void hold(PendingRequest<?> transmission) {
+        held.addFirst(transmission);
+        hasRoom = false;
+    }
+
+    /** The board may have room for another transmission: one has ended. */
+    synchronized void setRoom() {
+        hasRoom = true;
     }
 
     private void news() {
@@ -68,7 +94,7 @@ final class RequestQueue {
 
     /** Whether {@link #next} would not wait. */
     synchronized boolean hasNews() {
-        return woken || !waiting.isEmpty() || closedWhy != null;
+        return woken || hasRequest() || closedWhy != null;
     }
 
     /** Waits, but not after {@link #close}. */
@@ -92,14 +118,18 @@ final class RequestQueue {
 
     /** Takes out all requests whose time is over. */
     synchronized List<PendingRequest<?>> expired() {
-        List<PendingRequest<?>> expired = waiting.stream().filter(request -> request.expiry().passed()).toList();
+        List<PendingRequest<?>> expired = Stream.concat(held.stream(), waiting.stream())
+                .filter(request -> request.expiry().passed()).toList();
+        held.removeAll(expired);
         waiting.removeAll(expired);
         return expired;
     }
 
     /** Takes out all requests. */
     synchronized List<PendingRequest<?>> drain() {
-        List<PendingRequest<?>> all = new ArrayList<>(waiting);
+        List<PendingRequest<?>> all = new ArrayList<>(held);
+        all.addAll(waiting);
+        held.clear();
         waiting.clear();
         return all;
     }

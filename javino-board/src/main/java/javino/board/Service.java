@@ -99,6 +99,7 @@ final class Service {
     /** Returns when the session was closed. */
     void run(Supplier<BoardInfo> present) throws LinkException, LostException {
         pollFirst = polling.owesTaken();
+        context.queue().setRoom();
         while (!context.queue().isClosed()) {
             PendingRequest<?> request = pollFirst ? null : context.queue().next(Deadline.in(Duration.ZERO));
             if (request != null && !request.result().isDone()) {
@@ -119,7 +120,12 @@ final class Service {
             if (request.command().needsRadio() && !board.hasRadio()) {
                 throw new RequestFailedException(pending.description(), Status.NO_RADIO);
             }
-            pending.answer(ask(request));
+            Reply reply = ask(request);
+            if (pending.isTransmission() && reply.status() == Status.QUEUE_FULL && polling.isTransmitting()) {
+                context.queue().hold(pending);
+            } else {
+                pending.answer(reply);
+            }
         } catch (RequestFailedException e) {
             pending.fail(e);
         } catch (ProtocolException e) {

@@ -29,6 +29,8 @@ final class Session implements Runnable {
     private final LostState lost;
     private String offlineWhy;
     private Deadline patience;
+    /** When nobody waits any longer for what a lost board was transmitting; null while it is there. */
+    private Deadline abandoning;
 
     Session(LinkOpener opener, SessionContext context) {
         this.opener = opener;
@@ -164,6 +166,7 @@ final class Session implements Runnable {
     private void nowOnline() {
         state = BoardState.ONLINE;
         offlineWhy = null;
+        abandoning = null;
         context.listener().tell(listener -> listener.online(info));
         greeted.complete(info);
     }
@@ -198,6 +201,7 @@ final class Session implements Runnable {
         state = BoardState.OFFLINE;
         context.perception().end();
         if (wasOnline) {
+            abandoning = Deadline.in(context.config().patience());
             context.queue().drain().forEach(request -> request.failOffline(why));
         }
         // Who closed the session knows it.
@@ -217,5 +221,9 @@ final class Session implements Runnable {
     private void failExpired() {
         String why = offlineWhy == null ? context.name() + ": the board does not answer" : offlineWhy;
         context.queue().expired().forEach(request -> request.failOffline(why));
+        if (abandoning != null && abandoning.passed()) {
+            abandoning = null;
+            polling.close();
+        }
     }
 }

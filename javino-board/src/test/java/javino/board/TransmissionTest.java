@@ -94,6 +94,49 @@ class TransmissionTest extends BoardFixture {
     }
 
     @Test
+    void transmit_boardHasNoRoom_waitsInOrderUntilOneHasEnded() throws Exception {
+        openAndAwaitOnline();
+        transmit();
+        fake.refuse("SUPO ", Status.QUEUE_FULL, 1);
+        Transmission second = board.transmit(SUPO, HELP);
+        Transmission third = board.transmit(Address.BROADCAST, HELP);
+        board.act("stop").get();
+        assertFalse(second.taken().isDone() || third.taken().isDone());
+        fake.end(0, Outcome.DELIVERED);
+        third.taken().get();
+        assertTrue(second.taken().isDone());
+    }
+
+    @Test
+    void transmit_boardHasNoRoomAndNothingUnderWay_fails() throws Exception {
+        openAndAwaitOnline();
+        fake.refuse("SUPO ", Status.QUEUE_FULL);
+        assertEquals(Status.QUEUE_FULL,
+                failure(RequestFailedException.class, board.transmit(SUPO, HELP).taken()).status());
+    }
+
+    @Test
+    void transmit_sessionClosedWhileItWaitsForRoom_fails() throws Exception {
+        openAndAwaitOnline();
+        transmit();
+        fake.refuse("SUPO ", Status.QUEUE_FULL);
+        Transmission second = board.transmit(SUPO, HELP);
+        board.act("stop").get();
+        board.close();
+        failure(BoardOfflineException.class, second.taken());
+    }
+
+    @Test
+    void transmit_boardGoesAndStaysAway_isUndelivered() throws Exception {
+        open(listener, config -> config.setPatience(Duration.ofMillis(50)));
+        listener.until("online");
+        board.setRfId(Address.parse("ROMA")).get();
+        Transmission transmission = transmit();
+        port.unplug();
+        assertEquals(Outcome.UNDELIVERED, transmission.end().get());
+    }
+
+    @Test
     void transmit_closedBeforeTheBoardCame_bothFail() {
         port.unplug();
         open(listener);
