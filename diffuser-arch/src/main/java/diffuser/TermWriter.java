@@ -6,6 +6,7 @@ import java.util.regex.Pattern;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.Literal;
+import jason.asSyntax.NumberTermImpl;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
 import jason.asSyntax.StringTerm;
@@ -25,7 +26,7 @@ public final class TermWriter {
     private TermWriter() {
     }
 
-    /** @throws MalformedTextException if a string in it has no text that reads back, as with a single backslash. */
+    /** @throws MalformedTextException if what is in it has no text that reads back, as 1/0 or a single backslash. */
     public static String write(Term term) throws MalformedTextException {
         boolean inBraces = !(term instanceof PlanBody body) || body.isBodyTerm();
         Term copy = Terms.replace(term.clone(), TermWriter::readable);
@@ -39,6 +40,9 @@ public final class TermWriter {
     private static Term readable(Term part) throws MalformedTextException {
         if (part instanceof StringTerm string) {
             return ASSyntax.createString(escaped(string.getString()));
+        }
+        if (part instanceof NumberTermImpl number && !Double.isFinite(number.solve())) {
+            throw new MalformedTextException(part.toString(), "a number that is not finite reads back as a variable");
         }
         if (part instanceof PlanBody body) {
             // Jason keeps no braces for what if, while and for have in braces.

@@ -114,12 +114,18 @@ class TermWriterTest {
         Term term(int depth) {
             return switch (random.nextInt(depth > 0 ? 6 : 4)) {
                 case 0 -> string();
-                case 1 -> ASSyntax.createNumber(random.nextInt(100));
+                case 1 -> ASSyntax.createNumber(random.nextBoolean() ? random.nextInt(100) : number());
                 case 2 -> ASSyntax.createVar(pick("X", "Y"));
                 case 3 -> ASSyntax.createAtom(name());
                 case 4 -> list(depth - 1);
                 default -> literal(depth - 1);
             };
+        }
+
+        /** Of any size; none below zero, which Jason's parser takes for something to compute. */
+        private double number() {
+            double number = Math.abs(Double.longBitsToDouble(random.nextLong()));
+            return Double.isFinite(number) ? number : 0;
         }
 
         private Term list(int depth) {
@@ -164,6 +170,13 @@ class TermWriterTest {
             assertEquals(term, ASSyntax.parseTerm(TermWriter.write(term)), TermWriter.write(term));
             assertEquals(before, term.toString(), "writing changes nothing");
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
+    void write_numberThatIsNotFinite_isRefusedAtAnyDepth(double number) {
+        Term term = ASSyntax.createLiteral("p", ASSyntax.createList(ASSyntax.createNumber(number)));
+        assertThrows(MalformedTextException.class, () -> TermWriter.write(term));
     }
 
     @Test
