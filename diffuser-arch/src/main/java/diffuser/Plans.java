@@ -5,18 +5,35 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 
 import jason.asSemantics.Agent;
 import jason.asSemantics.Option;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Pred;
+import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 /** An agent's plans, in Jason 3.2 as in 3.3. */
 public final class Plans {
 
+    /** The labels that Jason gives to plans without one; they differ from run to run. */
+    public static final Pattern GENERATED = Pattern.compile("p__\\d+");
+
     private Plans() {
+    }
+
+    /** A plan as its program has it, without a label that Jason has made; any other term as it is. */
+    static Term withoutGeneratedLabel(Term term) {
+        boolean generated = term instanceof Plan plan && plan.getLabel() != null
+                && GENERATED.matcher(plan.getLabel().getFunctor()).matches();
+        if (!generated) {
+            return term;
+        }
+        Plan plan = (Plan) term.clone();
+        plan.setLabel(null);
+        return plan;
     }
 
     /** All plans of an agent, in their order. */

@@ -77,7 +77,7 @@ public final class Texts {
     static Content content(Performative performative, Optional<Conversation> conversation, Term term)
             throws JasonException {
         try {
-            String text = TermWriter.write(Gate.clean(term));
+            String text = TermWriter.write(each(Gate.clean(term), Plans::withoutGeneratedLabel));
             checked(performative, conversation.isPresent(), text);
             return new Content(performative, conversation, text);
         } catch (MalformedTextException e) {

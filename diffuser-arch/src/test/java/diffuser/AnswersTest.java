@@ -63,6 +63,14 @@ class AnswersTest {
     }
 
     @Test
+    void askHow_planWithoutALabelOfItsOwn_travelsWithoutOne() {
+        FakeBoard board = new FakeBoard("antenna");
+        RunningAgent agent = ready(board);
+        board.receive("SUPO", "ROMA", "askHow#AbC;{ +!probe }");
+        RunningAgent.asked(board, "ROMA tellHow#AbC;[{ +!probe <- diffuser.note(probed) }]");
+    }
+
+    @Test
     void ask_group_isAnsweredToTheAskerAloneWhereSomethingIsKnown() {
         FakeBoard board = new FakeBoard("antenna");
         RunningAgent agent = ready(board);

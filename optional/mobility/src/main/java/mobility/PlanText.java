@@ -5,7 +5,6 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 import jason.asSyntax.ListTerm;
@@ -22,9 +21,6 @@ import diffuser.Terms;
 
 /** The text of a plan or a rule, the same on every side (SPEC 9.4). */
 final class PlanText {
-
-    /** The labels that Jason gives to plans without one; they differ from run to run. */
-    static final Pattern GENERATED = Pattern.compile("p__\\d+");
 
     private PlanText() {
     }
@@ -119,7 +115,7 @@ final class PlanText {
         Pred plain = (Pred) Writing.withoutSelf(label);
         // Jason notes there which file it read the plan from.
         plain.delAnnots(plain.getAnnots("url"));
-        boolean generated = GENERATED.matcher(plain.getFunctor()).matches();
+        boolean generated = Plans.GENERATED.matcher(plain.getFunctor()).matches();
         if (!generated) {
             return "@" + Writing.text(plain, naming) + " ";
         }
