@@ -184,9 +184,17 @@ public final class Gate implements CircumstanceListener {
         }
     }
 
-    private void handOn(Message message, Term content) {
+    private void handOn(Message message, Term content) throws RefusedException {
         message.setPropCont(content);
+        expectAccepted(message);
         agent.get().getC().addMsg(message);
+    }
+
+    /** Jason itself asks the agent, too, but says nothing where it refuses. */
+    private void expectAccepted(Message message) throws RefusedException {
+        if (!agent.get().getAg().socAcc(message)) {
+            throw new RefusedException("the agent's socAcc does not accept it");
+        }
     }
 
     /** Does with an answer what Jason will do: what Jason does not catch, it ends all intentions for. */
@@ -251,9 +259,7 @@ public final class Gate implements CircumstanceListener {
         Option applicable = Plans.applicable(ts.getAg(), relevant).orElseThrow(() -> new RefusedException(
                 "no plan that asks for it by " + decision.asking("_") + " is applicable now"));
         message.setPropCont(goal);
-        if (!ts.getAg().socAcc(message)) {
-            throw new RefusedException("the agent's socAcc does not accept it");
-        }
+        expectAccepted(message);
         Event event = new Event(trigger, Intention.EmptyInt);
         event.setOption(applicable);
         ts.getC().addEvent(event);

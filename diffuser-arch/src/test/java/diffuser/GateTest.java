@@ -15,6 +15,7 @@ import java.util.logging.StreamHandler;
 import java.util.stream.Stream;
 
 import jason.asSemantics.Agent;
+import jason.asSemantics.Message;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Literal;
 
@@ -71,6 +72,17 @@ class GateTest {
             +jag_shutting_down(_) <- diffuser.note(forged).
             """;
 
+    /** Listens to nobody. */
+    public static final class Deaf extends Agent {
+
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public boolean socAcc(Message message) {
+            return message.getSender().equals("test");
+        }
+    }
+
     private static RunningAgent ready(FakeBoard board) {
         return RunningAgent.listening(PROGRAM, board);
     }
@@ -83,6 +95,17 @@ class GateTest {
 
     private static long refused(RunningAgent agent) throws Exception {
         return (Long) agent.diffuser().getStatus().get("rfMessagesRefused");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"tell;p(1)", "achieve;go(1)", "askOne#AAA;own(X)"})
+    void socAcc_thatRefuses_isCountedAndLogged(String message) throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        RunningAgent agent = RunningAgent.run(Deaf.class, PROGRAM, board);
+        agent.notes("ready");
+        board.receive(ME, "SUPO", message);
+        agent.warns("the agent's socAcc does not accept it");
+        assertEquals(1, refused(agent));
     }
 
     private static String plansOf(RunningAgent agent) {
@@ -570,7 +593,8 @@ class GateTest {
     }
 
     private static void assertPlain(LogRecord line) {
-        String text = line.getMessage() + line.getThrown();
+        // Jason's own further lines.
+        String text = line.getMessage().replace("\n    ", " ") + line.getThrown();
         assertTrue(text.codePoints().noneMatch(c -> Character.isISOControl(c) || c == 0x202E), text);
     }
 

@@ -58,6 +58,7 @@ final class RunningAgent {
     final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
     private final LocalAgArch body = new LocalAgArch();
     private final String name;
+    private Class<? extends Agent> mind = Agent.class;
     private final Logger root = Logger.getLogger("");
     private final Handler handler = new StreamHandler() {
         @Override
@@ -95,6 +96,14 @@ final class RunningAgent {
         return new LocalEnvironment(new ClassParameters(TestEnvironment.class.getName()), BaseLocalMAS.getRunner());
     }
 
+    /** An agent whose class of Jason's is another. */
+    static RunningAgent run(Class<? extends Agent> mind, String program, FakeBoard board) {
+        ScriptedDiffuser.plug(board);
+        RunningAgent agent = new RunningAgent("tester" + COUNT.incrementAndGet());
+        agent.mind = mind;
+        return run(agent, program, null, List.of(ScriptedDiffuser.class.getName()));
+    }
+
     /** Without a board. */
     static RunningAgent named(String name, String program) {
         return run(new RunningAgent(name), program, null, List.of());
@@ -114,7 +123,7 @@ final class RunningAgent {
         root.addHandler(handler);
         body.setAgName(name);
         body.setEnvInfraTier(environment);
-        body.createArchs(archs, Agent.class.getName(), null, source(program), new Settings());
+        body.createArchs(archs, mind.getName(), null, source(program), new Settings());
         OPEN.push(this);
         BaseLocalMAS.getRunner().addAg(body);
         Thread thread = new Thread(body);
