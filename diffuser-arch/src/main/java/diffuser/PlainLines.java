@@ -4,14 +4,19 @@ import java.util.logging.Formatter;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 import javino.Printable;
 
 /**
- * Keeps each message of a log in one line: what an agent prints may have come from the air, where anybody can write
- * line feeds and the commands of terminals. It is no filter, as the window in which Jason shows its log asks none.
+ * Keeps each message of a log in one line, but for Jason's own failures: what an agent prints may have come from the
+ * air, where anybody can write line feeds and the commands of terminals. It is no filter, as the window in which Jason
+ * shows its log asks none.
  */
 final class PlainLines extends Formatter {
+
+    private static final Pattern INDENTED = Pattern.compile("\n(?= {4})");
 
     private final Formatter inner;
 
@@ -32,13 +37,23 @@ final class PlainLines extends Formatter {
     @Override
     public String format(LogRecord line) {
         if (line.getMessage() != null) {
-            line.setMessage(Printable.of(formatMessage(line)));
+            line.setMessage(printable(formatMessage(line), line));
             line.setParameters(null);
         }
         if (line.getThrown() != null && !isPrintable(line.getThrown())) {
             line.setThrown(printable(line.getThrown()));
         }
         return inner.format(line);
+    }
+
+    /**
+     * Jason tells the stack of an intention that failed in further lines, which are indented. What came from the air
+     * may add another such line, but none that looks like another message.
+     */
+    private static String printable(String message, LogRecord line) {
+        boolean isJasons = String.valueOf(line.getSourceClassName()).startsWith("jason.asSemantics.");
+        return isJasons ? INDENTED.splitAsStream(message).map(Printable::of).collect(Collectors.joining("\n"))
+                : Printable.of(message);
     }
 
     @Override

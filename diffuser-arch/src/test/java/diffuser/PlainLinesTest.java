@@ -58,6 +58,15 @@ class PlainLinesTest {
     }
 
     @Test
+    void format_failureThatJasonTells_keepsIndentedLines() {
+        LogRecord line = line("failed\n    " + WITH_COMMANDS);
+        line.setSourceClassName("jason.asSemantics.TransitionSystem");
+
+        String written = written(new SimpleFormatter(), line);
+        assertTrue(written.contains("failed\n    " + PLAIN), written);
+    }
+
+    @Test
     void format_parameterWithCommands_isOneLine() {
         LogRecord line = line("told {0}");
         line.setParameters(new Object[] {WITH_COMMANDS});
