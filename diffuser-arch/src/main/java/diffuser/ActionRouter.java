@@ -6,6 +6,8 @@ import java.util.function.Consumer;
 import jason.JasonException;
 import jason.architecture.AgArch;
 import jason.asSemantics.ActionExec;
+import jason.asSemantics.Circumstance;
+import jason.asSemantics.Intention;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
 import jason.infra.local.LocalAgArch;
@@ -14,8 +16,9 @@ import jason.infra.local.LocalAgArch;
  * Decides who performs a plain external action: the board, or what is behind it (an environment, CArtAgO).
  *
  * <p>The board's is what its sketch has named: a board tells the names when it is greeted, and they hold while it is
- * away. All else goes behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace
- * from the intention that is selected then. Where nothing is behind, the board is asked in any case.
+ * away. While it is not known yet whether a board is there, a plain action waits, for 5 s at most. All else goes
+ * behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace from the intention that
+ * is selected then. Where nothing is behind, the board is asked in any case.
  */
 final class ActionRouter {
 
@@ -37,7 +40,10 @@ final class ActionRouter {
     void act(ActionExec action) {
         Device device = diffuser.device().orElse(null);
         Structure term = action.getActionTerm();
-        if (device == null || isOfAnArtifact(term) || somethingIsBehind() && !isBoards(term, device)) {
+        boolean other = device == null || isOfAnArtifact(term);
+        if (!other && somethingIsBehind() && !device.decided().isDone()) {
+            postpone(action, device);
+        } else if (other || somethingIsBehind() && !isBoards(term, device)) {
             behind.accept(action);
         } else if (device.isLegacy()) {
             String text = term.toString();
@@ -49,6 +55,17 @@ final class ActionRouter {
         } else {
             askBoard(action);
         }
+    }
+
+    /** Has Jason come to the action again when it is known whether a board is there: its intention is selected then. */
+    private void postpone(ActionExec action, Device device) {
+        Circumstance circumstance = diffuser.getTS().getC();
+        Intention intention = action.getIntention();
+        device.decided().thenRun(() -> Intentions.goOn(diffuser.getTS(), () -> intention, () -> {
+            if (circumstance.removePendingAction(intention.getId()) != null) {
+                circumstance.addRunningIntention(intention);
+            }
+        }));
     }
 
     /** Whether the sketch has the action, as far as is known, and the board can be asked for it. */

@@ -111,6 +111,37 @@ class ActionsTest {
     }
 
     @Test
+    void act_plainActionsBeforeItIsKnownWhetherABoardIsThere_wait() throws Exception {
+        FakeBoard former = new FakeBoard("former");
+        FakeBoard board = new FakeBoard("body").setActions("stop");
+        RunningAgent agent = RunningAgent.run("""
+                !start.
+                +!start <- .port(former); diffuser.note(ready).
+                +!change <- .port(body).
+                +!halt <- stop; diffuser.note(halted).
+                +!draw <- paint(red); diffuser.note(drawn).
+                """, RunningAgent.environment(), List.of(ScriptedDiffuser.class.getName()), former, board);
+        agent.notes("ready");
+        former.port.blockClosing(true);
+        agent.achieve("change");
+        former.port.awaitClosing();
+        agent.achieve("halt");
+        agent.achieve("draw");
+        agent.cycles(5);
+        former.port.blockClosing(false);
+        RunningAgent.asked(board, "act stop");
+        agent.notesAll("halted", "environment paint(red)", "drawn");
+    }
+
+    @Test
+    void act_plainActionWhereNoBoardIs_goesToTheEnvironmentAndTheLogNamesThePort() throws Exception {
+        RunningAgent agent = RunningAgent.run(program("paint(red)"), RunningAgent.environment(),
+                List.of(ScriptedDiffuser.class.getName()));
+        agent.notesAll("environment paint(red)", "done");
+        agent.warns("no board has answered on body yet");
+    }
+
+    @Test
     void act_plainActionWithAVariable_goesToTheEnvironment() throws Exception {
         FakeBoard board = new FakeBoard("body").setActions("paint", "stop");
         RunningAgent agent = withEnvironment(program("paint(Colour); stop"), board);
