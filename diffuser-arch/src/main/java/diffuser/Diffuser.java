@@ -1,5 +1,7 @@
 package diffuser;
 
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
@@ -60,6 +62,9 @@ public class Diffuser extends AgArch {
     private transient BoardSettings settings = BoardSettings.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
+    /** Guards {@link #ended}: whoever stops the agent may do so while its own thread opens a port. */
+    private final transient Object ending = new Object();
+    private transient boolean ended;
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
     @Override
@@ -117,21 +122,37 @@ public class Diffuser extends AgArch {
      * Looks for a board on a port, and leaves the port before.
      *
      * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
-     * @return completes as soon as it is known whether a board is there, or when another port is opened; never fails,
-     *         since a board may come later.
+     * @return completes when the agent believes whether a board is there, or when another port is opened; never fails,
+     *         since a board may come later. An agent that was stopped opens none.
      */
     public CompletableFuture<Void> openPort(String port) {
         PlainLines.everywhere();
-        ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
-        device = Device.open(link, portTerm(port), boardConfig(), settings,
-                new Device.DeviceContext(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));
-        return device.decided();
+        if (!Charset.defaultCharset().equals(StandardCharsets.UTF_8)) {
+            warnings.once("Java reads programs as " + Charset.defaultCharset() + " here, and letters beyond ASCII go"
+                    + " wrong; start it with -Dfile.encoding=UTF-8");
+        }
+        synchronized (ending) {
+            if (ended) {
+                return CompletableFuture.completedFuture(null);
+            }
+            ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
+            device = Device.open(link, portTerm(port), boardConfig(), settings,
+                    new Device.DeviceContext(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));
+            return device.decided().thenCompose(decided -> believed());
+        }
     }
 
     /** Leaves the port, if one was opened; then the agent has no board. */
     public void closePort() {
         closeDevice();
         device = null;
+    }
+
+    /** Completes when the agent believes what there is to perceive now. For any thread. */
+    private CompletableFuture<Void> believed() {
+        CompletableFuture<Void> belief = percepts.belief();
+        wakeAgent();
+        return belief;
     }
 
     /**
@@ -153,11 +174,7 @@ public class Diffuser extends AgArch {
      */
     protected CompletableFuture<Void> reading(Duration within) {
         return device().map(board -> board.reading(within)).orElseGet(() -> CompletableFuture.completedFuture(null))
-                .thenCompose(read -> {
-                    CompletableFuture<Void> belief = percepts.belief();
-                    wakeAgent();
-                    return belief;
-                });
+                .thenCompose(read -> believed());
     }
 
     /** Adds a filter: the agent believes only percepts that all filters let pass. */
@@ -361,7 +378,12 @@ public class Diffuser extends AgArch {
     @Override
     public void stop() {
         services.forEach(BoardService::stop);
-        ExclusivePort.await(closeDevice());
+        CompletableFuture<Void> closed;
+        synchronized (ending) {
+            ended = true;
+            closed = closeDevice();
+        }
+        ExclusivePort.await(closed);
         super.stop();
     }
 

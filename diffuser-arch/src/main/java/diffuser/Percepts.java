@@ -111,6 +111,9 @@ final class Percepts {
         List<Literal> all = new ArrayList<>(state);
         all.addAll(peers);
         all.addAll(shown);
-        snapshot = List.copyOf(all);
+        // An agent that has forgotten a belief is told it anew only by another list.
+        if (!all.equals(snapshot)) {
+            snapshot = List.copyOf(all);
+        }
     }
 }

@@ -69,6 +69,19 @@ class ArgoTest {
         agent.notes("ttyACM0 off");
     }
 
+    @Test
+    void port_missingAndForgottenAndOpenedAnew_isOneEventEachTime() {
+        RunningAgent agent = argo("""
+                !connect.
+                +!connect <- diffuser.note(connect); .argo.port(missing); .argo.percepts(open).
+                +port(P,off) <- diffuser.note(off); .argo.percepts(close); .abolish(port(_,_)); .wait(300); !connect.
+                """);
+        for (int i = 0; i < 5; i++) {
+            agent.notes("connect");
+            agent.notes("off");
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {".percepts(close)", ".percepts(block)", ".argo.percepts(close)"})
     void percepts_closedAndOpenedByTheirOwnPlan_areNoNewEvents(String close) {

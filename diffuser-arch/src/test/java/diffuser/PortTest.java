@@ -1,6 +1,7 @@
 package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -106,6 +107,30 @@ class PortTest {
         RunningAgent agent = RunningAgent.run(program, left);
         agent.notes("done");
         assertEquals(1, left.port.mostOpen());
+    }
+
+    @Test
+    void port_another_isBelievedWhenThePlanGoesOn() {
+        String program = """
+                !swap(30).
+                +!swap(0) <- diffuser.note(done).
+                +!swap(N) <- .port(right); ?port("right",on); .port(left); ?port("left",on); !swap(N-1).
+                -!swap(N) <- diffuser.note(failed,N).
+                """;
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("left").perceive("count(1)"),
+                new FakeBoard("right").perceive("count(2)"));
+        agent.notes("done");
+    }
+
+    @Test
+    void port_agentWasStopped_opensNone() throws Exception {
+        RunningAgent agent = RunningAgent.run(PROGRAM, new FakeBoard("left"));
+        agent.notesAll("left on", "ready");
+        Diffuser diffuser = agent.diffuser();
+        agent.close();
+        Device last = diffuser.device().orElseThrow();
+        diffuser.openPort("right").join();
+        assertSame(last, diffuser.device().orElseThrow());
     }
 
     @Test
