@@ -215,7 +215,8 @@ final class Options {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
                 "-D" + BoardMeetings.FOLDER_PROPERTY + "=" + IDENTITIES,
-                "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp", classPath));
+                "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-Dfile.encoding=UTF-8", "-cp",
+                classPath));
         command.addAll(List.of(mainAndArguments));
         return command;
     }
