@@ -2,6 +2,7 @@ package trace;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -43,6 +44,9 @@ public final class TraceReader {
      * @throws MalformedEventException if it has a line that is no event.
      */
     public static void read(Path file, Consumer<TraceEvent> events) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new FileSystemException(file.toString(), null, "it is a folder, not a file");
+        }
         read(Files.newInputStream(file), events, none -> {
             throw none;
         });

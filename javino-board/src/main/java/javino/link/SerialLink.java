@@ -37,6 +37,7 @@ public final class SerialLink implements Link {
     /** EBUSY of the same, and EWOULDBLOCK, with which a port that is locked is refused, of Linux and of the others. */
     private static final Set<Integer> BUSY = Set.of(16, 11, 35);
     private static final String NO_PORT = "there is no such port; is the board plugged in?";
+    private static final String NO_SERIAL_PORT = "is no serial port; javino ports lists them";
 
     private final String name;
     private final SerialPort port;
@@ -118,6 +119,9 @@ public final class SerialLink implements Link {
     private static SerialPort find(String name) throws LinkException {
         try {
             Path path = Path.of(name);
+            if (Files.isDirectory(path)) {
+                throw new LinkException(name, NO_SERIAL_PORT);
+            }
             if (Files.exists(path)) {
                 return SerialPort.getCommPort(path.toRealPath().toString());
             }
@@ -136,7 +140,7 @@ public final class SerialLink implements Link {
     /** @param code the system's error, 0 where there is none. */
     static String whyNotOpened(int code) {
         if (code == NOT_A_TERMINAL) {
-            return "is no serial port";
+            return NO_SERIAL_PORT;
         }
         if (code == FORBIDDEN) {
             return "you may not read and write it; join its group (dialout on Debian) and log in anew";

@@ -47,7 +47,7 @@ class NativeLibraryTest {
         }
     }
 
-    private static final String FOUND = "/dev/null: is no serial port";
+    private static final String FOUND = "/dev/null: is no serial port; javino ports lists them";
 
     private Path shared;
     private Path home;

@@ -37,6 +37,11 @@ class SerialLinkTest {
         assertNoSerialPort("/dev/null");
     }
 
+    @Test
+    void open_folder_saysThatItIsNoPort(@TempDir Path folder) {
+        assertNoSerialPort(folder.toString());
+    }
+
     @ParameterizedTest
     @CsvSource({"13, join its group (dialout on Debian)", "11, another program", "16, another program",
             "35, another program", "25, is no serial port", "5, (system error 5)", "0, cannot be opened;"})
@@ -47,6 +52,6 @@ class SerialLinkTest {
 
     private static void assertNoSerialPort(String name) {
         LinkException e = assertThrows(LinkException.class, () -> SerialLink.opener(name).open());
-        assertEquals(name + ": is no serial port", e.getMessage());
+        assertEquals(name + ": is no serial port; javino ports lists them", e.getMessage());
     }
 }

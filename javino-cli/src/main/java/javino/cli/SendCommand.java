@@ -3,10 +3,12 @@ package javino.cli;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
+import javino.Printable;
 import javino.board.Board;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
+import javino.protocol.ProtocolError;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
@@ -30,7 +32,7 @@ final class SendCommand implements Callable<Integer> {
 
     @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
             description = "A performative and a term of AgentSpeak, such as 'tell;help'; a question or an answer has "
-                    + "three digits for the conversation too, such as 'askOne#AbC;speed(X)'.")
+                    + "three characters for the conversation too, such as 'askOne#AbC;speed(X)'.")
     private Content content;
 
     @Spec
@@ -43,7 +45,10 @@ final class SendCommand implements Callable<Integer> {
             try {
                 return Content.parse(text);
             } catch (IllegalArgumentException e) {
-                throw new TypeConversionException(e.getMessage());
+                boolean noContent = e.getMessage().startsWith(ProtocolError.BAD_CONTENT.name());
+                throw new TypeConversionException(noContent
+                        ? "a performative, ; and a term were expected, such as 'tell;help', not " + Printable.of(text)
+                        : e.getMessage());
             }
         }
     }

@@ -153,10 +153,11 @@ class CommandsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ' ', value = {
-            "--pair ROMA,SU digits", "--pair ROMA,ROM digits", "--pair ROMA ROMA,SUPO",
+            "--pair ROMA,SU characters", "--pair ROMA,ROM characters", "--pair ROMA ROMA,SUPO",
             "--pair ROMA,SUPO,SUHO ROMA,SUPO",
-            "--pair ROMA,ROMA different", "--pair ROMA,//SU different", "--group S digits", "--group //SU digits",
-            "--group // digits"
+            "--pair ROMA,ROMA different", "--pair ROMA,//SU different", "--group S characters",
+            "--group //SU characters",
+            "--group // characters"
     })
     void keygen_badAddress_isWrongUsage(String option, String value, String reason) {
         assertFails(2, reason, "keygen", "--out", folder.resolve("keys").toString(), option, value);
@@ -177,7 +178,19 @@ class CommandsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = ' ', value = {"SUP digits", "//SU device", "++++ device", "S!PO '!'"})
+    @CsvSource(delimiter = '|', value = {
+            "send --port fake SUPO hello     | CONTENT: a performative, ; and a term were expected",
+            "send --port fake SUP tell;help  | TO: an address has 4 characters of A-Z a-z 0-9 + /, but \"SUP\" has 3",
+            "send --port fake                | missing: TO",
+            "provision                       | missing: --port PORT, --id ADDRESS",
+            "keygen                          | missing: --out FILE or --renew FILE",
+            "info --port                     | missing: --port PORT"})
+    void usage_wrong_isToldInTheWordsOfTheHelp(String line, String reason) {
+        assertFails(2, "javino: " + reason, line.split(" "));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ' ', value = {"SUP characters", "//SU device", "++++ device", "S!PO '!'"})
     void provision_badId_isWrongUsage(String id, String reason) {
         assertFails(2, reason.replace("'", ""), "provision", "--port", "nowhere", "--id", id);
     }

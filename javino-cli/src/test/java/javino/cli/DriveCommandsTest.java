@@ -148,8 +148,8 @@ class DriveCommandsTest extends CommandFixture {
     }
 
     @ParameterizedTest
-    @CsvSource({"SUP,tell;help,digits", "++++,tell;help,a group such as //SU", "+FAA,tell;help,for all",
-            "SUPO,help,expected a performative such as tell", "SUPO,tell;,and a term"})
+    @CsvSource({"SUP,tell;help,characters", "++++,tell;help,a group such as //SU", "+FAA,tell;help,for all",
+            "SUPO,help,a performative, ; and a term were expected", "SUPO,tell;,and a term"})
     void send_badArgument_isWrongUsage(String to, String content, String reason) {
         assertFails(2, reason, "send", "--port", "fake", to, content);
         assertEquals(List.of(), List.copyOf(fake.requests));

@@ -63,13 +63,13 @@ public record Address(int value) {
     public static Address parse(String text) {
         if (text.length() != LENGTH) {
             throw new IllegalArgumentException(
-                    "an address has 4 digits out of A-Z a-z 0-9 + /, but \"" + text + "\" has " + text.length());
+                    "an address has 4 characters of A-Z a-z 0-9 + /, but \"" + text + "\" has " + text.length());
         }
         int value = 0;
         for (int i = 0; i < LENGTH; i++) {
             int digit = Digits.value(text.charAt(i));
             if (digit < 0) {
-                throw new IllegalArgumentException("an address has 4 digits out of A-Z a-z 0-9 + /, but '"
+                throw new IllegalArgumentException("an address has 4 characters of A-Z a-z 0-9 + /, but '"
                         + text.charAt(i) + "' in \"" + text + "\" is none");
             }
             value = value << 6 | digit;
@@ -86,7 +86,7 @@ public record Address(int value) {
     public static Address multicast(String group) {
         Address address = group.length() == 2 ? parse("//" + group) : null;
         if (address == null || address.kind() != Kind.MULTICAST) {
-            throw new IllegalArgumentException("a group is two digits other than //, not \"" + group + "\"");
+            throw new IllegalArgumentException("a group is two characters other than //, not \"" + group + "\"");
         }
         return address;
     }

@@ -23,7 +23,7 @@ public enum Status {
     /** Nothing can be sent to this address. */
     BAD_DESTINATION("nothing can be sent to this address: it is reserved or the board's own"),
     /** No key is stored for this address. */
-    NO_KEY("the board has no key for this address; set one over the serial line"),
+    NO_KEY("the board has no key for this address; give it one with javino provision"),
     /** The content does not fit. */
     TOO_LONG("the content is too long: it has at most 494 bytes of UTF-8, on an Uno 67"),
     /** The transmit queue is full. */

@@ -70,7 +70,7 @@ record BrokerConfig(String host, int port, boolean tls, Optional<TrustManagerFac
      *
      * @throws JavinoException if it has none.
      */
-    BrokerConfig trusting(Path file) throws JavinoException {
+    BrokerConfig trusting(Path file) throws JavinoException, IOException {
         try {
             InputStream in = new ByteArrayInputStream(TextFile.read(file).getBytes(StandardCharsets.UTF_8));
             Collection<? extends Certificate> certificates =
@@ -88,8 +88,6 @@ record BrokerConfig(String host, int port, boolean tls, Optional<TrustManagerFac
             return new BrokerConfig(host, port, tls, Optional.of(factory), user, password);
         } catch (IllegalArgumentException e) {
             throw new JavinoException(e.getMessage(), e);
-        } catch (IOException e) {
-            throw new JavinoException(file + " cannot be read: is it there? " + e.getClass().getSimpleName(), e);
         } catch (GeneralSecurityException e) {
             throw new JavinoException(file + " has no certificate: --ca takes that of the broker's CA, as PEM", e);
         }

@@ -60,7 +60,7 @@ public final class GatewayCommand implements CommandPlugin {
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws JavinoException {
+    public Integer call() throws JavinoException, IOException {
         check(cell.matches(Topics.NAME), "--cell takes up to 32 letters, digits, - and _, not " + Printable.of(cell));
         check(prefix.matches("[^+#\\p{Cntrl}]+"), "--topic takes no + and no #, not " + Printable.of(prefix));
         check(user != null || passwordFile == null, "--password-file needs --user");
@@ -75,7 +75,7 @@ public final class GatewayCommand implements CommandPlugin {
         }
     }
 
-    private BrokerConfig brokerConfig() throws JavinoException {
+    private BrokerConfig brokerConfig() throws JavinoException, IOException {
         BrokerConfig config;
         try {
             config = BrokerConfig.parse(broker);
@@ -87,7 +87,7 @@ public final class GatewayCommand implements CommandPlugin {
         return ca == null ? config : config.trusting(ca);
     }
 
-    private Optional<String> password() throws JavinoException {
+    private Optional<String> password() throws JavinoException, IOException {
         if (passwordFile == null) {
             return Optional.ofNullable(System.getenv(PASSWORD));
         }
@@ -95,9 +95,6 @@ public final class GatewayCommand implements CommandPlugin {
             return TextFile.read(passwordFile).lines().findFirst();
         } catch (IllegalArgumentException e) {
             throw new JavinoException(e.getMessage(), e);
-        } catch (IOException e) {
-            throw new JavinoException(passwordFile + " cannot be read: is it there? " + e.getClass().getSimpleName(),
-                    e);
         }
     }
 

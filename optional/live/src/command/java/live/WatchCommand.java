@@ -1,6 +1,7 @@
 package live;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -87,7 +88,7 @@ public final class WatchCommand implements CommandPlugin {
         try {
             return TraceSource.read(trace, hub);
         } catch (IOException e) {
-            throw new JavinoException(trace + " cannot be read: is it there? " + e.getClass().getSimpleName(), e);
+            throw new UncheckedIOException(e);
         }
     }
 }
