@@ -6,10 +6,17 @@
 #include "arduino/PublishedJavino.h"
 #include "delivery/Broadcaster.h"
 #include "delivery/Relay.h"
+#include "radio/AskHardware.h"
+
+#ifdef JAVINO_HAS_ASK_HARDWARE
 #include "radio/AskRadio.h"
 
 // For a radio on another timer than 1, write this in one file of the sketch, before this header is included:
 // #define JAVINO_RADIO_TIMER 3
 #ifdef JAVINO_RADIO_TIMER
 #include "radio/AskHardwareAvrTimer.h"
+#endif
+
+#else
+#include "radio/NoAskRadio.h"
 #endif

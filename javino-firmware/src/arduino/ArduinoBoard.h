@@ -4,11 +4,12 @@
 
 #include "../board/Board.h"
 #include "../radioboard/RadioBoard.h"
+#include "../storage/Eeprom.h"
 #include "Cpu.h"
 
 namespace javinolib {
 
-/// The type of `Serial`: a UART, or USB on chips that have it (ATmega32U4).
+/// The type of `Serial`: a UART, or the USB of chips that have their own.
 typedef decltype(Serial) HostSerial;
 
 /// An Arduino that an agent can reach: the one object that a sketch needs, a global or static one (support/Zeroed.h).
@@ -32,7 +33,10 @@ class ArduinoBoard {
   bool otherActions(Action action) { return board_.actions().addOthers(action); }
 
   // Does all work that is due.
-  void serve() { board_.run(); }
+  void serve() {
+    board_.run();
+    commit(board_);
+  }
 
   // Whether an agent waits for percepts.
   bool wantsPercepts() const { return board_.poll().wantsPercepts(); }
@@ -41,11 +45,13 @@ class ArduinoBoard {
   // Returns false if the radio does not start or the EEPROM cannot be written; all else works nevertheless.
   bool begin(unsigned long baud) {
     serial_.begin(baud);
-    return board_.begin();
+    const bool works = board_.begin();
+    commit(board_);
+    return works;
   }
 
   // Does all work that is due, then lets the CPU idle until the next interrupt, which comes within 1 ms (the timer of
-  // millis()). Call it from loop(), and at least every 5 ms while requests may come: the UART holds 64 bytes.
+  // millis()); on other chips than AVR it calls yield(). Call it from loop(), and at least every 5 ms while requests may come: the UART holds 64 bytes.
   void run() {
     serve();
     cpu::holdInterrupts();
@@ -61,6 +67,9 @@ class ArduinoBoard {
   explicit ArduinoBoard(HostSerial &serial, Parts &&...parts) : serial_(serial), board_(SerialPort(serial), parts...) {}
 
  private:
+  static void commit(const javinolib::Board &) {}
+  static void commit(const RadioBoard &) { eeprom::commit(); }
+
   HostSerial &serial_;
   Board board_;
 };

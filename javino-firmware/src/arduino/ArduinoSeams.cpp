@@ -1,8 +1,16 @@
 #include <Arduino.h>
+
+// Not all cores have one; a sketch for another chip that has a radio includes it, for builders to find it here.
+#ifdef __AVR__
 #include <EEPROM.h>
+#elif __has_include(<EEPROM.h>)
+#include <EEPROM.h>
+#define JAVINO_EEPROM_MAY_BE_A_COPY
+#endif
 
 #include "../board/SerialPort.h"
 #include "../storage/Eeprom.h"
+#include "../storage/EepromLayout.h"
 #include "../storage/Retained.h"
 #include "../support/Clock.h"
 
@@ -20,15 +28,70 @@ bool SerialPort::canRead() const { return serial_.available() > 0; }
 
 uint8_t SerialPort::read() { return static_cast<uint8_t>(serial_.read()); }
 
-// The core's write() waits when its buffer of 64 bytes is full, so it is never called then.
-bool SerialPort::canWrite() const { return serial_.availableForWrite() > 0; }
+// The core's write() waits when its buffer of 64 bytes is full, so it is never called then. Ports of some other cores never
+// tell how much room there is, also not before the first byte.
+bool SerialPort::canWrite() const {
+  const bool hasRoom = serial_.availableForWrite() > 0;
+#ifndef __AVR__
+  if (hasRoom) tellsRoom_ = true;
+  if (!tellsRoom_) return true;
+#endif
+  return hasRoom;
+}
 
 void SerialPort::write(uint8_t byte) { serial_.write(byte); }
+
+#ifdef __AVR__
 
 // The EEPROM's writes wait with interrupts on: serial bytes and the radio go on meanwhile.
 uint8_t eeprom::read(uint16_t at) { return EEPROM.read(at); }
 
 void eeprom::write(uint16_t at, uint8_t value) { EEPROM.write(at, value); }
+
+#elif defined(JAVINO_EEPROM_MAY_BE_A_COPY)
+
+namespace {
+
+bool isOpen;
+bool isChanged;
+
+// On some chips EEPROM is a copy in RAM of a page of flash, which begin() makes and commit() stores; others have no commit().
+template <typename Chip>
+auto open(Chip &chip, int) -> decltype(chip.commit(), void()) {
+  if (!isOpen) chip.begin(EEPROM_SIZE);
+  isOpen = true;
+}
+
+template <typename Chip>
+void open(Chip &, long) {}
+
+template <typename Chip>
+auto store(Chip &chip, int) -> decltype(chip.commit(), void()) {
+  chip.commit();
+}
+
+template <typename Chip>
+void store(Chip &, long) {}
+
+}  // namespace
+
+uint8_t eeprom::read(uint16_t at) {
+  open(EEPROM, 0);
+  return EEPROM.read(at);
+}
+
+void eeprom::write(uint16_t at, uint8_t value) {
+  open(EEPROM, 0);
+  EEPROM.write(at, value);
+  isChanged = true;
+}
+
+void eeprom::commit() {
+  if (isChanged) store(EEPROM, 0);
+  isChanged = false;
+}
+
+#endif
 
 // The start-up code clears .bss and fills .data, but leaves .noinit, which the linker places right behind them. On a Mega
 // the boot loader runs before each start-up: its own variables lie at the bottom of the RAM, its stack at the top; what

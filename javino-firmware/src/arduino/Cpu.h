@@ -2,7 +2,7 @@
 
 namespace javinolib {
 
-/// Sleep and interrupts of the CPU; bound when linking, to CpuAvr.cpp on a board and to a mock in the host tests.
+/// Sleep and interrupts of the CPU; bound when linking, to Cpu.cpp on a board and to a mock in the host tests.
 namespace cpu {
 
 /// Keeps interrupts away, so that nothing can come between the look whether there is work and the sleep.

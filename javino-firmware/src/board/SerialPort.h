@@ -2,8 +2,7 @@
 
 #include <stdint.h>
 
-/// A serial port of the Arduino core: a UART, or the USB of chips that have their own.
-class Stream;
+#include "../support/CoreTypes.h"
 
 namespace javinolib {
 
@@ -27,7 +26,10 @@ class SerialPort {
   void write(uint8_t byte);
 
  private:
-  Stream &serial_;
+  Stream &serial_;  // a UART, or the USB of chips that have their own
+#ifndef __AVR__
+  mutable bool tellsRoom_ = false;
+#endif
 };
 
 }  // namespace javinolib

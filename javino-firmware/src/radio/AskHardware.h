@@ -2,6 +2,13 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
+
+// What AskHardwareAvr.cpp needs: the pin-change interrupts of an ATmega.
+#ifdef PCICR
+#define JAVINO_HAS_ASK_HARDWARE
+#endif
+
 namespace javinolib {
 
 class AskRadio;

@@ -1,9 +1,10 @@
-#if defined(__AVR__)
+#include "AskHardware.h"
+
+#ifdef JAVINO_HAS_ASK_HARDWARE
 
 #include <Arduino.h>
 #include <avr/interrupt.h>
 
-#include "AskHardware.h"
 #include "AskRadio.h"
 
 // The pins; the timer is in AskHardwareAvrTimer.h.

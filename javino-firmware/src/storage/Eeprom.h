@@ -14,5 +14,12 @@ uint8_t read(uint16_t at);
 /// which power failed may read one time so and one time otherwise. Whether the cell kept it, read() tells.
 void write(uint16_t at, uint8_t value);
 
+/// Has all that was written outlive a loss of power, on chips where write() alone does not.
+#ifdef __AVR__
+inline void commit() {}
+#else
+void commit();
+#endif
+
 }  // namespace eeprom
 }  // namespace javinolib

@@ -17,7 +17,7 @@ namespace javinolib {
 /// What is ours lies at the end of the EEPROM, so that the low addresses are the sketch's: RF id, ring of boot epochs, keys,
 /// ring of nonces' floors, whether the board relays, the other half of the ring of boot epochs, and the number of this layout.
 
-#if defined(E2END)
+#if defined(E2END) && E2END >= JAVINO_BY_PROFILE(4095, 1023)
 static const uint16_t EEPROM_SIZE = E2END + 1;
 #else
 static const uint16_t EEPROM_SIZE = JAVINO_BY_PROFILE(4096, 1024);

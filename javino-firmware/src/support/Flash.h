@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "CoreTypes.h"
+
 /// Constants that stay in flash on AVR, and are plain constants elsewhere.
 #ifdef __AVR__
 #include <avr/pgmspace.h>
@@ -11,16 +13,14 @@
 #define JAVINO_FLASH
 #endif
 
-/// Arduino's type of F("…") texts, declared here so that the pure parts need no Arduino header.
-class __FlashStringHelper;
-
 namespace javinolib {
 
+/// Arduino's type of F("…") texts.
 typedef __FlashStringHelper FlashText;
 
-/// Reads one byte of a constant that was declared with JAVINO_FLASH.
+/// Reads one byte of a constant that was declared with JAVINO_FLASH, or of an F("…"), which other chips may keep in flash too.
 inline uint8_t flashByte(const uint8_t *at) {
-#ifdef __AVR__
+#ifdef pgm_read_byte
   return pgm_read_byte(at);
 #else
   return *at;

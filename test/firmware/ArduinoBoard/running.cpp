@@ -134,3 +134,17 @@ TEST_F(ArduinoBoard, never_waits_for_the_line_however_long_the_reply_and_idles_m
   }
   EXPECT_GT(reply.size(), 100u);
 }
+
+TEST_F(ArduinoBoard, writes_to_a_port_that_never_tells_its_room) {
+  ON_CALL(serial, availableForWrite()).WillByDefault(testing::Return(0));
+  board.begin(115200);
+  board.run();
+  EXPECT_EQ((Bytes{0, 1, 0}), out);
+}
+
+TEST_F(ArduinoBoard, waits_for_a_port_that_has_told_its_room) {
+  EXPECT_CALL(serial, availableForWrite()).WillOnce(testing::Return(1)).WillRepeatedly(testing::Return(0));
+  board.begin(115200);
+  board.run();
+  EXPECT_EQ((Bytes{0}), out);
+}

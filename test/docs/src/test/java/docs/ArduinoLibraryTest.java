@@ -75,7 +75,7 @@ class ArduinoLibraryTest {
         assertFalse(PROPERTIES.get("maintainer").toLowerCase(Locale.ROOT).contains("arduino")); // LP027, LP057
         assertFalse(PROPERTIES.get("paragraph").startsWith(PROPERTIES.get("sentence")));        // LP036
         assertTrue(CATEGORIES.contains(PROPERTIES.get("category")));                            // LP039, LP040
-        assertMatches(Pattern.compile("[a-z0-9]+(,[a-z0-9]+)*"), PROPERTIES.get("architectures")); // LP045 … LP047
+        assertMatches(Pattern.compile("\\*|[a-z0-9]+(,[a-z0-9]+)*"), PROPERTIES.get("architectures")); // LP045 … LP047
         assertEquals("true", PROPERTIES.getOrDefault("dot_a_linkage", "true"));                 // LP049, LP050
     }
 

@@ -1,9 +1,9 @@
+#include "Cpu.h"
+
 #ifdef __AVR__
 
 #include <avr/interrupt.h>
 #include <avr/sleep.h>
-
-#include "Cpu.h"
 
 namespace javinolib {
 namespace cpu {
@@ -20,6 +20,23 @@ void releaseInterruptsAndIdle() {
   sleep_cpu();
   sleep_disable();
 }
+
+}  // namespace cpu
+}  // namespace javinolib
+
+#else
+
+#include <Arduino.h>
+
+namespace javinolib {
+namespace cpu {
+
+// Ports of other cores may take locks, for which interrupts must be on; how to sleep until the next one, yield() knows.
+void holdInterrupts() {}
+
+void releaseInterrupts() {}
+
+void releaseInterruptsAndIdle() { yield(); }
 
 }  // namespace cpu
 }  // namespace javinolib

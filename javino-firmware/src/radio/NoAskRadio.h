@@ -1,0 +1,17 @@
+#pragma once
+
+#include "Radio.h"
+
+namespace javinolib {
+
+/// Says on another chip why a sketch that names the modem of an ATmega does not compile.
+class AskRadio : public Radio {
+ public:
+  template <typename... Pins>
+  explicit AskRadio(Pins...) {
+    static_assert(sizeof...(Pins) > 3,
+                  "AskRadio: this chip has no timer and pins for it; take another Radio (README, Another radio)");
+  }
+};
+
+}  // namespace javinolib
