@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.AvrBoard;
 import harness.Emulator;
 import harness.Host;
+import harness.SketchBoard;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,18 +27,21 @@ class PublishedSketchesTest {
     @TempDir
     private Path folder;
 
+    /** Starts a board with some of the emulator's sensors. */
+    SketchBoard start(String sketch, Path where, List<Map<String, Object>> sensors) throws Exception {
+        return new AvrBoard(new Emulator.Scenario().board("uno", sketch, Map.of("model", "uno", "sensors", sensors))
+                .start(where), "uno");
+    }
+
     private interface Body {
-        void run(Emulator emulator, Host host) throws Exception;
+        void run(Host host) throws Exception;
     }
 
     private void run(String sketch, List<Map<String, Object>> sensors, Body body) throws Exception {
-        Emulator.Scenario scenario =
-                new Emulator.Scenario().board("uno", sketch, Map.of("model", "uno", "sensors", sensors,
-                        "watch", List.of(Map.of("pin", 13, "name", "lamp"), Map.of("pin", 11, "name", "buzzer"))));
-        try (Emulator emulator = scenario.start(folder); Host host = Host.of(emulator, "uno")) {
+        try (SketchBoard board = start(sketch, folder, sensors); Host host = board.host()) {
             get(host.board.greeted());
             host.board.percepts(true);
-            body.run(emulator, host);
+            body.run(host);
         }
     }
 
@@ -63,7 +68,7 @@ class PublishedSketchesTest {
 
     @Test
     void functions_arePerceptsAndActions() throws Exception {
-        run("PublishedBlink", List.of(), (emulator, host) -> {
+        run("PublishedBlink", List.of(), host -> {
             perceives(host, "lamp(off)");
             get(host.board.act(LAMP_ON));
             perceives(host, "lamp(on)");
@@ -75,7 +80,7 @@ class PublishedSketchesTest {
 
     @Test
     void messages_areAskedForAndTold() throws Exception {
-        run("PublishedMessages", List.of(), (emulator, host) -> {
+        run("PublishedMessages", List.of(), host -> {
             perceives(host, "device(lamp)", "level(0)");
             get(host.board.act(LAMP_ON));
             perceives(host, "device(lamp)", "level(1)");
@@ -86,7 +91,7 @@ class PublishedSketchesTest {
 
     @Test
     void whatTheFunctionForgets_isToldEachTime() throws Exception {
-        run("PublishedTurnstile", List.of(pulses(2, 1, 4, 7), pulses(3, 10)), (emulator, host) -> {
+        run("PublishedTurnstile", List.of(pulses(2, 1, 4, 7), pulses(3, 10)), host -> {
             for (int i = 0; i < 3; i++) {
                 perceives(host, "passed(in)");
             }
@@ -96,7 +101,7 @@ class PublishedSketchesTest {
 
     @Test
     void numbersAndTexts_areAsTheSketchWritesThem() throws Exception {
-        run("PublishedOven", List.of(light("A0", 512)), (emulator, host) -> {
+        run("PublishedOven", List.of(light("A0", 512)), host -> {
             perceives(host, "temperature(70.05)", "power(\"off\")");
             get(host.board.act("power"));
             perceives(host, "temperature(70.05)", "power(\"on\")");
@@ -107,7 +112,7 @@ class PublishedSketchesTest {
     void sensors_areReadWhenTheSketchIsAsked() throws Exception {
         run("PublishedRover", List.of(light("A0", 300), light("A1", 700),
                 Map.of("type", "hc-sr04", "trigger", 5, "echo", 4, "distance", List.of(List.of(0, 100)))),
-                (emulator, host) -> {
+                host -> {
                     get(host.board.act("goLeft"));
                     List<String> percepts = host.percepts(all -> all.contains("motor(left)"));
                     assertTrue(percepts.containsAll(List.of("light(300)", "battery(0.68)")), percepts::toString);
@@ -117,7 +122,7 @@ class PublishedSketchesTest {
 
     @Test
     void actionOfHalfASecond_isPerformedOnce() throws Exception {
-        run("PublishedSoil", List.of(light("A0", 1023)), (emulator, host) -> {
+        run("PublishedSoil", List.of(light("A0", 1023)), host -> {
             perceives(host, "moisture(0)");
             get(host.board.act("alarm"));
             perceives(host, "moisture(0)", "alarming(true)");
@@ -128,7 +133,7 @@ class PublishedSketchesTest {
 
     @Test
     void perceptsThatNobodyAskedFor_holdUntilTheNext() throws Exception {
-        run("PublishedClock", List.of(), (emulator, host) -> {
+        run("PublishedClock", List.of(), host -> {
             perceives(host, "uptime(2)", "device(clock)");
             perceives(host, "uptime(3)", "device(clock)");
         });

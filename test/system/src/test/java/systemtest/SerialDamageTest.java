@@ -3,8 +3,10 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.AvrBoard;
 import harness.Emulator;
 import harness.Host;
+import harness.SketchBoard;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,13 +28,20 @@ class SerialDamageTest {
     private static final double DAMAGED_BYTES = 0.005;
     private static final Pattern PERCEPT = Pattern.compile("(performed|repeated|last)\\((\\d+)\\)");
 
+    @TempDir
+    private Path folder;
+
+    /** Starts the sketch Counter on a board that the opening of its port does not reset. */
+    SketchBoard start(Path where) throws Exception {
+        return new AvrBoard(new Emulator.Scenario().board("counter", "Counter", Map.of("resetOnOpen", false))
+                .start(where), "counter");
+    }
+
     @Test
-    void requests_completeOrFailClearlyAndNoneIsPerformedTwice(@TempDir Path folder) throws Exception {
-        try (Emulator emulator =
-                new Emulator.Scenario().board("counter", "Counter", Map.of("resetOnOpen", false)).start(folder)) {
+    void requests_completeOrFailClearlyAndNoneIsPerformedTwice() throws Exception {
+        try (SketchBoard board = start(folder)) {
             List<String> failures = new ArrayList<>();
-            try (Host host =
-                    Host.over(DamagedLink.opener(SerialLink.opener(emulator.port("counter")), 4711, DAMAGED_BYTES))) {
+            try (Host host = Host.over(DamagedLink.opener(SerialLink.opener(board.port()), 4711, DAMAGED_BYTES))) {
                 host.board.percepts(true);
                 for (int number = 1; number <= ACTIONS; number++) {
                     note(host, number, failures);
@@ -40,7 +49,7 @@ class SerialDamageTest {
                 assertTrue(host.board.counters().get(SessionCounter.REPEATS) > 0, "nothing was damaged");
                 host.perceptsSoFar().forEach(SerialDamageTest::assertWhole);
             }
-            assertCounts(emulator, failures);
+            assertCounts(board, failures);
         }
     }
 
@@ -59,8 +68,8 @@ class SerialDamageTest {
     }
 
     /** Asks over a good cable. */
-    private static void assertCounts(Emulator emulator, List<String> failures) throws Exception {
-        try (Host host = Host.of(emulator, "counter")) {
+    private static void assertCounts(SketchBoard board, List<String> failures) throws Exception {
+        try (Host host = board.host()) {
             host.board.percepts(true);
             Map<String, Integer> counts = new java.util.HashMap<>();
             for (String percept : host.percepts(all -> all.size() == 3)) {

@@ -1,0 +1,118 @@
+#pragma once
+
+/// An Arduino core for tests, with what their sketches need: an ARM Cortex-M3 as QEMU emulates it (mps2-an385). Names are in a
+/// namespace, as in ArduinoCore-API, which most newer cores share.
+///
+/// `Serial` is the first UART. On the second one the board tells each change of a pin, `pin 13 1`, and is told what its inputs
+/// read: `analog 0 512`, `digital 2 1`, `pulse 2` (1 at the next reading only); and `reset`.
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#define HIGH 1
+#define LOW 0
+#define INPUT 0
+#define OUTPUT 1
+#define LED_BUILTIN 13
+#define PROGMEM
+#define PSTR(text) (text)
+#define F(text) (reinterpret_cast<const __FlashStringHelper *>(PSTR(text)))
+#define pgm_read_byte(at) (*(const unsigned char *)(at))
+#define constrain(value, low, high) ((value) < (low) ? (low) : ((value) > (high) ? (high) : (value)))
+
+static const uint8_t A0 = 14;
+static const uint8_t A1 = 15;
+
+namespace arduino {
+
+class __FlashStringHelper;
+
+/// A text of some hundred characters; what is longer is cut off. It uses no heap.
+class String {
+ public:
+  String(const char *text = "") { *this += text; }
+  explicit String(long number);
+  explicit String(int number) : String(static_cast<long>(number)) {}
+  explicit String(unsigned long number) : String(static_cast<long>(number)) {}
+  explicit String(double number);
+  String(const __FlashStringHelper *text) : String(reinterpret_cast<const char *>(text)) {}
+
+  String &operator+=(const char *text);
+  String &operator+=(const String &other) { return *this += other.text_; }
+  String &operator+=(char character);
+  bool operator==(const String &other) const { return strcmp(text_, other.text_) == 0; }
+
+  const char *c_str() const { return text_; }
+  unsigned int length() const { return strlen(text_); }
+  int indexOf(char character, unsigned int from) const;
+  String substring(unsigned int from, unsigned int to) const;
+  void replace(char what, char by);
+
+ private:
+  char text_[512] = "";
+};
+
+inline String operator+(String one, const String &other) { return one += other; }
+inline String operator+(String one, char character) { return one += character; }
+
+class Stream {
+ public:
+  virtual int available() = 0;
+  virtual int read() = 0;
+  virtual size_t write(uint8_t byte) = 0;
+  virtual int availableForWrite() { return 0; }
+
+  void print(const char *text);
+  void print(const __FlashStringHelper *text) { print(reinterpret_cast<const char *>(text)); }
+  template <typename Text>
+  void println(Text text) {
+    print(text);
+    print("\r\n");
+  }
+};
+
+class HardwareSerial : public Stream {
+ public:
+  explicit HardwareSerial(uint8_t number) : number_(number) {}
+
+  void begin(unsigned long baud);
+  int available() override { return static_cast<uint8_t>(end_ - begin_); }
+  int read() override;
+  size_t write(uint8_t byte) override;
+  int availableForWrite() override;
+
+  void onReceived();
+
+ private:
+  uint8_t room() const { return sizeof received_ - static_cast<uint8_t>(end_ - begin_); }
+
+  const uint8_t number_;
+  volatile uint8_t begin_ = 0, end_ = 0;  // of what was received, modulo its size
+  uint8_t received_[64];
+};
+
+}  // namespace arduino
+
+using namespace arduino;
+
+extern HardwareSerial Serial;
+
+void setup();
+void loop();
+void serialEvent() __attribute__((weak));
+
+unsigned long millis();
+unsigned long micros();
+void delay(unsigned long millis);
+void delayMicroseconds(unsigned int micros);
+void yield();
+void pinMode(uint8_t pin, uint8_t mode);
+void digitalWrite(uint8_t pin, uint8_t level);
+int digitalRead(uint8_t pin);
+int analogRead(uint8_t pin);
+long map(long value, long fromLow, long fromHigh, long toLow, long toHigh);
+unsigned long pulseIn(uint8_t pin, uint8_t level, unsigned long timeout);
+inline void tone(uint8_t, unsigned int) {}
+inline void noTone(uint8_t) {}

@@ -1,0 +1,6 @@
+#pragma once
+
+/// Has no pins here.
+struct {
+  void begin() {}
+} Wire;
