@@ -3,7 +3,9 @@ package javino.cli;
 import javino.keyring.SharedKey;
 import java.io.PrintWriter;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardListener;
@@ -24,10 +26,16 @@ final class Doctor {
 
     private final PortOption port;
     private final Findings findings;
+    private final Optional<Report> report;
 
-    Doctor(PortOption port, PrintWriter out) {
+    /**
+     * @param out    for what is found.
+     * @param report for what the board is and counts, if that is wanted.
+     */
+    Doctor(PortOption port, PrintWriter out, Optional<Report> report) {
         this.port = port;
         findings = new Findings(out);
+        this.report = report;
     }
 
     /** Opens a port, and remembers whether that went well. */
@@ -60,16 +68,17 @@ final class Doctor {
      * @param keys   that it should have; none where any will do.
      * @param noted  the boot epoch that it has had by the keyring; 0 where that is not known.
      * @param listen how long to wait for a radio packet.
-     * @return whether all is well.
+     * @return what is not well.
      * @throws JavinoException if the board went while it was examined.
      */
-    boolean examine(Address id, Map<Address, SharedKey> keys, int noted, Duration listen)
+    List<String> examine(Address id, Map<Address, SharedKey> keys, int noted, Duration listen)
             throws JavinoException, InterruptedException {
         Watched link = new Watched(port.link());
         Prints prints = new Prints();
         try (Board board = Board.open(link, port.config(), prints)) {
             if (isReached(board, link)) {
                 BoardInfo info = Await.result(board.greeted());
+                report.ifPresent(wanted -> wanted.board(info));
                 TrafficCheck traffic = new TrafficCheck(board, findings);
                 // Most boards have booted just now, and not called the sketch's function yet.
                 board.percepts(true);
@@ -85,12 +94,15 @@ final class Doctor {
                     traffic.examine(listen);
                 }
                 traffic.examinePrints(prints.last);
+                if (report.isPresent()) {
+                    report.get().counters(Await.result(board.statistics()), board.counters());
+                }
                 if (!info.hasRadio() && id != null) {
                     findings.trouble("RF id", "none; " + Status.NO_RADIO.explanation());
                 }
             }
         }
-        return findings.areHealthy();
+        return findings.troubles();
     }
 
     /** Remembers what the sketch has printed last. */

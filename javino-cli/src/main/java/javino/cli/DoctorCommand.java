@@ -3,9 +3,13 @@ package javino.cli;
 import javino.keyring.SharedKey;
 import javino.keyring.Keyring;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.protocol.Address;
@@ -40,6 +44,11 @@ final class DoctorCommand implements Callable<Integer> {
             description = "The time to wait for a radio packet, 0 to 3600; the default is 10.")
     private int seconds;
 
+    @Option(names = "--report",
+            description = "Writes a report in the place of the lines: versions, device, capabilities, "
+                    + "counters, and what is not ok. It has no key, no address and no path.")
+    private boolean reports;
+
     @Spec
     private CommandSpec spec;
 
@@ -54,8 +63,16 @@ final class DoctorCommand implements Callable<Integer> {
         Keyring ring = keyring == null ? new Keyring() : Keyring.read(keyring);
         Map<Address, SharedKey> keys = keyring == null ? Map.of() : Keyring.keysOf(keyring, ring, id);
         int noted = id == null ? 0 : ring.note(id).epoch();
-        Doctor doctor = new Doctor(port, spec.commandLine().getOut());
-        return doctor.examine(id, keys, noted, Duration.ofSeconds(seconds)) ? 0 : 1;
+        PrintWriter out = spec.commandLine().getOut();
+        Optional<Report> report = Optional.empty();
+        if (reports) {
+            report = Optional.of(new Report(out));
+            report.get().computer(port.name());
+            out = new PrintWriter(Writer.nullWriter());
+        }
+        List<String> troubles = new Doctor(port, out, report).examine(id, keys, noted, Duration.ofSeconds(seconds));
+        report.ifPresent(wanted -> wanted.troubles(troubles));
+        return troubles.isEmpty() ? 0 : 1;
     }
 
     private ParameterException wrongUsage(String what) {

@@ -1,14 +1,15 @@
 package javino.cli;
 
 import java.io.PrintWriter;
-
+import java.util.ArrayList;
+import java.util.List;
 import javino.Printable;
 
 /** What an examination finds, written a line each: ok, or what to do. */
 final class Findings {
 
     private final PrintWriter out;
-    private boolean healthy = true;
+    private final List<String> troubles = new ArrayList<>();
 
     Findings(PrintWriter out) {
         this.out = out;
@@ -19,13 +20,13 @@ final class Findings {
     }
 
     void trouble(String what, String remedy) {
-        healthy = false;
+        troubles.add(what);
         line(what, remedy);
     }
 
-    /** Whether there was no trouble. */
-    boolean areHealthy() {
-        return healthy;
+    /** What was not ok. */
+    List<String> troubles() {
+        return troubles;
     }
 
     private void line(String what, String text) {
