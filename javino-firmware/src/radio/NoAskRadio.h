@@ -5,13 +5,13 @@
 namespace javinolib {
 
 /// Says on another chip why a sketch that names the modem of an ATmega does not compile.
-class AskRadio : public Radio {
+class AskRadio {
  public:
   template <typename... Pins>
   explicit AskRadio(Pins...) {
-    static_assert(sizeof...(Pins) > 3,
-                  "AskRadio: this chip has no timer and pins for it; take another Radio (README, Another radio)");
+    static_assert(sizeof...(Pins) > 3, "AskRadio: this chip has no timer and pins for it; take another Radio");
   }
+  operator Radio &();
 };
 
 }  // namespace javinolib

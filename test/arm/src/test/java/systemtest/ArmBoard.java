@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A Cortex-M3, which QEMU emulates. `Serial` is a pty; the line between board and test (core/Arduino.h) is QEMU's own. */
+/** A Cortex-M3, which QEMU emulates. `Serial` is a pty; a second line leads to the test (core/Arduino.h). */
 final class ArmBoard implements SketchBoard {
 
     private static final Path PROGRAMS = Path.of(System.getProperty("javino.root"), "test/arm/build");
@@ -46,8 +46,8 @@ final class ArmBoard implements SketchBoard {
     /**
      * Starts a sketch.
      *
-     * @param sensors as the emulator has them. Of an {@code ldr} the first value counts, and a {@code digital} is pressed
-     *                for one reading when its level rises; others are not there.
+     * @param sensors as the emulator has them. Of an {@code ldr} the first value counts; a {@code digital} is pressed for
+     *                one reading when its level rises; others are not there.
      */
     static ArmBoard start(String sketch, List<Map<String, Object>> sensors) throws IOException {
         Process process = new ProcessBuilder("qemu-system-arm", "-M", "mps2-an385", "-display", "none", "-monitor",
