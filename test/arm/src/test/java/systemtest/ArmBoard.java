@@ -46,8 +46,8 @@ final class ArmBoard implements SketchBoard {
     /**
      * Starts a sketch.
      *
-     * @param sensors as the emulator has them. Of an {@code ldr} the first value counts; a {@code digital} is pressed for
-     *                one reading when its level rises; others are not there.
+     * @param sensors as the emulator has them. Of an {@code ldr} the first value counts; a {@code digital} is pressed
+     *                for one reading when its level rises; others are not there.
      */
     static ArmBoard start(String sketch, List<Map<String, Object>> sensors) throws IOException {
         Process process = new ProcessBuilder("qemu-system-arm", "-M", "mps2-an385", "-display", "none", "-monitor",
