@@ -20,61 +20,44 @@ uint8_t base64Digit(uint8_t value) {
 
 const uint8_t Address::TEXT_LENGTH;
 const uint8_t Address::STORED_LENGTH;
+const uint8_t Address::FIRST_PLUS;
 const uint16_t Address::PIECES;
 const uint16_t Address::ACKNOWLEDGEMENTS;
 const uint16_t Address::PLUSES;
 const uint16_t Address::SLASHES;
-const uint16_t Address::FIRST_PLUS;
 
-/// `self`, `true`, `else` and `elif` have a meaning in AgentSpeak: no agent could tell such a sender from it.
-static bool isWord(uint16_t group, uint16_t member) {
-  switch (group) {
-    case 0xB1E: return member == 0x95F;
-    case 0xB6B: return member == 0xB9E;
-    case 0x7A5: return member == 0xB1E || member == 0x89F;
-    default: return false;
-  }
+// `self`, `true`, `else` and `elif` have a meaning in AgentSpeak: no agent could tell such a sender from it.
+static bool isWord(uint32_t value) {
+  return value == 0xB1E95F || value == 0xB6BB9E || value == 0x7A5B1E || value == 0x7A589F;
 }
 
 bool Address::parse(const uint8_t *text, Address &into) {
-  uint16_t halves[2] = {0, 0};
+  uint32_t value = 0;
   for (uint8_t i = 0; i < TEXT_LENGTH; i++) {
     const uint8_t digit = base64Value(text[i]);
     if (digit == NOT_A_DIGIT) return false;
-    uint16_t &half = halves[i / 2];
-    half = static_cast<uint16_t>(half << 6 | digit);
+    value = value << 6 | digit;
   }
-  into.group_ = halves[0];
-  into.member_ = halves[1];
+  writeUint24(into.bytes_, value);
   return true;
 }
 
-Address Address::stored(const uint8_t *bytes) {
-  return Address(static_cast<uint16_t>(bytes[0] << 4 | bytes[1] >> 4),
-                 static_cast<uint16_t>((bytes[1] & 0x0F) << 8 | bytes[2]));
-}
-
-void Address::store(uint8_t *into) const {
-  into[0] = static_cast<uint8_t>(group_ >> 4);
-  into[1] = static_cast<uint8_t>(group_ << 4 | member_ >> 8);
-  into[2] = static_cast<uint8_t>(member_);
-}
-
 void Address::write(uint8_t *text) const {
-  text[0] = base64Digit(static_cast<uint8_t>(group_ >> 6));
-  text[1] = base64Digit(group_ & 0x3F);
-  text[2] = base64Digit(static_cast<uint8_t>(member_ >> 6));
-  text[3] = base64Digit(member_ & 0x3F);
+  uint32_t rest = value();
+  for (uint8_t *digit = text + TEXT_LENGTH; digit != text; rest >>= 6) *--digit = base64Digit(rest & 0x3F);
 }
 
 Address::Class Address::classOf() const {
-  if (group_ < FIRST_PLUS) return isWord(group_, member_) ? RESERVED : DEVICE;
-  if (group_ == SLASHES) return member_ == SLASHES ? BROADCAST : MULTICAST;
-  if (group_ == PIECES) return PIECE;
-  if (group_ == ACKNOWLEDGEMENTS) return ACKNOWLEDGEMENT;
-  return group_ == PLUSES && member_ == PLUSES ? SERIAL_LINE : RESERVED;
+  const uint32_t value = this->value();
+  if (bytes_[0] < FIRST_PLUS) return isWord(value) ? RESERVED : DEVICE;
+  switch (static_cast<uint16_t>(value >> 8) & 0xFFF0) {
+    case SLASHES << 4: return value == 0xFFFFFF ? BROADCAST : MULTICAST;
+    case PIECES << 4: return PIECE;
+    case ACKNOWLEDGEMENTS << 4: return ACKNOWLEDGEMENT;
+    default: return value == 0xFBEFBE ? SERIAL_LINE : RESERVED;
+  }
 }
 
-bool Address::operator==(const Address &other) const { return group_ == other.group_ && member_ == other.member_; }
+bool Address::operator==(const Address &other) const { return memcmp(bytes_, other.bytes_, sizeof bytes_) == 0; }
 
 }  // namespace javinolib

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <stdint.h>
+#include <string.h>
 
+#include "../support/BigEndian.h"
 #include "../support/Inlining.h"
 
 namespace javinolib {
@@ -42,15 +44,15 @@ class Address {
   static Address acknowledgement(uint16_t bits) { return Address(ACKNOWLEDGEMENTS, bits); }
 
   /// @param value 0…0xFFFFFF
-  explicit Address(uint32_t value) : Address(value >> 12 & 0xFFF, value & 0xFFF) {}
+  explicit Address(uint32_t value) { writeUint24(bytes_, value); }
 
   /// Reads what store() wrote.
   /// @param bytes 3 bytes
-  JAVINO_OUT_OF_LINE static Address stored(const uint8_t *bytes);
+  static Address stored(const uint8_t *bytes) { return *reinterpret_cast<const Address *>(bytes); }
 
   /// Writes all 24 bits, the highest first.
   /// @param into room for 3 bytes
-  JAVINO_OUT_OF_LINE void store(uint8_t *into) const;
+  void store(uint8_t *into) const { memcpy(into, bytes_, sizeof bytes_); }
 
   /// Reads four digits.
   /// @return false, and `into` is untouched, where one is outside the alphabet.
@@ -66,28 +68,29 @@ class Address {
   bool isMulticast() const { return classOf() == MULTICAST; }
 
   /// All 24 bits.
-  uint32_t value() const { return static_cast<uint32_t>(group_) << 12 | member_; }
+  uint32_t value() const { return readUint24(bytes_); }
 
   /// The first two digits, 12 bits.
-  uint16_t group() const { return group_; }
+  uint16_t group() const { return static_cast<uint16_t>(bytes_[0] << 4 | bytes_[1] >> 4); }
 
   /// The last two digits, 12 bits; of a multicast address, the group that it is for.
-  uint16_t member() const { return member_; }
+  uint16_t member() const { return static_cast<uint16_t>((bytes_[1] & 0x0F) << 8 | bytes_[2]); }
 
   JAVINO_NOINLINE bool operator==(const Address &other) const;
   bool operator!=(const Address &other) const { return !(*this == other); }
 
  private:
-  static const uint16_t FIRST_PLUS = 0xF80;        // `+A`, the first group that is no device's
+  static const uint8_t FIRST_PLUS = 0xF8;          // `+A`: the first byte that is no device's
   static const uint16_t PIECES = 0xF85;            // `+F`
   static const uint16_t ACKNOWLEDGEMENTS = 0xF8A;  // `+K`
   static const uint16_t PLUSES = 0xFBE;            // `++`
   static const uint16_t SLASHES = 0xFFF;           // `//`
 
-  Address(uint16_t group, uint16_t member) : group_(group), member_(member) {}
+  Address(uint16_t group, uint16_t member)
+      : bytes_{static_cast<uint8_t>(group >> 4), static_cast<uint8_t>(group << 4 | member >> 8),
+               static_cast<uint8_t>(member)} {}
 
-  uint16_t group_;
-  uint16_t member_;
+  uint8_t bytes_[STORED_LENGTH];  // as EEPROM has it
 };
 
 }  // namespace javinolib

@@ -1,5 +1,7 @@
 #include "BigEndian.h"
 
+#include <string.h>
+
 namespace javinolib {
 
 void writeUint24(uint8_t *into, uint32_t value) {
@@ -13,8 +15,12 @@ void writeUint32(uint8_t *into, uint32_t value) {
   writeUint24(into + 1, value);
 }
 
+// Not shifted together: a quarter of the code, on all chips of Arduino, which have the least significant byte first.
 uint32_t readUint24(const uint8_t *from) {
-  return static_cast<uint32_t>(from[0]) << 16 | static_cast<uint16_t>(from[1] << 8) | from[2];
+  const uint8_t bytes[] = {from[2], from[1], from[0], 0};
+  uint32_t value;
+  memcpy(&value, bytes, sizeof value);
+  return value;
 }
 
 }  // namespace javinolib

@@ -31,7 +31,7 @@ static_assert(config::EPOCH_SLOTS == 16, "");
 
 static_assert(MAX_CONTENT_LENGTH == 67, "a broadcast of one packet");
 static_assert(RF_ID_AT == 137, "where it differs, so does the number of the layout");
-static_assert(sizeof(TakenNonces) == 86, "retained RAM, beside the board's");
+static_assert(sizeof(TakenNonces) == 80, "retained RAM, beside the board's");
 
 // The parts of a board lie beside it (support/Part.h).
 const size_t PARTS = sizeof(Actions) + sizeof(Poll);
