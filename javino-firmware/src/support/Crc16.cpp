@@ -22,10 +22,10 @@ uint16_t step(uint16_t remainder, uint8_t byte) {
 
 }  // namespace
 
-void Crc16::add(const uint8_t *bytes, size_t length) {
-  uint16_t remainder = static_cast<uint16_t>(~value_);
+uint16_t Crc16::extend(uint16_t value, const uint8_t *bytes, size_t length) {
+  uint16_t remainder = static_cast<uint16_t>(~value);
   for (const uint8_t *const end = bytes + length; bytes != end; bytes++) remainder = step(remainder, *bytes);
-  value_ = static_cast<uint16_t>(~remainder);
+  return static_cast<uint16_t>(~remainder);
 }
 
 uint16_t Crc16::changeOf(uint8_t bits, uint8_t following) {

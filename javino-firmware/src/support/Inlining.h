@@ -8,3 +8,6 @@
 /// Keeps a function one function. Where gcc sees the whole program, it copies a method that is called for one object only
 /// and puts the object's address into the copy: then each access to a field takes 4 bytes of flash instead of 2.
 #define JAVINO_OUT_OF_LINE __attribute__((noinline, noclone))
+
+/// Has a small method put into each caller, whose object is then in registers and not in memory. gcc counts only its length.
+#define JAVINO_INLINE inline __attribute__((always_inline))
