@@ -13,9 +13,9 @@ namespace javinolib {
 struct DerivedKeys {
   static const uint8_t CHECK_LENGTH = 3;
 
+  uint8_t check[CHECK_LENGTH];                 ///< the check value, which is no secret
   uint8_t encryption[Aes128::KEY_LENGTH];      ///< Kenc
   uint8_t authentication[Aes128::KEY_LENGTH];  ///< Kmac
-  uint8_t check[CHECK_LENGTH];                 ///< the check value, which is no secret
 
   ~DerivedKeys();
 

@@ -1,5 +1,7 @@
 #include "Delivery.h"
 
+#include <string.h>
+
 #include "../storage/EepromLayout.h"
 
 namespace javinolib {
@@ -9,7 +11,7 @@ static EepromRecord relaying() { return EepromRecord(RELAYING_AT, RELAYING_LENGT
 bool Delivery::begin() {
   seed();
   courier_->begin();
-  uint8_t number[RELAYING_LENGTH];
+  uint8_t number[RELAYING_LENGTH + EepromRecord::CHECK_LENGTH];
   if (config::LARGE && relaying().begin(number, 0) && medium_->canRelay()) beginToRelay(number);
   return medium_->begin();
 }
@@ -21,7 +23,9 @@ bool Delivery::relay(const uint8_t *number) {
     receiver_.relay(false);
     return true;
   }
-  if (!relaying().write(number)) return false;
+  uint8_t record[RELAYING_LENGTH + EepromRecord::CHECK_LENGTH];
+  memcpy(record, number, RELAYING_LENGTH);
+  if (!relaying().write(record)) return false;
   beginToRelay(number);
   return true;
 }

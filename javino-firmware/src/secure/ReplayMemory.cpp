@@ -30,7 +30,7 @@ bool read(uint8_t place, uint8_t *record) { return recordAt(place, 0).read(recor
 
 // The same once after a boot: both copies are there afterwards, or none.
 bool beginPlace(uint8_t place, uint8_t *record) {
-  uint8_t second[FLOOR_LENGTH];
+  uint8_t second[FLOOR_RECORD_LENGTH];
   const bool hasFirst = recordAt(place, 0).begin(record, 0);
   const bool hasSecond = recordAt(place, 1).begin(second, 0);
   if (!hasFirst && hasSecond) memcpy(record, second, sizeof second);
@@ -38,7 +38,7 @@ bool beginPlace(uint8_t place, uint8_t *record) {
   return hasFirst || hasSecond;
 }
 
-bool write(uint8_t place, const uint8_t *record) {
+bool write(uint8_t place, uint8_t *record) {
   return recordAt(place, 0).write(record) && recordAt(place, 1).write(record);
 }
 
@@ -94,7 +94,7 @@ void ReplayMemory::doubtFloors() {
 
 void ReplayMemory::readFloors() {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
-    uint8_t record[FLOOR_LENGTH];
+    uint8_t record[FLOOR_RECORD_LENGTH];
     if (!beginPlace(place, record)) continue;
     if (record[0] < KeyStore::SLOTS && !keys_->isFree(record[0])) {
       takeOverFloor(place, record);
@@ -115,7 +115,7 @@ void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
     entry->state = LOST;
     memcpy(entry->nonce, record + NONCE_AT, NONCE_LENGTH);
   } else if (entry->floor != NO_PLACE) {  // raised when the power went, and the old one is still there
-    uint8_t other[FLOOR_LENGTH];
+    uint8_t other[FLOOR_RECORD_LENGTH];
     read(entry->floor, other);
     const bool isHigher = memcmp(record + NONCE_AT, other + NONCE_AT, NONCE_LENGTH) > 0;
     erase(isHigher ? entry->floor : place);
@@ -159,7 +159,7 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
 
   uint8_t place = NO_PLACE;
   if (!KeyStore::isSession(key)) {
-    uint8_t record[FLOOR_LENGTH];
+    uint8_t record[FLOOR_RECORD_LENGTH];
     packFloor(key, origin, nonce, record);
     place = store(record);
     if (place == NO_PLACE) return false;
@@ -191,7 +191,7 @@ void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *n
 
 void ReplayMemory::floor(uint8_t key, const Address &origin, uint8_t *into) const {
   const TakenNonce *entry = find(key, origin);
-  uint8_t record[FLOOR_LENGTH];
+  uint8_t record[FLOOR_RECORD_LENGTH];
   if (entry == nullptr || !readFloor(*entry, record)) memset(record, 0, sizeof record);
   memcpy(into, record + NONCE_AT, NONCE_LENGTH);
 }
@@ -271,11 +271,11 @@ bool ReplayMemory::isInForce(uint8_t place) const {
 
 // Writes a floor to the next place of the ring that holds none and keeps it; returns the place, or NO_PLACE, also where the
 // memory did not hold meanwhile.
-uint8_t ReplayMemory::store(const uint8_t *record) {
+uint8_t ReplayMemory::store(uint8_t *record) {
   for (uint8_t tries = 0; tries < config::FLOOR_SLOTS; tries++) {
     const uint8_t place = nextPlace_;
     nextPlace_ = static_cast<uint8_t>(place + 1 == config::FLOOR_SLOTS ? 0 : place + 1);
-    uint8_t present[FLOOR_LENGTH];
+    uint8_t present[FLOOR_RECORD_LENGTH];
     if (isInForce(place) || read(place, present)) continue;
     if (write(place, record)) return retained::holds() ? place : NO_PLACE;
     erase(place);
@@ -288,7 +288,7 @@ bool ReplayMemory::readFloor(const TakenNonce &entry, uint8_t *record) const {
 }
 
 bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) const {
-  uint8_t record[FLOOR_LENGTH];
+  uint8_t record[FLOOR_RECORD_LENGTH];
   return readFloor(entry, record) && memcmp(nonce, record + NONCE_AT, NONCE_LENGTH) <= 0;
 }
 

@@ -118,7 +118,7 @@ class ReplayMemory {
   static TakenNonce *findFree(uint8_t key);
   bool hasRoom(uint8_t key) const;
   JAVINO_NOINLINE Groups groups() const;
-  uint8_t store(const uint8_t *record);
+  uint8_t store(uint8_t *record);
   bool readFloor(const TakenNonce &entry, uint8_t *record) const;
   bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
   static TakenNonces &memory() { return retained::takenNonces(); }

@@ -35,7 +35,7 @@ uint8_t BootEpoch::findHighest() {
   uint8_t broken = 0;
   value_ = 0;
   for (uint8_t i = 0; i < config::EPOCH_SLOTS + COPIES; i++) {
-    uint8_t stored[EPOCH_LENGTH];
+    uint8_t stored[EPOCH_RECORD_LENGTH];
     const bool whole = recordAt(i % config::EPOCH_SLOTS).begin(stored, 0);
     const uint32_t epoch = readUint24(stored);
     if (i < config::EPOCH_SLOTS && whole && epoch >= value_) {
@@ -58,7 +58,7 @@ void BootEpoch::store(uint8_t highest, uint32_t epoch) {
   status_ = Status::NONCE_EXHAUSTED;
   if (epoch == NONE_LEFT) return;
   status_ = Status::STORE_FAILED;
-  uint8_t record[EPOCH_LENGTH];
+  uint8_t record[EPOCH_RECORD_LENGTH];
   writeUint24(record, epoch);
   uint8_t copies = 0;
   for (uint8_t slot = highest; (slot = behind(slot)) != highest && (lost || copies < COPIES);) {

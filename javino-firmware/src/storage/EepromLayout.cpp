@@ -5,13 +5,14 @@
 namespace javinolib {
 
 // The number of the layout. The two others: the same, but an older one was wiped, or is being wiped.
-static const uint8_t LAYOUT = 2;
-static const uint8_t LAYOUT_AFTER_WIPING = 3;
+static const uint8_t LAYOUT = 5;
+static const uint8_t LAYOUT_AFTER_WIPING = 6;
 static const uint8_t WIPING = 4;
+static const uint8_t OLDER_LAYOUT = 2;  // and 3
 static const uint8_t ERASED = 0xFF;
 
 static bool holdsOlderLayout() {
-  uint8_t rfId[RF_ID_LENGTH];
+  uint8_t rfId[RF_ID_RECORD_LENGTH];
   return EepromRecord(0, RF_ID_LENGTH).read(rfId) || EepromRecord(RF_ID_RECORD_LENGTH, RF_ID_LENGTH).read(rfId);
 }
 
@@ -19,7 +20,7 @@ static bool holdsOlderLayout() {
 bool beginLayout() {
   uint8_t found = eeprom::read(LAYOUT_AT);
   if (found != LAYOUT && found != LAYOUT_AFTER_WIPING) {
-    const bool isOlder = found == WIPING || holdsOlderLayout();
+    const bool isOlder = (found >= OLDER_LAYOUT && found <= WIPING) || holdsOlderLayout();
     if (isOlder) {
       eeprom::write(LAYOUT_AT, WIPING);
       for (uint16_t at = 0; at != LAYOUT_AT; at++) {

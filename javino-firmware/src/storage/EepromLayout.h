@@ -32,8 +32,8 @@ static const uint8_t EPOCH_LENGTH = 3;
 static const uint8_t EPOCH_RECORD_LENGTH = EPOCH_LENGTH + EepromRecord::CHECK_LENGTH;
 static const uint16_t EPOCHS_LENGTH = config::EPOCH_SLOTS / 2 * EPOCH_RECORD_LENGTH;
 
-/// Kenc, Kmac, check value, address, generation, and whether it replaces all older ones.
-static const uint8_t KEY_LENGTH = 2 * Aes128::KEY_LENGTH + DerivedKeys::CHECK_LENGTH + Address::STORED_LENGTH + 1 + 1;
+/// Address, generation, whether it replaces all older ones, check value, Kenc and Kmac.
+static const uint8_t KEY_LENGTH = Address::STORED_LENGTH + 1 + 1 + DerivedKeys::CHECK_LENGTH + 2 * Aes128::KEY_LENGTH;
 static const uint8_t KEY_RECORD_LENGTH = KEY_LENGTH + EepromRecord::CHECK_LENGTH;
 
 /// The record, and whether it was taken into use.

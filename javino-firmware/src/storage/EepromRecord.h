@@ -29,25 +29,24 @@ class EepromRecord {
   /// of power has left half done. What is no whole record is read twice, then erased.
   /// @param secrets as for erase()
   /// @return as read()
-  bool begin(uint8_t *data, uint8_t secrets) const { return begin(at_, length_, data, secrets); }
+  JAVINO_INLINE bool begin(uint8_t *data, uint8_t secrets) const { return begin(at_, length_, data, secrets); }
 
   /// Copies the data out.
   /// @return false, and the copy is to be thrown away, where there is no whole record.
-  bool read(uint8_t *data) const { return read(at_, length_, data); }
+  JAVINO_INLINE bool read(uint8_t *data) const { return read(at_, length_, data); }
 
   /// Writes the data, unless it is there already.
   /// @return false where the EEPROM did not keep it: then no record is there.
-  bool write(const uint8_t *data) const { return write(at_, length_, data); }
+  JAVINO_INLINE bool write(uint8_t *data) const { return write(at_, length_, data); }
 
-  /// Takes the record away, and overwrites the first `secrets` bytes of its data. Writes nothing where all that is blank.
+  /// Takes the record away, and overwrites the last `secrets` bytes of its data. Writes nothing where all that is blank.
   /// @return false where the EEPROM still holds it.
-  bool erase(uint8_t secrets) const { return erase(at_, length_, secrets); }
+  JAVINO_INLINE bool erase(uint8_t secrets) const { return erase(at_, length_, secrets); }
 
  private:
-  // Place and length in registers, not an object on the stack of each caller.
   JAVINO_NOINLINE static bool begin(uint16_t at, uint8_t length, uint8_t *data, uint8_t secrets);
   JAVINO_NOINLINE static bool read(uint16_t at, uint8_t length, uint8_t *data);
-  JAVINO_NOINLINE static bool write(uint16_t at, uint8_t length, const uint8_t *data);
+  JAVINO_NOINLINE static bool write(uint16_t at, uint8_t length, uint8_t *data);
   JAVINO_NOINLINE static bool erase(uint16_t at, uint8_t length, uint8_t secrets);
 
   uint16_t at_;

@@ -1,5 +1,6 @@
 #include "KeyStore.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "../support/Wipe.h"
@@ -14,15 +15,25 @@ const uint8_t KeyStore::PLACES;
 
 static_assert(KeyStore::SLOTS == KEY_PLACES, "the layout's number of places");
 
+// A key as EEPROM holds it, with room for its seal.
+struct StoredKey {
+  Address address;
+  uint8_t generation;  // how often the key of its address had been replaced when it came (mod 256)
+  uint8_t alone;       // whether it replaces all older ones
+  DerivedKeys keys;
+  uint8_t seal[EepromRecord::CHECK_LENGTH];
+
+  uint8_t *record() { return reinterpret_cast<uint8_t *>(this); }
+};
+
+static_assert(sizeof(StoredKey) == KEY_RECORD_LENGTH, "a record has these bytes as they are");
+
 namespace {
 
-const uint8_t SECRETS_LENGTH = 2 * Aes128::KEY_LENGTH;
-const uint8_t CHECK_AT = SECRETS_LENGTH;
-static_assert(sizeof(DerivedKeys) == CHECK_AT + DerivedKeys::CHECK_LENGTH,
-              "a record begins with derived keys as they are");
-const uint8_t ADDRESS_AT = CHECK_AT + DerivedKeys::CHECK_LENGTH;
-const uint8_t GENERATION_AT = ADDRESS_AT + Address::STORED_LENGTH;
-const uint8_t ALONE_AT = GENERATION_AT + 1;
+const uint8_t SECRETS_LENGTH = 2 * Aes128::KEY_LENGTH;  // at the end, so that erase() overwrites just them
+const uint8_t GENERATION_AT = offsetof(StoredKey, generation);
+const uint8_t ALONE_AT = offsetof(StoredKey, alone);
+const uint8_t CHECK_AT = offsetof(StoredKey, keys);
 const uint8_t UNUSED = 0xFF;
 const uint8_t USED = 0;
 const uint8_t READINGS = 8;  // that show whether a cell is weak
@@ -31,10 +42,8 @@ JAVINO_NOINLINE uint16_t placeAt(uint8_t slot) { return static_cast<uint16_t>(KE
 
 EepromRecord recordAt(uint8_t slot) { return EepromRecord(placeAt(slot), KEY_LENGTH); }
 
-// How often the key of its address had been replaced when this one came (mod 256).
 uint8_t generationAt(uint8_t slot) { return eeprom::read(static_cast<uint16_t>(placeAt(slot) + GENERATION_AT)); }
 
-// Whether the key replaces all older ones.
 bool isAlone(uint8_t slot) { return eeprom::read(static_cast<uint16_t>(placeAt(slot) + ALONE_AT)) != 0; }
 
 uint16_t useAt(uint8_t slot) { return static_cast<uint16_t>(placeAt(slot) + KEY_RECORD_LENGTH); }
@@ -58,22 +67,6 @@ void settleUse(uint8_t slot) {
 // An address has at most three keys at once, so that generations that wrap around are told apart.
 bool isNewer(uint8_t slot, uint8_t other) { return static_cast<int8_t>(generationAt(slot) - generationAt(other)) > 0; }
 
-// A key as EEPROM holds it: secrets first, so that erase() can overwrite just them.
-struct StoredKey {
-  uint8_t bytes[KEY_LENGTH];
-
-  ~StoredKey() { wipe(bytes, sizeof bytes); }
-
-  void pack(const Address &address, const DerivedKeys &keys) {
-    memcpy(bytes, &keys, sizeof keys);
-    address.store(bytes + ADDRESS_AT);
-  }
-
-  void unpack(DerivedKeys &keys) const { memcpy(static_cast<void *>(&keys), bytes, sizeof keys); }
-
-  Address address() const { return Address::stored(bytes + ADDRESS_AT); }
-};
-
 }  // namespace
 
 bool KeyStore::begin() {
@@ -82,8 +75,8 @@ bool KeyStore::begin() {
   for (uint8_t slot = SLOTS; slot < PLACES; slot++) addresses_[slot] = Address::serialLine();
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     StoredKey stored;
-    const bool whole = recordAt(slot).begin(stored.bytes, SECRETS_LENGTH);
-    addresses_[slot] = whole ? stored.address() : Address::serialLine();
+    const bool whole = recordAt(slot).begin(stored.record(), SECRETS_LENGTH);
+    addresses_[slot] = whole ? stored.address : Address::serialLine();
     if (whole) settleUse(slot);
     any |= whole;
   }
@@ -118,8 +111,8 @@ uint8_t KeyStore::next(const Address &address) const {
 
 bool KeyStore::loadStored(uint8_t slot, DerivedKeys &into) const {
   StoredKey stored;
-  if (slot == NO_SLOT || isFree(slot) || !recordAt(slot).read(stored.bytes)) return false;
-  stored.unpack(into);
+  if (slot == NO_SLOT || isFree(slot) || !recordAt(slot).read(stored.record())) return false;
+  into = stored.keys;
   return true;
 }
 
@@ -139,7 +132,8 @@ void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
 }
 
 Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) {
-  DerivedKeys keys;
+  StoredKey stored;
+  DerivedKeys &keys = stored.keys;
   keys.derive(key);
   if (sessions_.had(keys.check)) return Status::BAD_ARGUMENT;
   const uint8_t current = this->current(address);
@@ -149,12 +143,12 @@ Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) 
     if (current == NO_SLOT || isSession(current)) return Status::NO_KEY;
     const uint8_t next = this->next(address);
     if (isOther ? other == next : holds(current, keys) && next == NO_SLOT) return Status::OK;
-    return other == NO_SLOT ? add(address, keys, false) : Status::BAD_ARGUMENT;
+    return other == NO_SLOT ? add(stored, address, false) : Status::BAD_ARGUMENT;
   }
   // The other key is the current one as soon as it is alone.
   if (isOther) return eraseIfAny(current);
   if (holds(current, keys)) return eraseIfAny(other);
-  const Status status = add(address, keys, true);
+  const Status status = add(stored, address, true);
   if (status != Status::OK) return status;
   const Status erased = eraseIfAny(other);
   return eraseIfAny(current) == Status::OK ? erased : Status::STORE_FAILED;
@@ -184,7 +178,7 @@ bool KeyStore::holds(uint8_t slot, const DerivedKeys &keys) const {
 }
 
 // Adds the newest key of an address, if there will not be too many when those are gone that it replaces.
-Status KeyStore::add(const Address &address, const DerivedKeys &keys, bool alone) {
+Status KeyStore::add(StoredKey &key, const Address &address, bool alone) {
   uint8_t current = this->current(address);
   if (isSession(current)) current = NO_SLOT;
   uint8_t count = this->count();
@@ -193,21 +187,19 @@ Status KeyStore::add(const Address &address, const DerivedKeys &keys, bool alone
   if (count >= config::KEYS) return Status::STORE_FULL;
   const uint8_t next = this->next(address);
   const uint8_t newest = next == NO_SLOT ? current : next;
-  const uint8_t generation = newest == NO_SLOT ? 0 : static_cast<uint8_t>(generationAt(newest) + 1);
-  return write(address, keys, generation, alone) ? Status::OK : Status::STORE_FAILED;
+  key.address = address;
+  key.generation = newest == NO_SLOT ? 0 : static_cast<uint8_t>(generationAt(newest) + 1);
+  key.alone = alone;
+  return write(key) ? Status::OK : Status::STORE_FAILED;
 }
 
 // Writes a key to the first free place that keeps it.
-bool KeyStore::write(const Address &address, const DerivedKeys &keys, uint8_t generation, bool alone) {
-  StoredKey stored;
-  stored.pack(address, keys);
-  stored.bytes[GENERATION_AT] = generation;
-  stored.bytes[ALONE_AT] = alone;
+bool KeyStore::write(StoredKey &key) {
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     if (!isFree(slot)) continue;
     if (eeprom::read(useAt(slot)) != UNUSED) eeprom::write(useAt(slot), UNUSED);
-    if (eeprom::read(useAt(slot)) == UNUSED && recordAt(slot).write(stored.bytes)) {
-      addresses_[slot] = address;
+    if (eeprom::read(useAt(slot)) == UNUSED && recordAt(slot).write(key.record())) {
+      addresses_[slot] = key.address;
       return true;
     }
     recordAt(slot).erase(SECRETS_LENGTH);

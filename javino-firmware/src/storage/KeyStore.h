@@ -12,6 +12,8 @@
 
 namespace javinolib {
 
+struct StoredKey;
+
 /// The keys that the board shares with devices and groups, in EEPROM (SPEC 4.3, 5.2): for each address the current one,
 /// which seals, and while it is being renewed another one, which opens only: the next key, or the previous one. A device
 /// without such a key may have a session key, which is in RAM only.
@@ -111,8 +113,8 @@ class KeyStore {
   JAVINO_NOINLINE bool loadStored(uint8_t slot, DerivedKeys &into) const;
   JAVINO_NOINLINE bool loadSession(uint8_t slot, DerivedKeys &into) const;
   JAVINO_NOINLINE bool holds(uint8_t slot, const DerivedKeys &keys) const;
-  Status add(const Address &address, const DerivedKeys &keys, bool alone);
-  bool write(const Address &address, const DerivedKeys &keys, uint8_t generation, bool alone);
+  Status add(StoredKey &key, const Address &address, bool alone);
+  bool write(StoredKey &key);
   JAVINO_NOINLINE Status eraseIfAny(uint8_t slot) {
     return slot == NO_SLOT || erase(slot) ? Status::OK : Status::STORE_FAILED;
   }

@@ -20,7 +20,7 @@ void RfId::begin() {
 
 // Takes over what a place holds; changes nothing where that is no device address.
 bool RfId::read(uint8_t place) {
-  uint8_t stored[RF_ID_LENGTH];
+  uint8_t stored[RF_ID_RECORD_LENGTH];
   if (!recordAt(place).begin(stored, 0)) return false;
   const Address address = Address::stored(stored);
   if (!address.isDevice()) return false;
@@ -34,7 +34,7 @@ bool RfId::set(const Address &address) {
   if (address == address_) return true;
   const uint8_t from = place_;
   const uint8_t to = from ^ 1;
-  uint8_t stored[RF_ID_LENGTH];
+  uint8_t stored[RF_ID_RECORD_LENGTH];
   address.store(stored);
   stored[GENERATION_AT] = static_cast<uint8_t>(generation_ + 1);
   return recordAt(to).write(stored) && read(to) && recordAt(from).erase(0);

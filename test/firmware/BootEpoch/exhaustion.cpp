@@ -4,6 +4,7 @@
 
 #include "support/SimulatedEeprom.h"
 #include "support/SimulatedRam.h"
+#include "support/StoredRecord.h"
 
 using javinolib::BootEpoch;
 
@@ -11,7 +12,7 @@ namespace {
 
 void store(uint32_t epoch) {
   const Bytes data = {static_cast<uint8_t>(epoch >> 16), static_cast<uint8_t>(epoch >> 8), static_cast<uint8_t>(epoch)};
-  javinolib::EepromRecord(javinolib::EPOCHS_AT, 3).write(data.data());
+  StoredRecord(javinolib::EPOCHS_AT, 3).write(data);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <storage/EepromLayout.h>
 
 #include "support/Keys.h"
+#include "support/StoredRecord.h"
 #include "support/TestBoard.h"
 
 namespace {
@@ -24,7 +25,7 @@ void fillAsOlder(SimulatedEeprom &eeprom, uint16_t placeOfId) {
   eeprom.use();
   for (uint16_t at = 0; at < 4096; at++) eeprom.corrupt(at, at < OLDER_END ? SECRET : 0xFF);
   for (uint16_t at = 0; at < 2 * javinolib::RF_ID_RECORD_LENGTH; at++) eeprom.corrupt(at, 0xFF);
-  javinolib::EepromRecord(placeOfId, javinolib::RF_ID_LENGTH).write(bytesOf("IDS1").data());
+  StoredRecord(placeOfId, javinolib::RF_ID_LENGTH).write(bytesOf("IDS1"));
 }
 
 // Whether nothing is left of it, but perhaps in a cell in which power failed.

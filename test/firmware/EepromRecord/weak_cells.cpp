@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <storage/EepromRecord.h>
 
 #include <algorithm>
 #include <functional>
 
 #include "support/SimulatedEeprom.h"
+#include "support/StoredRecord.h"
 
 using javinolib::EepromRecord;
 
@@ -14,13 +14,12 @@ const uint8_t DATA_LENGTH = 6;
 const uint8_t FIRST_CELL = 3;
 const int READINGS = 20;
 
-EepromRecord record() { return EepromRecord(FIRST_CELL, DATA_LENGTH); }
+StoredRecord record() { return StoredRecord(FIRST_CELL, DATA_LENGTH); }
 
 // What a boot finds; all later readings must be like it.
 Bytes bootRecord() {
-  Bytes data(DATA_LENGTH);
-  const Bytes found = record().begin(data.data(), 0) ? data : Bytes();
-  for (int i = 0; i < READINGS; i++) EXPECT_EQ(!found.empty(), record().read(data.data()));
+  const Bytes found = record().begin();
+  for (int i = 0; i < READINGS; i++) EXPECT_EQ(found, record().read());
   return found;
 }
 
@@ -31,9 +30,9 @@ void expectFirm(const Bytes &before, const std::function<void()> &change, const 
     cuts = 0;
     for (uint32_t seed = 1; seed < 400; seed++) {
       SimulatedEeprom eeprom;
-      record().write(Bytes(DATA_LENGTH, 0x33).data());
+      record().write(Bytes(DATA_LENGTH, 0x33));
       record().erase(0);
-      if (!before.empty()) record().write(before.data());
+      if (!before.empty()) record().write(before);
       eeprom.cutPowerWeaklyAfter(cut, seed);
       try {
         change();
@@ -66,13 +65,13 @@ void expectFirm(const Bytes &before, const std::function<void()> &change, const 
 
 TEST(WeakRecord, that_was_being_written_is_there_or_not_once_and_for_all) {
   const Bytes next = fromHex("010203040506");
-  expectFirm({}, [&] { record().write(next.data()); }, {{}, next});
+  expectFirm({}, [&] { record().write(next); }, {{}, next});
 }
 
 TEST(WeakRecord, that_was_being_replaced_is_the_old_the_new_or_none_once_and_for_all) {
   const Bytes old = fromHex("0102030405ff");
   const Bytes next = fromHex("ff0203aa0506");
-  expectFirm(old, [&] { record().write(next.data()); }, {{}, old, next});
+  expectFirm(old, [&] { record().write(next); }, {{}, old, next});
 }
 
 TEST(WeakRecord, that_was_being_erased_is_there_or_not_once_and_for_all) {
@@ -84,7 +83,7 @@ TEST(WeakRecord, is_mended_where_one_byte_of_its_seal_is_weak) {
   for (uint16_t at = FIRST_CELL + DATA_LENGTH; at < FIRST_CELL + DATA_LENGTH + EepromRecord::CHECK_LENGTH; at++) {
     SimulatedEeprom eeprom;
     const Bytes data = fromHex("010203040506");
-    record().write(data.data());
+    record().write(data);
     eeprom.weaken(at, 0xFF);
     for (int i = 0; i < READINGS; i++) EXPECT_EQ(data, bootRecord()) << at;
   }
@@ -94,10 +93,10 @@ TEST(WeakRecord, that_is_written_over_weak_cells_is_firm) {
   const Bytes data = fromHex("010203040506");
   for (uint16_t at = FIRST_CELL; at < FIRST_CELL + DATA_LENGTH + EepromRecord::CHECK_LENGTH; at++) {
     SimulatedEeprom eeprom;
-    record().write(data.data());
+    record().write(data);
     record().erase(0);
     eeprom.weaken(at, 0x5A);
-    ASSERT_TRUE(record().write(data.data()));
+    ASSERT_TRUE(record().write(data));
     EXPECT_FALSE(eeprom.isWeak(at)) << "byte " << at - FIRST_CELL;
   }
 }

@@ -4,6 +4,7 @@
 
 #include "support/Keys.h"
 #include "support/Reference.h"
+#include "support/StoredRecord.h"
 #include "support/TestBoard.h"
 #include "support/Vectors.h"
 
@@ -179,7 +180,7 @@ TEST_F(BoardStatus, seals_nothing_where_the_boot_epoch_could_not_be_stored) {
 
 TEST_F(BoardStatus, answers_NONCE_EXHAUSTED) {
   board.setKey("SUPO", KEY);
-  javinolib::EepromRecord(javinolib::EPOCHS_AT, 3).write(fromHex("fffffe").data());
+  StoredRecord(javinolib::EPOCHS_AT, 3).write(fromHex("fffffe"));
   board.reboot();
   board.hello();
   EXPECT_EQ(Status::NONCE_EXHAUSTED, board.transmit("SUPO", "ROMA", "tell;help").status);

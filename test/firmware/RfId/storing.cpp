@@ -4,6 +4,7 @@
 
 #include "support/Addresses.h"
 #include "support/SimulatedEeprom.h"
+#include "support/StoredRecord.h"
 
 using javinolib::Address;
 using javinolib::RfId;
@@ -13,9 +14,8 @@ namespace {
 int places() {
   int whole = 0;
   for (uint8_t place = 0; place < javinolib::RF_ID_PLACES; place++) {
-    Bytes data(javinolib::RF_ID_LENGTH);
     const uint16_t at = static_cast<uint16_t>(javinolib::RF_ID_AT + place * javinolib::RF_ID_RECORD_LENGTH);
-    if (javinolib::EepromRecord(at, javinolib::RF_ID_LENGTH).read(data.data())) whole++;
+    if (!StoredRecord(at, javinolib::RF_ID_LENGTH).read().empty()) whole++;
   }
   return whole;
 }
