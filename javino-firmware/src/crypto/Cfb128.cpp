@@ -4,37 +4,30 @@
 
 namespace javinolib {
 
-namespace {
+static const uint8_t BLOCK = Aes128::BLOCK_LENGTH;
 
-const uint8_t BLOCK = Aes128::BLOCK_LENGTH;
-
-uint16_t wholeBlocks(uint16_t length) { return length & ~(BLOCK - 1); }
-bool hasRest(uint16_t length) { return length % BLOCK != 0; }
-
-}  // namespace
-
-void Cfb128::encrypt(uint8_t *bytes, uint16_t length) const {
-  uint8_t *const whole = bytes + wholeBlocks(length);
-  if (whole != bytes) cipher_.chainUp(iv_, bytes, whole);
-  if (hasRest(length)) applyToRest(bytes, length);
+void Cfb128::apply(const Aes128 &cipher, const uint8_t *iv, uint8_t *bytes, uint16_t length, bool decrypting) {
+  const uint8_t restLength = length % BLOCK;
+  uint8_t *const rest = bytes + (length - restLength);
+  if (decrypting) applyToRest(cipher, rest == bytes ? iv : rest - BLOCK, rest, restLength);
+  if (rest != bytes) {
+    uint8_t *end = rest;
+    if (decrypting) {  // from the end to the beginning, so that the ciphertext before each block is still there
+      end = bytes + BLOCK;
+      if (rest != end) cipher.chainDown(bytes, rest);
+    }
+    cipher.chainUp(iv, bytes, end);
+  }
+  if (!decrypting) applyToRest(cipher, rest == bytes ? iv : rest - BLOCK, rest, restLength);
 }
 
-// From the end to the beginning, so that the ciphertext before each block is still there.
-void Cfb128::decrypt(uint8_t *bytes, uint16_t length) const {
-  if (hasRest(length)) applyToRest(bytes, length);
-  uint8_t *const whole = bytes + wholeBlocks(length);
-  if (whole == bytes) return;
-  if (whole != bytes + BLOCK) cipher_.chainDown(bytes, whole);
-  cipher_.chainUp(iv_, bytes, bytes + BLOCK);
-}
-
-// Encrypts or decrypts the bytes behind the whole blocks, which are ciphertext at this time.
-void Cfb128::applyToRest(uint8_t *bytes, uint16_t length) const {
-  const uint8_t rest = length % BLOCK;
-  uint8_t *byte = bytes + wholeBlocks(length);
+// Encrypts or decrypts the bytes behind the whole blocks.
+// @param before the 16 bytes of ciphertext before them
+void Cfb128::applyToRest(const Aes128 &cipher, const uint8_t *before, uint8_t *rest, uint8_t length) {
+  if (length == 0) return;
   uint8_t keyStream[BLOCK];
-  cipher_.encrypt(byte == bytes ? iv_ : byte - BLOCK, keyStream);
-  for (uint8_t i = 0; i < rest; i++) *byte++ ^= keyStream[i];
+  cipher.encrypt(before, keyStream);
+  for (uint8_t i = 0; i < length; i++) rest[i] ^= keyStream[i];
   wipe(keyStream, sizeof keyStream);
 }
 

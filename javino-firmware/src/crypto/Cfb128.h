@@ -16,16 +16,17 @@ class Cfb128 {
   Cfb128(const Aes128 &cipher, const uint8_t *iv) : cipher_(cipher), iv_(iv) {}
 
   /// Encrypts the message in place.
-  void encrypt(uint8_t *bytes, uint16_t length) const;
+  void encrypt(uint8_t *bytes, uint16_t length) const { apply(cipher_, iv_, bytes, length, false); }
 
   /// Decrypts the message in place.
-  void decrypt(uint8_t *bytes, uint16_t length) const;
+  void decrypt(uint8_t *bytes, uint16_t length) const { apply(cipher_, iv_, bytes, length, true); }
 
  private:
   Cfb128(const Cfb128 &);
   Cfb128 &operator=(const Cfb128 &);
 
-  JAVINO_NOINLINE void applyToRest(uint8_t *bytes, uint16_t length) const;
+  static void apply(const Aes128 &cipher, const uint8_t *iv, uint8_t *bytes, uint16_t length, bool decrypting);
+  JAVINO_NOINLINE static void applyToRest(const Aes128 &cipher, const uint8_t *before, uint8_t *rest, uint8_t length);
 
   const Aes128 &cipher_;
   const uint8_t *const iv_;

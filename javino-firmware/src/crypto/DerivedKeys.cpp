@@ -12,36 +12,28 @@ const uint8_t DerivedKeys::CHECK_LENGTH;
 
 namespace {
 
-const uint8_t LABEL_LENGTH = 9;
-
-const uint8_t ENCRYPTION[LABEL_LENGTH] JAVINO_FLASH = {'J', 'a', 'v', 'i', 'n', 'o', 'E', 'n', 'c'};
-const uint8_t AUTHENTICATION[LABEL_LENGTH] JAVINO_FLASH = {'J', 'a', 'v', 'i', 'n', 'o', 'M', 'a', 'c'};
-const uint8_t CHECK[LABEL_LENGTH] JAVINO_FLASH = {'J', 'a', 'v', 'i', 'n', 'o', 'C', 'h', 'k'};
-
 // One round of the KDF gives all 128 bits: counter 1, label, 0x00, no context, and the length in bits.
-void kdf(const Cmac &prf, const uint8_t *label, uint8_t *derived) {
-  uint8_t input[1 + LABEL_LENGTH + 1 + 2];
-  input[0] = 1;
-  for (uint8_t i = 0; i < LABEL_LENGTH; i++) input[1 + i] = flashByte(label + i);
-  input[1 + LABEL_LENGTH] = 0;
-  input[2 + LABEL_LENGTH] = 0;
-  input[3 + LABEL_LENGTH] = 0x80;
-  prf.compute(input, sizeof input, derived);
-}
+const uint8_t INPUT_LENGTH = 13;
+const uint8_t NAME_AT = 7;  // the label's last three letters
+const uint8_t NAME_LENGTH = 3;
+const uint8_t INPUT[INPUT_LENGTH] JAVINO_FLASH = {1, 'J', 'a', 'v', 'i', 'n', 'o', 0, 0, 0, 0, 0, 0x80};
+const uint8_t NAMES[] JAVINO_FLASH = {'C', 'h', 'k', 'E', 'n', 'c', 'M', 'a', 'c'};
 
 }  // namespace
 
 DerivedKeys::~DerivedKeys() { wipe(this, sizeof *this); }
 
+// The first tag gives the check value, and is written over but for its beginning.
 void DerivedKeys::derive(const uint8_t *key) {
   const Aes128 cipher(key);
   const Cmac prf(cipher);
-  uint8_t forCheck[Aes128::BLOCK_LENGTH];
-  kdf(prf, ENCRYPTION, encryption);
-  kdf(prf, AUTHENTICATION, authentication);
-  kdf(prf, CHECK, forCheck);
-  memcpy(check, forCheck, sizeof check);
-  wipe(forCheck, sizeof forCheck);
+  uint8_t input[INPUT_LENGTH];
+  for (uint8_t i = 0; i != INPUT_LENGTH; i++) input[i] = flashByte(INPUT + i);
+  const uint8_t *name = NAMES;
+  for (uint8_t *into = check; name != NAMES + sizeof NAMES; into += into == check ? CHECK_LENGTH : Aes128::KEY_LENGTH) {
+    for (uint8_t i = 0; i != NAME_LENGTH; i++) input[NAME_AT + i] = flashByte(name++);
+    prf.compute(input, INPUT_LENGTH, into);
+  }
 }
 
 void DerivedKeys::authenticate(const uint8_t *message, uint16_t length, uint8_t *tag) const {
@@ -49,8 +41,7 @@ void DerivedKeys::authenticate(const uint8_t *message, uint16_t length, uint8_t 
 }
 
 bool DerivedKeys::equals(const DerivedKeys &other) const {
-  return equalInConstantTime(encryption, other.encryption, sizeof encryption) &&
-         equalInConstantTime(authentication, other.authentication, sizeof authentication);
+  return equalInConstantTime(check, other.check, sizeof *this);
 }
 
 }  // namespace javinolib
