@@ -27,12 +27,12 @@ const uint16_t Address::PLUSES;
 const uint16_t Address::SLASHES;
 
 // `self`, `true`, `else` and `elif` have a meaning in AgentSpeak: no agent could tell such a sender from it.
-static bool isWord(uint32_t value) {
+static bool isWord(Uint24 value) {
   return value == 0xB1E95F || value == 0xB6BB9E || value == 0x7A5B1E || value == 0x7A589F;
 }
 
 bool Address::parse(const uint8_t *text, Address &into) {
-  uint32_t value = 0;
+  Uint24 value = 0;
   for (uint8_t i = 0; i < TEXT_LENGTH; i++) {
     const uint8_t digit = base64Value(text[i]);
     if (digit == NOT_A_DIGIT) return false;
@@ -43,12 +43,12 @@ bool Address::parse(const uint8_t *text, Address &into) {
 }
 
 void Address::write(uint8_t *text) const {
-  uint32_t rest = value();
+  Uint24 rest = this->value();
   for (uint8_t *digit = text + TEXT_LENGTH; digit != text; rest >>= 6) *--digit = base64Digit(rest & 0x3F);
 }
 
 Address::Class Address::classOf() const {
-  const uint32_t value = this->value();
+  const Uint24 value = this->value();
   if (bytes_[0] < FIRST_PLUS) return isWord(value) ? RESERVED : DEVICE;
   switch (static_cast<uint16_t>(value >> 8) & 0xFFF0) {
     case SLASHES << 4: return value == 0xFFFFFF ? BROADCAST : MULTICAST;

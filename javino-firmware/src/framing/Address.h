@@ -68,7 +68,7 @@ class Address {
   bool isMulticast() const { return classOf() == MULTICAST; }
 
   /// All 24 bits.
-  uint32_t value() const { return readUint24(bytes_); }
+  Uint24 value() const { return readUint24(bytes_); }
 
   /// The first two digits, 12 bits.
   uint16_t group() const { return static_cast<uint16_t>(bytes_[0] << 4 | bytes_[1] >> 4); }

@@ -15,16 +15,15 @@ FrameError Frame::parse(const uint8_t *bytes, uint16_t length, Frame &into) {
 }
 
 FrameError Frame::parseHeader(const uint8_t *bytes, Frame &into) {
-  const uint8_t high = base64Value(bytes[SIZE_AT]);
-  const uint8_t low = base64Value(bytes[SIZE_AT + 1]);
-  if (!Address::parse(bytes, into.destination) || !Address::parse(bytes + ORIGIN_AT, into.origin) ||
-      high == NOT_A_DIGIT || low == NOT_A_DIGIT) {
+  if (!Address::parse(bytes, into.destination) || !Address::parse(bytes + ORIGIN_AT, into.origin)) {
     return FrameError::BAD_DIGIT;
   }
-  const uint16_t bits = static_cast<uint16_t>(high << 6 | low);
-  if (bits % 8 != 0) return FrameError::PARTIAL_BYTE;
+  const uint8_t high = base64Value(bytes[SIZE_AT]);
+  const uint8_t low = base64Value(bytes[SIZE_AT + 1]);
+  if (high == NOT_A_DIGIT || low == NOT_A_DIGIT) return FrameError::BAD_DIGIT;
+  if (low % 8 != 0) return FrameError::PARTIAL_BYTE;
   into.message = bytes + HEADER_LENGTH;
-  into.length = bits / 8;
+  into.length = static_cast<uint16_t>(high * 8 + low / 8);
   return into.origin.isDevice() || into.origin.isSerial() ? FrameError::NONE : FrameError::BAD_ORIGIN;
 }
 
@@ -34,10 +33,10 @@ void Frame::writeHeader(uint8_t *into, const Address &destination, const Address
   writeSize(into + SIZE_AT, messageLength);
 }
 
+// Two digits of six bits: the size in bits.
 void Frame::writeSize(uint8_t *into, uint16_t messageLength) {
-  const uint16_t bits = static_cast<uint16_t>(messageLength * 8);
-  into[0] = base64Digit(static_cast<uint8_t>(bits >> 6));
-  into[1] = base64Digit(bits & 0x3F);
+  into[0] = base64Digit(static_cast<uint8_t>(messageLength / 8));
+  into[1] = base64Digit(messageLength % 8 * 8);
 }
 
 }  // namespace javinolib

@@ -27,7 +27,8 @@ uint8_t PacketEncoder::next() {
 // Looks at each byte once, up to the zero behind the block: so this is where the CRC is computed.
 uint8_t PacketEncoder::beginBlock() {
   const uint8_t *at = next_;
-  for (left_ = 0; left_ != MAX_RUN; left_++, at++) {
+  uint8_t left = 0;
+  for (; left != MAX_RUN; left++, at++) {
     if (at == end_) {
       if (closed_) break;
       addCrc();
@@ -35,14 +36,14 @@ uint8_t PacketEncoder::beginBlock() {
     if (!closed_) crc_.add(at, 1);
     if (*at == 0) break;
   }
-  full_ = left_ == MAX_RUN;
-  const uint8_t code = static_cast<uint8_t>(left_ + 1);
-  if (left_ == 0) {
+  left_ = left;
+  full_ = left == MAX_RUN;
+  if (left == 0) {
     endBlock();
   } else {
     state_ = DATA;
   }
-  return code;
+  return static_cast<uint8_t>(left + 1);
 }
 
 // A zero that ends a block is not sent, and is always followed by a block, be it an empty one.
@@ -52,8 +53,9 @@ void PacketEncoder::endBlock() {
 }
 
 void PacketEncoder::addCrc() {
-  *end_++ = static_cast<uint8_t>(crc_.value());
-  *end_++ = static_cast<uint8_t>(crc_.value() >> 8);
+  end_[0] = static_cast<uint8_t>(crc_.value());
+  end_[1] = static_cast<uint8_t>(crc_.value() >> 8);
+  end_ += 2;
   closed_ = true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../support/Inlining.h"
+
 #include "../support/Crc16.h"
 #include "../support/Zeroed.h"
 
@@ -13,7 +15,7 @@ namespace javinolib {
 class PacketEncoder {
  public:
   /// Begins anew. The bytes must stay as they are until done(); the CRC is written behind them.
-  void start(uint8_t *bytes, uint16_t length);
+  JAVINO_OUT_OF_LINE void start(uint8_t *bytes, uint16_t length);
 
   /// @return whether the closing 0x00 has been given.
   bool done() const { return state_ == DONE; }

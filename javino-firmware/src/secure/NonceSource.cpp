@@ -19,11 +19,11 @@ Status NonceSource::status() const {
 
 void NonceSource::take(uint8_t *nonce) {
   writeUint24(nonce, epoch_->value());
-  writeUint24(nonce + COUNTER_AT, counter_);
+  writeUint24(nonce + COUNTER_AT, static_cast<Uint24>(counter_));
   counter_++;
 }
 
-void NonceSource::raiseEpoch(uint32_t epoch) {
+void NonceSource::raiseEpoch(Uint24 epoch) {
   if (epoch <= epoch_->value()) return;
   epoch_->raise(epoch);
   counter_ = 0;

@@ -18,12 +18,12 @@ class NonceSource {
   explicit NonceSource(BootEpoch &epoch) : epoch_(epoch) {}
 
   /// The first half of the nonces to come.
-  uint32_t epoch() const { return epoch_->value(); }
+  Uint24 epoch() const { return epoch_->value(); }
 
   /// Goes on with another epoch, and the counter 0, where that is higher: the next boot then takes over what RAM holds if it is
   /// the one after this.
   /// @param epoch 0…0xFFFFFE
-  void raiseEpoch(uint32_t epoch);
+  void raiseEpoch(Uint24 epoch);
 
   /// OK; EPOCH_LOST until a host raises the epoch; MEMORY_DAMAGED where the counter is not known; NONCE_EXHAUSTED where epoch or counter is used up: nothing can be sealed until the next boot, after the last epoch
   /// never again on this board; STORE_FAILED where the epoch was not kept: a nonce might come again after the next boot.

@@ -1,11 +1,10 @@
 #include "BootEpoch.h"
 
-#include "../support/BigEndian.h"
 #include "EepromLayout.h"
 
 namespace javinolib {
 
-const uint32_t BootEpoch::NONE_LEFT;
+const Uint24 BootEpoch::NONE_LEFT;
 
 static const uint8_t COPIES = 2;
 
@@ -33,13 +32,13 @@ uint8_t BootEpoch::findHighest() {
   uint8_t slotOfHighest = config::EPOCH_SLOTS - 1;
   uint8_t since = 0;
   uint8_t broken = 0;
-  value_ = 0;
+  Uint24 highest = 0;
   for (uint8_t i = 0; i < config::EPOCH_SLOTS + COPIES; i++) {
     uint8_t stored[EPOCH_RECORD_LENGTH];
     const bool whole = recordAt(i % config::EPOCH_SLOTS).begin(stored, 0);
-    const uint32_t epoch = readUint24(stored);
-    if (i < config::EPOCH_SLOTS && whole && epoch >= value_) {
-      value_ = epoch;
+    const Uint24 epoch = readUint24(stored);
+    if (i < config::EPOCH_SLOTS && whole && epoch >= highest) {
+      highest = epoch;
       slotOfHighest = i;
       since = 0;
       broken = 0;
@@ -47,12 +46,13 @@ uint8_t BootEpoch::findHighest() {
       broken++;
     }
   }
+  value_ = highest;
   status_ = broken == COPIES ? Status::EPOCH_LOST : Status::OK;
   return slotOfHighest;
 }
 
 // Goes on with an epoch, and writes it behind the place of the highest so far; into all other places where one is lost.
-void BootEpoch::store(uint8_t highest, uint32_t epoch) {
+void BootEpoch::store(uint8_t highest, Uint24 epoch) {
   const bool lost = status_ == Status::EPOCH_LOST;
   value_ = epoch;
   status_ = Status::NONCE_EXHAUSTED;

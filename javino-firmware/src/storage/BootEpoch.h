@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../support/BigEndian.h"
 #include "../support/Inlining.h"
 #include "../support/Status.h"
 #include "../support/Part.h"
@@ -27,27 +28,27 @@ namespace javinolib {
 class BootEpoch {
  public:
   /// 0xFFFFFF stands for "none left" and is never used in a nonce.
-  static const uint32_t NONE_LEFT = 0xFFFFFF;
+  static const Uint24 NONE_LEFT = 0xFFFFFF;
 
   /// Raises the epoch and stores it: some 60 ms. To be called once, after a boot.
   /// @param hasKeys whether keys are stored, which epochs before may have used
-  JAVINO_NOINLINE void begin(bool hasKeys);
+  void begin(bool hasKeys);
 
   /// Goes on with a higher epoch, and stores it: some 30 ms.
   /// @param epoch above value(), and below NONE_LEFT
-  void raise(uint32_t epoch) { store(findHighest(), epoch); }
+  void raise(Uint24 epoch) { store(findHighest(), epoch); }
 
   /// 1…0xFFFFFE, NONE_LEFT, or 0 where it is lost.
-  uint32_t value() const { return value_; }
+  Uint24 value() const { return value_; }
 
   /// OK where it may be used; EPOCH_LOST, NONCE_EXHAUSTED, or STORE_FAILED where the EEPROM did not keep it.
   Status status() const { return status_; }
 
  private:
   JAVINO_NOINLINE uint8_t findHighest();
-  JAVINO_NOINLINE void store(uint8_t highest, uint32_t epoch);
+  JAVINO_NOINLINE void store(uint8_t highest, Uint24 epoch);
 
-  uint32_t value_ JAVINO_ZEROED;
+  Uint24 value_ JAVINO_ZEROED;
   Status status_ JAVINO_ZEROED;
 };
 

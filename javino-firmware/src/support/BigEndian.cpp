@@ -4,7 +4,7 @@
 
 namespace javinolib {
 
-void writeUint24(uint8_t *into, uint32_t value) {
+void writeUint24(uint8_t *into, Uint24 value) {
   into[0] = static_cast<uint8_t>(value >> 16);
   into[1] = static_cast<uint8_t>(value >> 8);
   into[2] = static_cast<uint8_t>(value);
@@ -12,7 +12,7 @@ void writeUint24(uint8_t *into, uint32_t value) {
 
 void writeUint32(uint8_t *into, uint32_t value) {
   into[0] = static_cast<uint8_t>(value >> 24);
-  writeUint24(into + 1, value);
+  writeUint24(into + 1, static_cast<Uint24>(value));
 }
 
 // Not shifted together: a quarter of the code, on all chips of Arduino, which have the least significant byte first.

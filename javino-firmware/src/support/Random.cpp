@@ -1,11 +1,10 @@
 #include "Random.h"
 
 #include "Crc16.h"
-#include "BigEndian.h"
 
 namespace javinolib {
 
-void Random::seed(uint32_t id, uint32_t epoch) {
+void Random::seed(Uint24 id, Uint24 epoch) {
   uint8_t bytes[3 + 3];
   writeUint24(bytes, id);
   writeUint24(bytes + 3, epoch);

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "BigEndian.h"
 #include "Inlining.h"
 
 namespace javinolib {
@@ -14,7 +15,7 @@ class Random {
 
   /// @param id 24 bits
   /// @param epoch 24 bits
-  void seed(uint32_t id, uint32_t epoch);
+  void seed(Uint24 id, Uint24 epoch);
 
   /// @param mask 0, 1, 3, 7, … 0xFFFF
   /// @return a number 0…mask, all of them equally likely
