@@ -11,12 +11,18 @@ namespace javinolib {
 
 const uint8_t ReplayMemory::NO_PLACE;
 
+// A floor as EEPROM holds it, with room for its seal.
+struct Floor : OriginNonce {
+  uint8_t seal[EepromRecord::CHECK_LENGTH];
+
+  uint8_t *record() { return &key; }
+};
+
+static_assert(sizeof(Floor) == FLOOR_RECORD_LENGTH, "a record has these bytes as they are");
+
 namespace {
 
-const uint8_t ORIGIN_AT = 1;
-const uint8_t NONCE_AT = ORIGIN_AT + Address::STORED_LENGTH;
-const uint8_t COUNTER_AT = NONCE_AT + 3;
-
+const uint8_t COUNTER_AT = 3;  // in a nonce
 const uint8_t MORE_PER_WRITE = 31;  // how far a floor is set above the nonce that it is written for
 const uint32_t LAST_COUNTER = 0xFFFFFF;
 
@@ -26,34 +32,27 @@ EepromRecord recordAt(uint8_t place, uint8_t copy) {
 }
 
 // Reads the floor at a place; false where there is none.
-bool read(uint8_t place, uint8_t *record) { return recordAt(place, 0).read(record) || recordAt(place, 1).read(record); }
+JAVINO_NOINLINE bool read(uint8_t place, Floor &floor) {
+  return recordAt(place, 0).read(floor.record()) || recordAt(place, 1).read(floor.record());
+}
 
 // The same once after a boot: both copies are there afterwards, or none.
-bool beginPlace(uint8_t place, uint8_t *record) {
-  uint8_t second[FLOOR_RECORD_LENGTH];
-  const bool hasFirst = recordAt(place, 0).begin(record, 0);
-  const bool hasSecond = recordAt(place, 1).begin(second, 0);
-  if (!hasFirst && hasSecond) memcpy(record, second, sizeof second);
-  if (hasFirst != hasSecond) recordAt(place, hasFirst).write(record);
+bool beginPlace(uint8_t place, Floor &floor) {
+  Floor second;
+  const bool hasFirst = recordAt(place, 0).begin(floor.record(), 0);
+  const bool hasSecond = recordAt(place, 1).begin(second.record(), 0);
+  if (!hasFirst && hasSecond) floor = second;
+  if (hasFirst != hasSecond) recordAt(place, hasFirst).write(floor.record());
   return hasFirst || hasSecond;
 }
 
-bool write(uint8_t place, uint8_t *record) {
-  return recordAt(place, 0).write(record) && recordAt(place, 1).write(record);
+bool write(uint8_t place, Floor &floor) {
+  return recordAt(place, 0).write(floor.record()) && recordAt(place, 1).write(floor.record());
 }
 
 JAVINO_NOINLINE bool erase(uint8_t place) {
   const bool first = recordAt(place, 0).erase(0);
   return recordAt(place, 1).erase(0) && first;
-}
-
-// The record of a floor that covers a nonce and the next ones of its epoch.
-void packFloor(uint8_t key, const Address &origin, const uint8_t *nonce, uint8_t *record) {
-  record[0] = key;
-  origin.store(record + ORIGIN_AT);
-  memcpy(record + NONCE_AT, nonce, NONCE_LENGTH);
-  const uint32_t counter = readUint24(record + COUNTER_AT) + MORE_PER_WRITE;
-  writeUint24(record + COUNTER_AT, counter < LAST_COUNTER ? counter : LAST_COUNTER);
 }
 
 }  // namespace
@@ -94,33 +93,30 @@ void ReplayMemory::doubtFloors() {
 
 void ReplayMemory::readFloors() {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
-    uint8_t record[FLOOR_RECORD_LENGTH];
-    if (!beginPlace(place, record)) continue;
-    if (record[0] < KeyStore::SLOTS && !keys_->isFree(record[0])) {
-      takeOverFloor(place, record);
+    Floor floor;
+    if (!beginPlace(place, floor)) continue;
+    if (floor.key < KeyStore::SLOTS && !keys_->isFree(floor.key)) {
+      takeOverFloor(place, floor);
     } else {
       erase(place);
     }
   }
 }
 
-void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
-  const Address origin = Address::stored(record + ORIGIN_AT);
-  TakenNonce *entry = find(record[0], origin);
+void ReplayMemory::takeOverFloor(uint8_t place, const OriginNonce &floor) {
+  TakenNonce *entry = find(floor.key, floor.origin);
   if (entry == nullptr) {
-    entry = findFree(record[0]);
+    entry = findFree(floor.key);
     if (entry == nullptr) return;  // Config.h had room for more when it was written; it stays, and judge() says FULL
-    entry->key = record[0];
-    entry->origin = origin;
+    entry->taken = floor;
     entry->state = LOST;
-    memcpy(entry->nonce, record + NONCE_AT, NONCE_LENGTH);
   } else if (entry->floor != NO_PLACE) {  // raised when the power went, and the old one is still there
-    uint8_t other[FLOOR_RECORD_LENGTH];
+    Floor other;
     read(entry->floor, other);
-    const bool isHigher = memcmp(record + NONCE_AT, other + NONCE_AT, NONCE_LENGTH) > 0;
+    const bool isHigher = memcmp(floor.nonce, other.nonce, NONCE_LENGTH) > 0;
     erase(isHigher ? entry->floor : place);
     if (!isHigher) return;
-    if (entry->state == LOST) memcpy(entry->nonce, record + NONCE_AT, NONCE_LENGTH);
+    if (entry->state == LOST) memcpy(entry->taken.nonce, floor.nonce, NONCE_LENGTH);
   }
   entry->floor = place;
 }
@@ -131,15 +127,15 @@ void ReplayMemory::beginRing(uint32_t epoch) {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
     if (!isInForce(place)) free++;
   }
-  uint8_t skipped = static_cast<uint8_t>(epoch % free);
-  for (nextPlace_ = 0; isInForce(nextPlace_) || skipped > 0; nextPlace_++) {
-    if (!isInForce(nextPlace_)) skipped--;
-  }
+  uint8_t skipped = static_cast<uint8_t>(static_cast<uint16_t>(epoch) % free);
+  uint8_t place = 0;
+  while (isInForce(place) || skipped-- != 0) place++;
+  nextPlace_ = place;
 }
 
 bool ReplayMemory::isDoubtful(uint8_t key) const {
   const TakenNonce *entry = find(key, keys_->addressAt(key));
-  return entry != nullptr && entry->state != NOTHING_TAKEN && entry->nonce[0] == 0xFF;
+  return entry != nullptr && entry->state != NOTHING_TAKEN && entry->taken.nonce[0] == 0xFF;
 }
 
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
@@ -147,7 +143,7 @@ ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, co
   const TakenNonce *entry = find(key, origin);
   if (entry == nullptr) return isDoubtful(key) ? REPLAYED : hasRoom(key) ? NEWER : FULL;
 
-  const int order = entry->state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry->nonce, NONCE_LENGTH);
+  const int order = entry->state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry->taken.nonce, NONCE_LENGTH);
   if (order > 0) return NEWER;
   if (entry->state == LOST) return STALE;
   return order == 0 ? REPEATED : REPLAYED;
@@ -157,19 +153,22 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
   TakenNonce *entry = find(key, origin);
   if (entry == nullptr ? !hasRoom(key) : isCovered(*entry, nonce)) return entry != nullptr;
 
+  Floor floor;
+  floor.key = key;
+  floor.origin = origin;
+  memcpy(floor.nonce, nonce, NONCE_LENGTH);
   uint8_t place = NO_PLACE;
-  if (!KeyStore::isSession(key)) {
-    uint8_t record[FLOOR_RECORD_LENGTH];
-    packFloor(key, origin, nonce, record);
-    place = store(record);
+  if (!KeyStore::isSession(key)) {  // one that covers the next nonces of its epoch too
+    const uint32_t counter = readUint24(floor.nonce + COUNTER_AT) + MORE_PER_WRITE;
+    writeUint24(floor.nonce + COUNTER_AT, counter < LAST_COUNTER ? counter : LAST_COUNTER);
+    place = store(floor);
     if (place == NO_PLACE) return false;
   }
 
   uint8_t before = NO_PLACE;
   if (entry == nullptr) {
     entry = findFree(key);
-    entry->key = key;
-    entry->origin = origin;
+    entry->taken = floor;
     entry->state = NOTHING_TAKEN;
   } else {
     before = entry->floor;
@@ -185,21 +184,21 @@ void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *n
   TakenNonce *entry = find(key, origin);
   if (entry == nullptr) return;
   entry->state = EXACT;
-  memcpy(entry->nonce, nonce, NONCE_LENGTH);
+  memcpy(entry->taken.nonce, nonce, NONCE_LENGTH);
   retained::seal();
 }
 
 void ReplayMemory::floor(uint8_t key, const Address &origin, uint8_t *into) const {
   const TakenNonce *entry = find(key, origin);
-  uint8_t record[FLOOR_RECORD_LENGTH];
-  if (entry == nullptr || !readFloor(*entry, record)) memset(record, 0, sizeof record);
-  memcpy(into, record + NONCE_AT, NONCE_LENGTH);
+  Floor floor;
+  if (entry == nullptr || entry->floor == NO_PLACE || !read(entry->floor, floor)) memset(floor.nonce, 0, NONCE_LENGTH);
+  memcpy(into, floor.nonce, NONCE_LENGTH);
 }
 
 bool ReplayMemory::forget(uint8_t key) {
   bool erased = true;
   for (TakenNonce &entry : memory().entries) {
-    if (entry.state == FREE || entry.key != key) continue;
+    if (entry.state == FREE || entry.taken.key != key) continue;
     if (!retained::holds()) break;  // the next boot does it
     entry.state = FREE;
     retained::seal();
@@ -218,7 +217,7 @@ bool ReplayMemory::forgetLostKeys() {
 
 TakenNonce *ReplayMemory::find(uint8_t key, const Address &origin) {
   for (TakenNonce &entry : memory().entries) {
-    if (entry.state != FREE && entry.key == key && entry.origin == origin) return &entry;
+    if (entry.state != FREE && entry.taken.key == key && entry.taken.origin == origin) return &entry;
   }
   return nullptr;
 }
@@ -239,16 +238,12 @@ TakenNonce *ReplayMemory::findFree(uint8_t key) {
 // Whether one more origin of a key may be remembered.
 bool ReplayMemory::hasRoom(uint8_t key) const {
   if (!keys_->addressAt(key).isMulticast()) return findFree(key) != nullptr;
-  const Groups groups = this->groups();
-  uint8_t own = 0;
-  for (const TakenNonce &entry : memory().entries) {
-    if (entry.state != FREE && entry.key == key) own++;
-  }
-  return groups.origins < groups.places && (own + 1) * groups.keys <= groups.places;
+  const Groups groups = this->groups(key);
+  return groups.origins < groups.places && (groups.own + 1) * groups.keys <= groups.places;
 }
 
-ReplayMemory::Groups ReplayMemory::groups() const {
-  Groups groups = {0, config::REPLAY_ENTRIES, 0};
+ReplayMemory::Groups ReplayMemory::groups(uint8_t ownKey) const {
+  Groups groups = {0, config::REPLAY_ENTRIES, 0, 0};
   for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
     if (keys_->addressAt(key).isMulticast()) {
       groups.keys++;
@@ -257,7 +252,9 @@ ReplayMemory::Groups ReplayMemory::groups() const {
     }
   }
   for (const TakenNonce &entry : memory().entries) {
-    if (entry.state != FREE && keys_->addressAt(entry.key).isMulticast()) groups.origins++;
+    if (entry.state == FREE || !keys_->addressAt(entry.taken.key).isMulticast()) continue;
+    groups.origins++;
+    if (entry.taken.key == ownKey) groups.own++;
   }
   return groups;
 }
@@ -271,25 +268,21 @@ bool ReplayMemory::isInForce(uint8_t place) const {
 
 // Writes a floor to the next place of the ring that holds none and keeps it; returns the place, or NO_PLACE, also where the
 // memory did not hold meanwhile.
-uint8_t ReplayMemory::store(uint8_t *record) {
+uint8_t ReplayMemory::store(Floor &floor) {
   for (uint8_t tries = 0; tries < config::FLOOR_SLOTS; tries++) {
     const uint8_t place = nextPlace_;
     nextPlace_ = static_cast<uint8_t>(place + 1 == config::FLOOR_SLOTS ? 0 : place + 1);
-    uint8_t present[FLOOR_RECORD_LENGTH];
+    Floor present;
     if (isInForce(place) || read(place, present)) continue;
-    if (write(place, record)) return retained::holds() ? place : NO_PLACE;
+    if (write(place, floor)) return retained::holds() ? place : NO_PLACE;
     erase(place);
   }
   return NO_PLACE;
 }
 
-bool ReplayMemory::readFloor(const TakenNonce &entry, uint8_t *record) const {
-  return entry.floor != NO_PLACE && read(entry.floor, record);
-}
-
 bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) const {
-  uint8_t record[FLOOR_RECORD_LENGTH];
-  return readFloor(entry, record) && memcmp(nonce, record + NONCE_AT, NONCE_LENGTH) <= 0;
+  Floor floor;
+  return entry.floor != NO_PLACE && read(entry.floor, floor) && memcmp(nonce, floor.nonce, NONCE_LENGTH) <= 0;
 }
 
 }  // namespace javinolib

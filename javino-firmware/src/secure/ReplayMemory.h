@@ -13,6 +13,8 @@
 
 namespace javinolib {
 
+struct Floor;
+
 /// Remembers for each key and origin the highest nonce that the host has taken (SPEC 5.1), over reboots too. It never
 /// forgets an origin to make room for another, since whoever can replay could make it forget.
 ///
@@ -88,7 +90,7 @@ class ReplayMemory {
 
   /// Whether one more key of a pair can have its place.
   bool hasPlaceForPair() const {
-    const Groups groups = this->groups();
+    const Groups groups = this->groups(NO_PLACE);
     return groups.origins < groups.places;
   }
 
@@ -105,21 +107,21 @@ class ReplayMemory {
     uint8_t keys;
     uint8_t places;   // that are not kept for pairs
     uint8_t origins;  // that are remembered
+    uint8_t own;      // of these, by one key
   };
 
   static const uint8_t NO_PLACE = 0xFF;
 
   bool takeOverRam(uint32_t epoch);
   void readFloors();
-  void takeOverFloor(uint8_t place, const uint8_t *record);
+  void takeOverFloor(uint8_t place, const OriginNonce &floor);
   void beginRing(uint32_t epoch);
   JAVINO_NOINLINE bool isInForce(uint8_t place) const;
   JAVINO_NOINLINE static TakenNonce *find(uint8_t key, const Address &origin);
   static TakenNonce *findFree(uint8_t key);
   bool hasRoom(uint8_t key) const;
-  JAVINO_NOINLINE Groups groups() const;
-  uint8_t store(uint8_t *record);
-  bool readFloor(const TakenNonce &entry, uint8_t *record) const;
+  JAVINO_NOINLINE Groups groups(uint8_t key) const;
+  uint8_t store(Floor &floor);
   bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
   static TakenNonces &memory() { return retained::takenNonces(); }
 

@@ -9,13 +9,18 @@
 
 namespace javinolib {
 
+/// The nonce of one origin under one key.
+struct OriginNonce {
+  uint8_t key;  ///< place of the key in the key store
+  Address origin;
+  uint8_t nonce[NONCE_LENGTH];
+};
+
 /// What ReplayMemory knows of one origin under one key.
 struct TakenNonce {
-  Address origin;
-  uint8_t key;    ///< place of the key in the key store
+  OriginNonce taken;
   uint8_t state;  ///< of ReplayMemory
   uint8_t floor;  ///< place of the floor in its ring
-  uint8_t nonce[NONCE_LENGTH];
 };
 
 /// All of it, as it stays in RAM over a reset. A check value and a canary guard it: the stack grows down to where this ends,

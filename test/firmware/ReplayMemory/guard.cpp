@@ -79,7 +79,7 @@ TEST_F(ReplayMemoryGuard, is_not_made_good_by_what_is_done_later) {
 }
 
 TEST_F(ReplayMemoryGuard, deletes_no_floor_by_what_it_no_longer_knows) {
-  change(offsetof(javinolib::TakenNonces, entries) + 6);
+  change(offsetof(javinolib::TakenNonces, entries) + offsetof(javinolib::TakenNonce, floor));
   EXPECT_TRUE(rig.memory->forget(0));
   rig.reset();
   EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 38)));
