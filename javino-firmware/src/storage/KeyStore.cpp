@@ -132,24 +132,34 @@ void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
 }
 
 Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) {
-  StoredKey stored;
-  DerivedKeys &keys = stored.keys;
-  keys.derive(key);
-  if (sessions_.had(keys.check)) return Status::BAD_ARGUMENT;
+  StoredKey added;
+  added.keys.derive(key);
+  if (sessions_.had(added.keys.check)) return Status::BAD_ARGUMENT;
   const uint8_t current = this->current(address);
   const uint8_t other = this->other(address);
-  const bool isOther = holds(other, keys);
+  const uint8_t next = this->next(address);
+  const uint8_t stored = isSession(current) ? NO_SLOT : current;
+  const bool isOther = holds(other, added.keys);
+  const bool isCurrent = holds(stored, added.keys);
+  uint8_t most = config::KEYS;
   if (renews) {
-    if (current == NO_SLOT || isSession(current)) return Status::NO_KEY;
-    const uint8_t next = this->next(address);
-    if (isOther ? other == next : holds(current, keys) && next == NO_SLOT) return Status::OK;
-    return other == NO_SLOT ? add(stored, address, false) : Status::BAD_ARGUMENT;
+    if (stored == NO_SLOT) return Status::NO_KEY;
+    if (isOther ? other == next : isCurrent && next == NO_SLOT) return Status::OK;
+    if (other != NO_SLOT) return Status::BAD_ARGUMENT;
+  } else {
+    // The other key is the current one as soon as it is alone.
+    if (isOther) return eraseIfAny(current);
+    if (isCurrent) return eraseIfAny(other);
+    if (stored != NO_SLOT) most++;  // those that are replaced go
+    if (other != NO_SLOT) most++;
   }
-  // The other key is the current one as soon as it is alone.
-  if (isOther) return eraseIfAny(current);
-  if (holds(current, keys)) return eraseIfAny(other);
-  const Status status = add(stored, address, true);
-  if (status != Status::OK) return status;
+  if (count() >= most) return Status::STORE_FULL;
+  const uint8_t newest = next == NO_SLOT ? stored : next;
+  added.address = address;
+  added.generation = newest == NO_SLOT ? 0 : static_cast<uint8_t>(generationAt(newest) + 1);
+  added.alone = !renews;
+  if (!write(added)) return Status::STORE_FAILED;
+  if (renews) return Status::OK;
   const Status erased = eraseIfAny(other);
   return eraseIfAny(current) == Status::OK ? erased : Status::STORE_FAILED;
 }
@@ -174,23 +184,7 @@ bool KeyStore::erase(uint8_t slot) {
 
 bool KeyStore::holds(uint8_t slot, const DerivedKeys &keys) const {
   DerivedKeys present;
-  return !isSession(slot) && loadStored(slot, present) && keys.equals(present);
-}
-
-// Adds the newest key of an address, if there will not be too many when those are gone that it replaces.
-Status KeyStore::add(StoredKey &key, const Address &address, bool alone) {
-  uint8_t current = this->current(address);
-  if (isSession(current)) current = NO_SLOT;
-  uint8_t count = this->count();
-  if (alone && current != NO_SLOT) count--;
-  if (alone && other(address) != NO_SLOT) count--;
-  if (count >= config::KEYS) return Status::STORE_FULL;
-  const uint8_t next = this->next(address);
-  const uint8_t newest = next == NO_SLOT ? current : next;
-  key.address = address;
-  key.generation = newest == NO_SLOT ? 0 : static_cast<uint8_t>(generationAt(newest) + 1);
-  key.alone = alone;
-  return write(key) ? Status::OK : Status::STORE_FAILED;
+  return loadStored(slot, present) && keys.equals(present);
 }
 
 // Writes a key to the first free place that keeps it.

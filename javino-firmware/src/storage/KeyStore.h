@@ -56,7 +56,7 @@ class KeyStore {
   JAVINO_NOINLINE uint8_t next(const Address &address) const;
 
   /// The address of a place, or `++++` where it is free.
-  const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
+  JAVINO_NOINLINE const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
 
   JAVINO_NOINLINE bool isFree(uint8_t slot) const { return addresses_[slot].isSerial(); }
 
@@ -113,7 +113,6 @@ class KeyStore {
   JAVINO_NOINLINE bool loadStored(uint8_t slot, DerivedKeys &into) const;
   JAVINO_NOINLINE bool loadSession(uint8_t slot, DerivedKeys &into) const;
   JAVINO_NOINLINE bool holds(uint8_t slot, const DerivedKeys &keys) const;
-  Status add(StoredKey &key, const Address &address, bool alone);
   bool write(StoredKey &key);
   JAVINO_NOINLINE Status eraseIfAny(uint8_t slot) {
     return slot == NO_SLOT || erase(slot) ? Status::OK : Status::STORE_FAILED;
