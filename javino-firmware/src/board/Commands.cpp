@@ -40,10 +40,14 @@ bool Commands::perform(const Request &request, Reply &reply) {
   Status status = request.toBoard ? check(request) : Status::NO_RADIO;
   if (status == Status::OK) {
     const char name = static_cast<char>(*request.message());
-    Identity none = {};
-    none.version = PROTOCOL_VERSION;
-    memset(none.id, '+', sizeof none.id);
-    status = name == Request::STATISTICS ? statistics(request.length, reply) : command(request, none, reply);
+    if (name == Request::HELLO) {
+      Identity none = {};
+      none.version = PROTOCOL_VERSION;
+      memset(none.id, '+', sizeof none.id);
+      status = hello(request, none, reply);
+    } else {
+      status = name == Request::STATISTICS ? statistics(request.length, reply) : command(request, reply);
+    }
     if (status == Status::UNKNOWN_COMMAND && isRadios(name)) status = Status::NO_RADIO;
   }
   reply.setStatus(status);
@@ -55,12 +59,11 @@ Status Commands::check(const Request &request) {
   return request.length == 0 ? Status::UNKNOWN_COMMAND : Status::OK;
 }
 
-Status Commands::command(const Request &request, const Identity &identity, Reply &reply) {
+Status Commands::command(const Request &request, Reply &reply) {
   const char name = static_cast<char>(*request.message());
   const uint8_t *const body = request.message() + 1;
   const uint16_t length = static_cast<uint16_t>(request.length - 1);
   switch (name) {
-    case Request::HELLO: return hello(body, length, identity, reply);
     case Request::POLL: return poll(body, length);
     case 'A': return act(body, length);
     case 'C': return actions_->list(body, length, reply);
@@ -75,10 +78,10 @@ Status Commands::act(const uint8_t *body, uint16_t length) {
   return status;
 }
 
-Status Commands::hello(const uint8_t *body, uint16_t length, const Identity &identity, Reply &reply) {
+Status Commands::hello(const Request &request, const Identity &identity, Reply &reply) {
   poll_->tellAgain();
-  if (length != 1) return Status::BAD_ARGUMENT;
-  greeted_ = body[0] == PROTOCOL_VERSION;
+  if (request.length != 2) return Status::BAD_ARGUMENT;
+  greeted_ = request.message()[1] == PROTOCOL_VERSION;
   reply.add(reinterpret_cast<const uint8_t *>(&identity), sizeof identity);
   const uint16_t most = reply.room() < MAX_FIRMWARE_NAME ? reply.room() : MAX_FIRMWARE_NAME;
   reply.add(reinterpret_cast<const uint8_t *>(firmwareName_), static_cast<uint16_t>(strnlen(firmwareName_, most)));

@@ -54,15 +54,17 @@ class Commands {
   static Status check(const Request &request);
 
   /// Performs a request to any board itself, which check() found to be OK.
-  /// @return UNKNOWN_COMMAND for those that differ from board to board, statistics too
-  Status command(const Request &request, const Identity &identity, Reply &reply);
+  /// @return UNKNOWN_COMMAND for those that differ from board to board, hello and statistics too
+  Status command(const Request &request, Reply &reply);
+
+  /// Performs a hello.
+  Status hello(const Request &request, const Identity &identity, Reply &reply);
 
   /// Appends a counter to the reply of statistics.
   JAVINO_NOINLINE static void addCounter(uint8_t number, config::Count value, Reply &reply);
 
  private:
   Status act(const uint8_t *body, uint16_t length);
-  Status hello(const uint8_t *body, uint16_t length, const Identity &identity, Reply &reply);
   Status poll(const uint8_t *body, uint16_t length);
   Status statistics(uint16_t length, Reply &reply) const;
 

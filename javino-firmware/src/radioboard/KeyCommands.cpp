@@ -23,10 +23,6 @@ bool parseAddress(const uint8_t *text, Address &into) {
   return Address::parse(text, into) && (into.isDevice() || into.isMulticast());
 }
 
-JAVINO_NOINLINE bool parseAddress(const uint8_t *body, uint16_t length, Address &into) {
-  return length == Address::TEXT_LENGTH && parseAddress(body, into);
-}
-
 }  // namespace
 
 Status KeyCommands::raiseEpoch(const uint8_t *body, uint16_t length) {
@@ -55,32 +51,23 @@ bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
   return slot == KeyStore::NO_SLOT || KeyStore::isSession(slot);
 }
 
-Status KeyCommands::use(const uint8_t *body, uint16_t length, const Delivery &delivery) {
+Status KeyCommands::change(Change change, const uint8_t *body, uint16_t length, const Delivery &delivery) {
   Address address;
-  if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  if (keys_->next(address) != KeyStore::NO_SLOT && delivery.isUnderWay(keys_->current(address))) return Status::BUSY;
-  return keys_->use(address);
-}
-
-Status KeyCommands::finish(const uint8_t *body, uint16_t length) {
-  Address address;
-  if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  const uint8_t previous = keys_->other(address);
-  const bool isNext = previous == keys_->next(address);
-  if (previous == KeyStore::NO_SLOT || isNext || previous != keys_->other(address))
-    return Status::NO_KEY;  // a cell may read wrong once
-  return erase(previous) ? Status::OK : Status::STORE_FAILED;
-}
-
-// The other key goes first: a loss of power between the two must not bring it back, nor into use.
-Status KeyCommands::erase(const uint8_t *body, uint16_t length) {
-  Address address;
-  if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
+  if (length != Address::TEXT_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
   const uint8_t current = keys_->current(address);
   const uint8_t other = keys_->other(address);
+  const uint8_t next = keys_->next(address);
+  if (change == USE) {
+    return next != KeyStore::NO_SLOT && delivery.isUnderWay(current) ? Status::BUSY : keys_->use(address);
+  }
+  if (change == FINISH) {
+    // a cell may read wrong once
+    if (other == KeyStore::NO_SLOT || other == next || other != keys_->other(address)) return Status::NO_KEY;
+    return erase(other) ? Status::OK : Status::STORE_FAILED;
+  }
   if (current == KeyStore::NO_SLOT) return Status::NO_KEY;
-  if (other != KeyStore::NO_SLOT && !erase(other)) return Status::STORE_FAILED;
-  return erase(current) ? Status::OK : Status::STORE_FAILED;
+  // The other key goes first: a loss of power between the two must not bring it back, nor into use.
+  return (other == KeyStore::NO_SLOT || erase(other)) && erase(current) ? Status::OK : Status::STORE_FAILED;
 }
 
 Status KeyCommands::setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply) {

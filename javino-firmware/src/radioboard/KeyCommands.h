@@ -22,7 +22,7 @@ class KeyCommands {
       : keys_(keys), replays_(replays), nonces_(nonces) {}
 
   /// The boot epoch.
-  uint32_t epoch() const { return nonces_->epoch(); }
+  Uint24 epoch() const { return nonces_->epoch(); }
 
   /// E: raises the boot epoch.
   Status raiseEpoch(const uint8_t *body, uint16_t length);
@@ -30,16 +30,15 @@ class KeyCommands {
   /// K: makes a key the only one of its address; N, which renews: the next one.
   Status store(bool renews, const uint8_t *body, uint16_t length, Reply &reply);
 
-  /// U: makes the next key of an address the current one.
-  /// @return BUSY while a message is under way that is sealed with the key to be replaced: when a board has taken a key into
-  ///         use, nothing of what it sends is sealed with the one before
-  Status use(const uint8_t *body, uint16_t length, const Delivery &delivery);
+  enum Change : char {
+    USE = 'U',     ///< the next key of an address becomes the current one
+    FINISH = 'F',  ///< the previous key goes
+    DELETE = 'D'   ///< all keys of the address go
+  };
 
-  /// F: deletes the previous key.
-  Status finish(const uint8_t *body, uint16_t length);
-
-  /// D: deletes both.
-  Status erase(const uint8_t *body, uint16_t length);
+  /// @return BUSY to USE while a message is under way that is sealed with the key to be replaced: when a board has taken a
+  ///         key into use, nothing of what it sends is sealed with the one before
+  Status change(Change change, const uint8_t *body, uint16_t length, const Delivery &delivery);
 
   /// V: sets the session key of a device. What is under way or waits under one that makes room is as with a deleted key.
   JAVINO_NOINLINE Status setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply);

@@ -80,29 +80,33 @@ Status RadioCommands::command(const Request &request, Reply &reply) {
     case 'E': return keyCommands_.raiseEpoch(body, length);
     case 'K':
     case 'N': return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
-    case 'U': return keyCommands_.use(body, length, delivery_);
-    case 'F': return keysChanged(keyCommands_.finish(body, length));
-    case 'D': return keysChanged(keyCommands_.erase(body, length));
+    case KeyCommands::USE:
+    case KeyCommands::FINISH:
+    case KeyCommands::DELETE: {
+      const Status status = keyCommands_.change(static_cast<KeyCommands::Change>(name), body, length, delivery_);
+      return name == KeyCommands::USE ? status : keysChanged(status);
+    }
     case 'V':
       return config::SESSION_KEYS ? keyCommands_.setSession(body, length, delivery_, reply) : Status::UNKNOWN_COMMAND;
     case 'L': return keyCommands_.list(length, reply);
     case Request::STATISTICS: return statistics(length, reply);
-    default: return shared(name, request, reply);
+    case Request::HELLO: return hello(request, reply);
+    default: {
+      const Status status = commands_->command(request, reply);
+      if (name == Request::POLL && status == Status::OK) polled(request);
+      return status;
+    }
   }
 }
 
-Status RadioCommands::shared(char name, const Request &request, Reply &reply) {
-  if (name == Request::HELLO) {
-    news_.tellAgain();
-    if (!retained::holds()) state_->count(Counter::MEMORY_DAMAGED);
-  }
+Status RadioCommands::hello(const Request &request, Reply &reply) {
+  news_.tellAgain();
+  if (!retained::holds()) state_->count(Counter::MEMORY_DAMAGED);
   Identity identity = {PROTOCOL_VERSION, {}, {}, HAS_RADIO | HAS_MEMORY};
   writeUint24(identity.bootEpoch, keyCommands_.epoch());
   if (hadOlderMemory_ && !state_->id.isSet()) identity.capabilities |= HAD_OLDER_MEMORY;
   state_->id.address().write(identity.id);
-  const Status status = commands_->command(request, identity, reply);
-  if (name == Request::POLL && status == Status::OK) polled(request);
-  return status;
+  return commands_->hello(request, identity, reply);
 }
 
 void RadioCommands::polled(const Request &request) {

@@ -42,7 +42,7 @@ class RadioCommands {
   Status mayTransmit(const Frame &frame) const;
   Status checkAddresses(const Frame &frame) const;
   Status command(const Request &request, Reply &reply);
-  Status shared(char name, const Request &request, Reply &reply);
+  Status hello(const Request &request, Reply &reply);
   void polled(const Request &request);
   Status keysChanged(Status status);
   Status setRfId(const uint8_t *body, uint16_t length);

@@ -36,10 +36,13 @@ class KeyCommandsTest : public testing::Test {
   Status renew(const Bytes &body) {
     return commands.store(true, body.data(), static_cast<uint16_t>(body.size()), begin());
   }
-  Status use(const Bytes &body) { return commands.use(body.data(), static_cast<uint16_t>(body.size()), idle); }
+  Status use(const Bytes &body) { return change(KeyCommands::USE, body); }
   Status raise(const Bytes &body) { return commands.raiseEpoch(body.data(), static_cast<uint16_t>(body.size())); }
-  Status finish(const Bytes &body) { return commands.finish(body.data(), static_cast<uint16_t>(body.size())); }
-  Status erase(const Bytes &body) { return commands.erase(body.data(), static_cast<uint16_t>(body.size())); }
+  Status finish(const Bytes &body) { return change(KeyCommands::FINISH, body); }
+  Status erase(const Bytes &body) { return change(KeyCommands::DELETE, body); }
+  Status change(KeyCommands::Change change, const Bytes &body) {
+    return commands.change(change, body.data(), static_cast<uint16_t>(body.size()), idle);
+  }
 
   std::string list() {
     EXPECT_EQ(Status::OK, commands.list(0, begin()));
