@@ -67,14 +67,14 @@ class SerialCounters {
  public:
   static bool has(Counter counter) { return indexOf(counter) < COUNT; }
 
-  JAVINO_NOINLINE void count(Counter counter) { countUp(values_[indexOf(counter)]); }
+  JAVINO_NOINLINE void count(Counter counter) { countUp(at(counter)); }
 
   /// Takes note of a time, if it is the longest so far.
   /// @param counter LOOP_MILLIS, PERCEPTS_MILLIS or ACTION_MILLIS
   /// @param began the low half of the clock's milliseconds: what lasts for more than 65 s is not known
   JAVINO_NOINLINE void longest(Counter counter, uint16_t began) {
     const uint16_t millis = static_cast<uint16_t>(static_cast<uint16_t>(clock::millis()) - began);
-    config::Count &value = values_[indexOf(counter)];
+    config::Count &value = at(counter);
     if (millis > value) value = millis;
   }
 
@@ -82,6 +82,8 @@ class SerialCounters {
 
  protected:
   static const uint8_t COUNT = static_cast<uint8_t>(Counter::SERIAL_REPEATS) + 1 + 3;
+
+  config::Count &at(Counter counter) { return values_[indexOf(counter)]; }
 
  private:
   static uint8_t indexOf(Counter counter) {
@@ -107,29 +109,22 @@ class Counters : public SerialCounters {
   }
 
   /// @param counter none of the radio's
-  JAVINO_NOINLINE void count(Counter counter) {
-    if (has(counter)) {
-      SerialCounters::count(counter);
-    } else {
-      countUp(values_[indexOf(counter)]);
-    }
-  }
+  void count(Counter counter) { countUp(at(counter)); }
 
   /// @param counter none of the radio's
-  config::Count value(Counter counter) const {
-    return has(counter) ? SerialCounters::value(counter) : values_[indexOf(counter)];
-  }
+  config::Count value(Counter counter) const { return const_cast<Counters *>(this)->at(counter); }
 
  private:
   static const uint8_t RADIOS = 6;
   static const uint8_t FIRST = static_cast<uint8_t>(Counter::RADIO_BAD_FRAMES);
 
   // The radio's have no place.
-  static uint8_t indexOf(Counter counter) {
+  JAVINO_NOINLINE config::Count &at(Counter counter) {
+    if (has(counter)) return SerialCounters::at(counter);
     uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(counter) - FIRST);
     if (counter > Counter::RADIO_SENT) index = static_cast<uint8_t>(index - 2);
     if (counter > Counter::RADIO_MENDED) index--;
-    return index;
+    return values_[index];
   }
 
   config::Count values_[COUNT - RADIOS - SerialCounters::COUNT] JAVINO_ZEROED;
