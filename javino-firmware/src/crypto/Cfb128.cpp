@@ -9,7 +9,7 @@ static const uint8_t BLOCK = Aes128::BLOCK_LENGTH;
 void Cfb128::apply(const Aes128 &cipher, const uint8_t *iv, uint8_t *bytes, uint16_t length, bool decrypting) {
   const uint8_t restLength = length % BLOCK;
   uint8_t *const rest = bytes + (length - restLength);
-  if (decrypting) applyToRest(cipher, rest == bytes ? iv : rest - BLOCK, rest, restLength);
+  if (decrypting && restLength != 0) applyToRest(cipher, rest == bytes ? iv : rest - BLOCK, rest, restLength);
   if (rest != bytes) {
     uint8_t *end = rest;
     if (decrypting) {  // from the end to the beginning, so that the ciphertext before each block is still there
@@ -18,13 +18,12 @@ void Cfb128::apply(const Aes128 &cipher, const uint8_t *iv, uint8_t *bytes, uint
     }
     cipher.chainUp(iv, bytes, end);
   }
-  if (!decrypting) applyToRest(cipher, rest == bytes ? iv : rest - BLOCK, rest, restLength);
+  if (!decrypting && restLength != 0) applyToRest(cipher, rest == bytes ? iv : rest - BLOCK, rest, restLength);
 }
 
 // Encrypts or decrypts the bytes behind the whole blocks.
 // @param before the 16 bytes of ciphertext before them
 void Cfb128::applyToRest(const Aes128 &cipher, const uint8_t *before, uint8_t *rest, uint8_t length) {
-  if (length == 0) return;
   uint8_t keyStream[BLOCK];
   cipher.encrypt(before, keyStream);
   for (uint8_t i = 0; i < length; i++) rest[i] ^= keyStream[i];

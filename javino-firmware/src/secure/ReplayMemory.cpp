@@ -22,7 +22,7 @@ static_assert(sizeof(Floor) == FLOOR_RECORD_LENGTH, "a record has these bytes as
 
 namespace {
 
-const uint8_t COUNTER_AT = 3;  // in a nonce
+const uint8_t COUNTER_AT = 3;       // in a nonce
 const uint8_t MORE_PER_WRITE = 31;  // how far a floor is set above the nonce that it is written for
 const uint32_t LAST_COUNTER = 0xFFFFFF;
 
