@@ -4,9 +4,10 @@
 
 namespace javinolib {
 
-// The number of the layout. The two others: the same, but an older one was wiped, or is being wiped.
-static const uint8_t LAYOUT = 5;
-static const uint8_t LAYOUT_AFTER_WIPING = 6;
+// The number of the layout. The two others: the same, but an older one was wiped, or is being wiped. None has all the bits of
+// another one, and so is not read in a cell where power failed on the way between 0xFF and that.
+static const uint8_t LAYOUT = 0x09;
+static const uint8_t LAYOUT_AFTER_WIPING = 0x11;
 static const uint8_t WIPING = 4;
 static const uint8_t OLDER_LAYOUT = 2;  // and 3
 static const uint8_t ERASED = 0xFF;

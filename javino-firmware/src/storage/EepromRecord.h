@@ -6,7 +6,8 @@
 
 namespace javinolib {
 
-/// Some bytes in EEPROM with a check behind them, which are either there whole or not there.
+/// Some bytes in EEPROM with a check behind them, which are either there whole or not there. In RAM too there is room for the
+/// check behind them.
 ///
 /// The check is three bytes, the seal, made of a CRC; none of them is ever 0xFF. A record is there where two of the three
 /// are right. They are erased to 0xFF, the last one first, before anything changes, and written, the first one first, when
