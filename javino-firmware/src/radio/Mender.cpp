@@ -398,34 +398,30 @@ void Mender::forget() {}
 // Mends one symbol, where only one nibble is a bit away from it and makes the CRC right: with nothing kept, and so in one step.
 Mender::Progress Mender::work(RadioPacket &packet) {
   const uint8_t count = packet.count();
-  mended_ = !note(packet.hops());
-  if (!mended_) {
-    packet.makeBytes(count);
-    return WHOLE;
-  }
-  if (2 * count > packet.symbols) return LOST;
+  mended_ = false;
+  if (count == RadioPacket::NO_COUNT || 2 * count > packet.symbols) return LOST;
   uint8_t place = 0;
+  uint8_t wrong = 0;
   for (uint8_t i = 2; i < 2 * count; i++) {
-    if (linecode::nibbleOf(packet.symbol(i)) != linecode::NO_NIBBLE) continue;
+    const uint8_t symbol = packet.symbol(i);
+    if (linecode::nibbleOf(symbol) != linecode::NO_NIBBLE) continue;
     if (place != 0) return LOST;
     place = i;
+    wrong = symbol;
   }
-  if (place == 0) return LOST;
-  const uint8_t wrong = packet.symbol(place);
   packet.makeBytes(count);
-  Crc16 crc;
-  crc.add(packet.room, count);
-  uint8_t right = linecode::NO_NIBBLE;
+  const uint16_t hops = packet.hopsOfBytes();
+  if (place == 0) return note(hops) ? WHOLE : LOST;
+  uint8_t *const byte = packet.room + place / 2;
   for (uint8_t nibble = 0; nibble < 16; nibble++) {
+    if (linecode::onesOf(linecode::symbolOf(nibble) ^ wrong) != 1) continue;
     const uint8_t change = placed(static_cast<uint8_t>(nibble ^ 0x0F), place);
-    if (linecode::onesOf(linecode::symbolOf(nibble) ^ wrong) != 1 ||
-        !note(RadioPacket::hopsOf(crc.value() ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))))
-      continue;
-    if (right != linecode::NO_NIBBLE) return LOST;
-    right = nibble;
-    packet.room[place / 2] ^= change;
+    if (!note(hops ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))) continue;
+    if (mended_) return LOST;
+    mended_ = true;
+    *byte ^= change;
   }
-  return right != linecode::NO_NIBBLE ? WHOLE : LOST;
+  return mended_ ? WHOLE : LOST;
 }
 
 #endif
