@@ -51,13 +51,9 @@ uint8_t trailerNibbleOf(uint8_t symbol) {
 }
 
 uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) {
-  distance = onesOf(one ^ two);
-  if (distance <= 2) {  // what is in the table is nearer than all else, if the other is not
-    const uint8_t first = inTrailer ? trailerNibbleOf(one) : nibbleOf(one);
-    const uint8_t second = one == two ? first : inTrailer ? trailerNibbleOf(two) : nibbleOf(two);
-    if (first != NO_NIBBLE && (first == second || second == NO_NIBBLE)) return static_cast<uint16_t>(1 << first);
-    if (first == NO_NIBBLE && second != NO_NIBBLE) return static_cast<uint16_t>(1 << second);
-  }
+  distance = 0;
+  const uint8_t right = inTrailer ? trailerNibbleOf(one) : nibbleOf(one);
+  if (one == two && right != NO_NIBBLE) return static_cast<uint16_t>(1 << right);  // so are most, and this is faster
   uint16_t nearest = 0;
   distance = UINT8_MAX;
   for (uint8_t nibble = 16; nibble-- != 0;) {

@@ -51,15 +51,25 @@ const uint8_t STEP_SYMBOLS = 16;
 // wrong guess from a right one.
 const uint8_t LEAST_KEPT = 24;
 
-uint16_t bitOf(uint8_t nibble) { return static_cast<uint16_t>(1 << nibble); }
+JAVINO_NOINLINE uint16_t bitOf(uint8_t nibble) { return static_cast<uint16_t>(1 << nibble); }
 
-uint8_t firstOf(uint16_t nibbles) {
+JAVINO_NOINLINE uint8_t firstOf(uint16_t nibbles) {
   uint8_t nibble = 0;
   for (; (nibbles & 1) == 0; nibbles >>= 1) nibble++;
   return nibble;
 }
 
 bool isOne(uint16_t nibbles) { return (nibbles & (nibbles - 1)) == 0; }
+
+// By what the CRC changes where these bits of a nibble do, as one step of it tells for each bit from that for the next higher.
+uint16_t changeOf(uint8_t bits, uint16_t ofHighest) {
+  uint16_t change = 0;
+  for (uint8_t bit = 8; bit != 0; bit >>= 1) {
+    if ((bits & bit) != 0) change ^= ofHighest;
+    ofHighest = static_cast<uint16_t>(ofHighest >> 1 ^ ((ofHighest & 1) != 0 ? 0x8408 : 0));
+  }
+  return change;
+}
 
 }  // namespace
 
@@ -126,17 +136,19 @@ bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) {
   }
   const uint8_t end = static_cast<uint8_t>(known != RadioPacket::NO_COUNT ? symbols - CRC_SYMBOLS : symbols);
   uint8_t differ = 0;
-  uint8_t most = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_PART / 2));
-  for (uint8_t i = 0; i < end; i++) {
-    differ = static_cast<uint8_t>(differ + linecode::onesOf(packet.symbol(i) ^ copy.symbol(i)));
+  uint8_t ofCrc = 0;
+  const uint8_t most = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_PART / 2));
+  for (uint8_t i = 0; i < symbols; i++) {
+    const uint8_t bits = linecode::onesOf(packet.symbol(i) ^ copy.symbol(i));
+    if (i >= end) {
+      ofCrc = static_cast<uint8_t>(ofCrc + bits);
+      continue;
+    }
+    differ = static_cast<uint8_t>(differ + bits);
     if (differ > most) return false;
   }
-  uint8_t ofCrc = 0;
-  for (uint8_t i = end; i < symbols; i++)
-    ofCrc = static_cast<uint8_t>(ofCrc + linecode::onesOf(packet.symbol(i) ^ copy.symbol(i)));
   isOther_ = ofCrc > MOST_OF_CRC;
-  most = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_BUT_FOR_CRC_PART / 2));
-  return !isOther_ || differ <= most;
+  return !isOther_ || differ <= symbols / (LIKE_BUT_FOR_CRC_PART / linecode::BITS_PER_SYMBOL);
 }
 
 const RadioPacket *Mender::copy() const { return like_ != NONE ? copies_ + like_ : nullptr; }
@@ -245,43 +257,33 @@ void Mender::decide(const RadioPacket &packet) {
 
 // Finds the one choice with which the CRC is right.
 bool Mender::tryChoices() {
-  static const uint8_t MOST_NIBBLES = 20;  // of all undecided symbols together: 16 + 4, if their product is at most 64
-  uint16_t changes[MOST_NIBBLES];          // of the CRC, for each nibble of each undecided symbol
-  uint8_t ends[MOST_UNDECIDED];            // behind the last one of each symbol
-  uint8_t at[MOST_UNDECIDED];              // the one that is tried
+  uint16_t changes[MOST_UNDECIDED];  // of the CRC, where the highest bit of a symbol's nibble changes
+  uint8_t tried[MOST_UNDECIDED];
   uint8_t right[MOST_UNDECIDED];
-  uint8_t used = 0;
   for (uint8_t k = 0; k < undecided_; k++) {
-    at[k] = used;
-    const uint8_t first = firstOf(nibbles_[k]);
-    const uint8_t following = static_cast<uint8_t>(next_ - 1 - places_[k] / 2);
-    for (uint8_t nibble = first; nibble < 16; nibble++) {
-      if ((nibbles_[k] & bitOf(nibble)) == 0) continue;
-      changes[used++] = Crc16::changeOf(placed(static_cast<uint8_t>(first ^ nibble), places_[k]), following);
-    }
-    ends[k] = used;
+    changes[k] = Crc16::changeOf(placed(8, places_[k]), static_cast<uint8_t>(next_ - 1 - places_[k] / 2));
+    tried[k] = firstOf(nibbles_[k]);
   }
   uint8_t found = 0;
   uint16_t crc = crc_.value();
   for (uint8_t left = choices_; left != 0; left--) {
     if (note(RadioPacket::hopsOf(crc))) {
       found++;
-      memcpy(right, at, sizeof right);
+      memcpy(right, tried, sizeof right);
     }
     for (uint8_t k = 0; k < undecided_; k++) {  // the next choice
-      crc ^= changes[at[k]];
-      const bool wraps = ++at[k] == ends[k];
-      if (wraps) at[k] = k == 0 ? 0 : ends[k - 1];
-      crc ^= changes[at[k]];
+      uint8_t nibble = tried[k];
+      do {
+        nibble = (nibble + 1) & 0x0F;
+      } while ((nibbles_[k] & bitOf(nibble)) == 0);
+      crc ^= changeOf(tried[k] ^ nibble, changes[k]);
+      const bool wraps = nibble <= tried[k];
+      tried[k] = nibble;
       if (!wraps) break;
     }
   }
   if (found != 1) return false;
-  for (uint8_t k = 0; k < undecided_; k++) {
-    for (uint8_t skip = static_cast<uint8_t>(right[k] - (k == 0 ? 0 : ends[k - 1])); skip != 0; skip--)
-      nibbles_[k] = static_cast<uint16_t>(nibbles_[k] & (nibbles_[k] - 1));
-    nibbles_[k] = bitOf(firstOf(nibbles_[k]));
-  }
+  for (uint8_t k = 0; k < undecided_; k++) nibbles_[k] = bitOf(right[k]);
   return true;
 }
 
