@@ -36,7 +36,7 @@ bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16
     return true;
   }
   if (!inbox_->fits(frame.length)) return drop(Counter::RADIO_QUEUE_FULL);
-  inbox_->addPlain(frame);
+  inbox_->add(KeyStore::NO_SLOT, bytes, frame.length);
   return true;
 }
 
@@ -88,8 +88,7 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
   if (!inbox_->fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
   if (!state_->replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
   state_->keys.used(slot);
-  const uint16_t content = envelope.open(bytes, length);
-  inbox_->addSealed(slot, frame, nonce, bytes + Envelope::CONTENT_AT, content);
+  inbox_->add(slot, bytes, envelope.open(bytes, length));
   return true;
 }
 

@@ -101,26 +101,25 @@ bool Courier::mayContend() {
 // is left.
 bool Courier::takeUp() {
   Message &message = current();
-  Frame frame;
   ByteQueue::Record taken = {nullptr, 0};
   Turn best = AFTER_ITS_LAST;
   for (ByteQueue::Record record = outbox_.first(); record.bytes != nullptr && best != FIRST;
        record = outbox_.after(record)) {
-    Frame::parseHeader(record.bytes, frame);
-    const Turn turn = turnOf(frame.destination);
+    Address destination;
+    Address::parse(record.bytes, destination);
+    const Turn turn = turnOf(destination);
     if (turn <= best) continue;
     best = turn;
     taken = record;
   }
   if (best == AFTER_ITS_LAST) return false;
-  Frame::parseHeader(taken.bytes, frame);
   message.number = Outbox::numberOf(taken);
-  message.destination = frame.destination;
-  message.sender = frame.origin;
+  Address::parse(taken.bytes, message.destination);
+  Address::parse(taken.bytes + Address::TEXT_LENGTH, message.sender);
   message.slot = KeyStore::NO_SLOT;
   message.stale = false;
   message.resealed = false;
-  if (frame.destination.isBroadcast() || seal(false)) {
+  if (message.destination.isBroadcast() || seal(false)) {
     restart();
     return true;
   }

@@ -11,17 +11,18 @@ const uint8_t Inbox::ORIGIN_AT;
 const uint8_t Inbox::NONCE_AT;
 const uint8_t Inbox::HEAD_LENGTH;
 
-void Inbox::add(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content, uint16_t length) {
-  uint8_t *record = records_.append(static_cast<uint16_t>(HEAD_LENGTH + length));
+void Inbox::add(uint8_t slot, const uint8_t *frame, uint16_t length) {
+  uint8_t *const record = records_.append(static_cast<uint16_t>(HEAD_LENGTH + length));
+  uint8_t *into = record + NONCE_AT;
   record[0] = slot;
-  frame.destination.write(record + DESTINATION_AT);
-  frame.origin.write(record + ORIGIN_AT);
-  if (nonce == nullptr) {
-    memset(record + NONCE_AT, 0, NONCE_LENGTH);
+  memcpy(record + DESTINATION_AT, frame, 2 * Address::TEXT_LENGTH);
+  if (slot == KeyStore::NO_SLOT) {
+    memset(into, 0, NONCE_LENGTH);
+    into += NONCE_LENGTH;
   } else {
-    memcpy(record + NONCE_AT, nonce, NONCE_LENGTH);
+    length = static_cast<uint16_t>(NONCE_LENGTH + length);
   }
-  memcpy(record + HEAD_LENGTH, content, length);
+  memcpy(into, frame + HEADER_LENGTH, length);
 }
 
 Inbox::Waiting Inbox::waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const {

@@ -40,15 +40,11 @@ class Inbox {
   /// Whether there is room for a content of this length.
   bool fits(uint16_t contentLength) const { return records_.fits(static_cast<uint16_t>(HEAD_LENGTH + contentLength)); }
 
-  /// Takes in a broadcast. Only while it fits.
-  void addPlain(const Frame &frame) { add(KeyStore::NO_SLOT, frame, nullptr, frame.message, frame.length); }
-
-  /// Takes in an opened message. Only while it fits.
-  /// @param slot the place of its key
-  /// @param nonce 6 bytes
-  void addSealed(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content, uint16_t length) {
-    add(slot, frame, nonce, content, length);
-  }
+  /// Takes in a broadcast, or a message that is opened. Only while it fits.
+  /// @param slot the place of its key, or NO_SLOT
+  /// @param frame all of it
+  /// @param length of its content
+  JAVINO_NOINLINE void add(uint8_t slot, const uint8_t *frame, uint16_t length);
 
   /// The frames that could not be taken in for want of a key.
   NoKeys &noKeys() { return noKeys_; }
@@ -79,8 +75,6 @@ class Inbox {
 
   static_assert(config::RECEIVE_BYTES >= 2 + HEAD_LENGTH + MAX_CONTENT_LENGTH, "JAVINO_RECEIVE_BYTES: too few");
 
-  JAVINO_NOINLINE void add(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content,
-                           uint16_t length);
   void settle(const uint8_t *record);
 
   Part<ReplayMemory> replays_;

@@ -42,9 +42,9 @@ ByteQueue::Record Outbox::find(uint8_t number) const {
 
 bool Outbox::hasFor(const Address &destination) const {
   for (ByteQueue::Record record = first(); record.bytes != nullptr; record = after(record)) {
-    Frame frame;
-    Frame::parseHeader(record.bytes, frame);
-    if (frame.destination == destination) return true;
+    Address to;
+    Address::parse(record.bytes, to);
+    if (to == destination) return true;
   }
   return false;
 }

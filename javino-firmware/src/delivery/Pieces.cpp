@@ -24,11 +24,11 @@ uint8_t bitOf(uint8_t index) {
 uint8_t all(uint8_t count) { return static_cast<uint8_t>(2 * bitOf(static_cast<uint8_t>(count - 1)) - 1); }
 
 uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into) {
-  Frame whole;
-  Frame::parseHeader(frame, whole);
   const uint8_t at = index & (MAX_FRAGMENTS - 1);
   const uint8_t bytes = length(frameLength, at, longest);
-  Frame::writeHeader(into, Address::piece(id, index), whole.origin, bytes);
+  memcpy(into, frame, HEADER_LENGTH);
+  Address::piece(id, index).write(into);
+  Frame::writeSize(into + 2 * Address::TEXT_LENGTH, bytes);
   memcpy(into + HEADER_LENGTH, frame + at * longest, bytes);
   return static_cast<uint8_t>(HEADER_LENGTH + bytes);
 }
