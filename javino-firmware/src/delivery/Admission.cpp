@@ -25,13 +25,13 @@ bool Admission::drop(Counter why) {
   return false;
 }
 
-bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun) {
-  return frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, begun)
+bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint16_t age) {
+  return frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, age)
                                          : acceptSealed(frame, bytes, length);
 }
 
-bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun) {
-  if (broadcasts_.isRepeat(frame.origin, bytes, length, begun, clock::millis())) {
+bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint16_t age) {
+  if (broadcasts_.isRepeat(frame.origin, bytes, length, clock::millis(), age)) {
     state_->count(Counter::RADIO_REPEATS);
     return true;
   }

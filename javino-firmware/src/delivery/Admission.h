@@ -35,9 +35,9 @@ class Admission {
 
   /// Takes in a frame that is for us.
   /// @param bytes all of it; a sealed one is opened there
-  /// @param begun when its first packet began, in ms
+  /// @param age how long ago its first packet began, in ms
   /// @return whether it is of no use if it comes again: it is in the inbox, or was before
-  bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun);
+  bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint16_t age);
 
   /// Whether a whole frame that is for us comes from where it says: of a broadcast nobody can tell.
   bool isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const;
@@ -54,7 +54,7 @@ class Admission {
 
  private:
   uint8_t slotOf(const Frame &frame, bool other) const;
-  bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun);
+  bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint16_t age);
   JAVINO_NOINLINE bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
   bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, uint16_t length);
   bool dropWithoutKey(const Frame &frame);

@@ -7,19 +7,18 @@ namespace javinolib {
 const uint8_t BroadcastMemory::CAPACITY;
 
 static const uint16_t REPEAT_MILLIS = 400;
-static const uint16_t LONGEST_MILLIS = 0xFFFF;  // from a message's first piece to its last, and more
 
-bool BroadcastMemory::isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t begun,
-                               uint32_t now) {
+bool BroadcastMemory::isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t now,
+                               uint16_t age) {
   Crc16 crc;
   crc.add(frame, length);
   Entry &entry = placeFor(origin);
-  // What began before the other ended, as pieces may, is within 400 ms too; what seems to have begun weeks before, after.
-  const bool soon = begun - entry.ended + LONGEST_MILLIS <= static_cast<uint32_t>(LONGEST_MILLIS) + REPEAT_MILLIS;
-  const bool repeat = soon && entry.origin == origin && entry.crc == crc.value();
+  // What began before the other ended, as pieces may, is in time too; what seems to have begun more than a minute before, not.
+  const uint32_t left = entry.repeatsUntil - (now - age);
+  const bool repeat = left >> 16 == 0 && entry.origin == origin && entry.crc == crc.value();
   entry.origin = origin;
   entry.crc = crc.value();
-  entry.ended = now;
+  entry.repeatsUntil = now + REPEAT_MILLIS;
   return repeat;
 }
 

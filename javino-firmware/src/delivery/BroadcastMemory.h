@@ -14,10 +14,10 @@ class BroadcastMemory {
  public:
   /// Takes note of a broadcast that has come whole.
   /// @param frame all of it
-  /// @param begun when it began, in ms
-  /// @param now when it ended
+  /// @param now when it ended, in ms
+  /// @param age how long ago it began
   /// @return whether it is a repeat
-  bool isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t begun, uint32_t now);
+  bool isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t now, uint16_t age);
 
  private:
   static const uint8_t CAPACITY = config::BROADCAST_ORIGINS;
@@ -25,12 +25,12 @@ class BroadcastMemory {
   struct Entry {
     Address origin;
     uint16_t crc;
-    uint32_t ended;
+    uint32_t repeatsUntil;
   };
 
   Entry &placeFor(const Address &origin);
 
-  // An unused place is that of a broadcast of `AAAA` with the CRC 0 which ended with the boot. One that is taken for its
+  // An unused place is that of a broadcast of `AAAA` with the CRC 0 before the boot. One that is taken for its
   // repeat is as likely as two in a row that have the same CRC.
   Entry entries_[CAPACITY] JAVINO_ZEROED;
   uint8_t oldest_ JAVINO_ZEROED;

@@ -61,8 +61,7 @@ bool Broadcaster::isNew(const Frame &frame, const uint8_t *packet, uint8_t lengt
   if (frame.length > MAX_TEXT || !frame.destination.isBroadcast() || !frame.origin.isDevice() ||
       frame.origin == address_)
     return false;
-  const uint32_t now = clock::millis();
-  return !heard_.isRepeat(frame.origin, packet, length, now - medium_.airtimeMillis(length), now);
+  return !heard_.isRepeat(frame.origin, packet, length, clock::millis(), medium_.airtimeMillis(length));
 }
 
 }  // namespace javinolib

@@ -9,7 +9,7 @@ namespace javinolib {
 static const uint8_t INDEX_MASK = MAX_FRAGMENTS - 1;
 static const uint8_t INDEXES = MAX_FRAGMENTS + pieces::WANTS_ANSWER;
 
-bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun, bool isDoubtful) {
+bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint16_t age, bool isDoubtful) {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const uint8_t id = pieces::idOf(piece.destination);
   const uint8_t index = pieces::indexOf(piece.destination);
@@ -21,7 +21,7 @@ bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun, 
   }
   if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return false;
   if (isDoubtful && !isSealed(piece, id, at)) return admission_->drop(Counter::RADIO_DOUBTFUL);
-  PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, begun);
+  PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, static_cast<uint16_t>(now - age));
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
     return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
@@ -67,7 +67,7 @@ bool PieceReceiver::isWanted(const Frame &piece, uint8_t id, const Frame &whole,
 }
 
 PartialFrame *PieceReceiver::placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst,
-                                      uint32_t begun) {
+                                      uint16_t begun) {
   PartialFrame *partial = reassembly_.find(origin, id);
   if (partial != nullptr) return partial;
   bool expired = false;
@@ -89,7 +89,7 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
       if (admission_->isGenuine(whole, partial.bytes(), partial.length())) {
         const uint16_t length = partial.length();
         partial.clear();
-        if (admission_->accept(whole, partial.bytes(), length, partial.begun))
+        if (admission_->accept(whole, partial.bytes(), length, static_cast<uint16_t>(now - partial.begun)))
           ignored_.add(partial.origin, partial.id, now);
         return;
       }

@@ -18,10 +18,10 @@ class PieceReceiver {
 
   /// Takes in a frame to a piece's address, from another board.
   /// @param longest the most bytes of a piece, 16…67
-  /// @param begun when its packet began, in ms
+  /// @param age how long ago its packet began, in ms
   /// @param isDoubtful whether only a tag can tell if it is right: then it must be of a sealed frame
   /// @return whether it is of use
-  JAVINO_NOINLINE bool accept(const Frame &piece, uint8_t longest, uint32_t begun, bool isDoubtful);
+  JAVINO_NOINLINE bool accept(const Frame &piece, uint8_t longest, uint16_t age, bool isDoubtful);
 
   /// Forgets what has got no new piece for 5 s; to be called often.
   void run();
@@ -37,7 +37,7 @@ class PieceReceiver {
   static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
   bool isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
   bool isSealed(const Frame &piece, uint8_t id, uint8_t index);
-  PartialFrame *placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst, uint32_t begun);
+  PartialFrame *placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst, uint16_t begun);
   JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
   static void answer(Admission &admission, const PartialFrame &partial);
 

@@ -21,7 +21,7 @@ class PartialFrame {
   uint8_t id;  ///< 0…63
   Address origin;
   uint16_t lastNew;  ///< when the last new piece came, in ms
-  uint32_t begun;    ///< when the piece that came first began, in ms
+  uint16_t begun;    ///< when the piece that came first began, in ms
 
   /// Room for the frame.
   const uint8_t *bytes() const { return bytes_; }

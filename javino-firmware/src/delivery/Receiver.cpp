@@ -1,7 +1,6 @@
 #include "Receiver.h"
 
 #include "../radio/Mender.h"
-#include "../support/Clock.h"
 
 namespace javinolib {
 
@@ -92,18 +91,18 @@ bool Receiver::mayBeDoubtful(const Frame &frame) const {
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
 // is right, if there is a doubt.
 void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
-  const uint32_t begun = clock::millis() - medium_->airtimeMillis(length);
+  const uint16_t age = medium_->airtimeMillis(length);
   if (frame.destination.classOf() == Address::PIECE) {
     if (admission_->isOwn(frame)) {
       admission_->drop(Counter::RADIO_OWN);
     } else {
-      if (pieces_.accept(frame, medium_->pieceLength(), begun, isDoubtful_)) keep();
+      if (pieces_.accept(frame, medium_->pieceLength(), age, isDoubtful_)) keep();
     }
   } else if (isDoubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
     admission_->drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_->isForUs(frame)) {
     if (frame.destination.isDevice()) keep();
-    if (!admission_->accept(frame, packet, length, begun) && frame.destination.isDevice()) forget();
+    if (!admission_->accept(frame, packet, length, age) && frame.destination.isDevice()) forget();
   }
 }
 

@@ -17,7 +17,7 @@ class BroadcastMemoryTest : public ::testing::Test {
   bool isRepeat(uint32_t begun, uint32_t ended) {
     Address roma;
     Address::parse(HELP + 4, roma);
-    return memory_.isRepeat(roma, HELP, sizeof HELP - 1, begun, ended);
+    return memory_.isRepeat(roma, HELP, sizeof HELP - 1, ended, static_cast<uint16_t>(ended - begun));
   }
 
   BroadcastMemory memory_;
