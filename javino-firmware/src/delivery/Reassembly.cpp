@@ -42,9 +42,10 @@ uint8_t PartialFrame::have() const {
 
 bool PartialFrame::isWhole() const { return hasFirst() && have() == pieces::all(pieces::count(length(), longest_)); }
 
-// Whether a frame of this length has this piece.
+// Whether a frame of this length, which has to be cut, has this piece.
 bool PartialFrame::isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) const {
-  return index < pieces::count(frameLength, longest_) && pieceLength == pieces::length(frameLength, index, longest_);
+  const uint16_t from = static_cast<uint16_t>(index * longest_);
+  return from < frameLength && pieceLength == pieces::length(frameLength, index, longest_);
 }
 
 bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
