@@ -34,7 +34,6 @@ const uint16_t LATE_MILLIS = 1500;
 const uint8_t ANSWER_AGAIN_MILLIS = 200;
 const uint8_t MOST_ANSWERS = 4;
 const uint8_t ANSWER_REPEATS = 2;
-const uint8_t PART_OF_TIME = 10;
 
 uint8_t oneMore(uint8_t hops) { return static_cast<uint8_t>((hops + 1) % HOPS_MODULUS); }
 
@@ -73,7 +72,7 @@ void Doubts::set(uint16_t pair, uint8_t doubt) {
 
 void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
   if (!isOn()) return;
-  passSlots();
+  passTime();
   if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
     answerHeard(frame, packet, length, hops);
   } else if (frame.destination.isDevice()) {
@@ -114,10 +113,9 @@ void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t 
   if (entry && heardAgain(*entry, hops)) return;
   const bool late = entry;
   if (entry) entry->length = 0;
-  refill();
   const uint16_t pair = Doubts::pairOf(frame.destination, frame.origin);
   const bool trusted = memory_->doubts.of(pair) == Doubts::NONE;
-  const uint16_t least = trusted ? medium_.airtimeMillis(length) : static_cast<uint16_t>(MOST_CREDIT / 2);
+  const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST_CREDIT / 2);
   entry = credit_ < least ? nullptr : place();
   if (!entry) {
     counters_.count(Counter::RELAY_REFUSED);
@@ -216,7 +214,7 @@ void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length
   entry.answerHops = oneMore(hops);
   entry.answerLength = length;
   memcpy(entry.bytes + HEAD_LENGTH, packet, length);
-  credit_ = static_cast<uint16_t>(credit_ + entry.spent > MOST_CREDIT ? MOST_CREDIT : credit_ + entry.spent);
+  add(credit_, entry.spent);
   entry.spent = 0;
   if (direct && entry.copied && entry.quiet < SOON) entry.prompt = true;
   if (!entry.copied) {
@@ -245,11 +243,14 @@ uint8_t Forwarding::spread(bool turn) {
   return static_cast<uint8_t>(turn && random_.next(1) != 0 ? slots + TURN : slots);
 }
 
-// Counts the quiet slots that have passed.
-void Forwarding::passSlots() {
-  const uint8_t now = medium_.quietSlots();
-  if (now < slots_ && now < MediumAccess::CIRCLE) slots_ = 0;
-  for (; slots_ != now; slots_ = MediumAccess::slotAfter(slots_)) {
+// Counts the time and the quiet slots that have passed.
+void Forwarding::passTime() {
+  const uint16_t now = static_cast<uint16_t>(clock::millis());
+  add(credit_, static_cast<uint16_t>(now - filledAt_));
+  filledAt_ = now;
+  const uint8_t slots = medium_.quietSlots();
+  if (slots < slots_ && slots < MediumAccess::CIRCLE) slots_ = 0;
+  for (; slots_ != slots; slots_ = MediumAccess::slotAfter(slots_)) {
     for (Entry &entry : memory_->entries) {
       if (entry.quiet != UINT8_MAX) entry.quiet++;
       if (slots_ >= entry.first && entry.left != 0) entry.left--;
@@ -257,16 +258,19 @@ void Forwarding::passSlots() {
   }
 }
 
-void Forwarding::refill() {
-  const uint32_t units = (clock::millis() - filledAt_) / PART_OF_TIME;
-  filledAt_ += units * PART_OF_TIME;
-  const uint32_t credit = credit_ + units;
-  credit_ = static_cast<uint16_t>(credit > MOST_CREDIT ? MOST_CREDIT : credit);
+// More than there can ever be where a packet takes so long.
+uint16_t Forwarding::costOf(uint8_t length) const {
+  const uint16_t millis = medium_.airtimeMillis(length);
+  return millis > MOST_CREDIT / TENTHS ? UINT16_MAX : static_cast<uint16_t>(millis * TENTHS);
+}
+
+void Forwarding::add(uint16_t &credit, uint16_t more) {
+  credit = more > MOST_CREDIT - credit ? MOST_CREDIT : static_cast<uint16_t>(credit + more);
 }
 
 void Forwarding::run() {
   if (!isOn()) return;
-  passSlots();
+  passTime();
   for (Entry &entry : memory_->entries) {
     if (entry.length == 0) continue;
     const uint8_t slots = medium_.quietSlots();
@@ -281,8 +285,7 @@ void Forwarding::send(Entry &entry) {
     entry.answers++;
     counters_.count(Counter::RELAY_ANSWERS);
   } else {
-    refill();
-    const uint16_t cost = medium_.airtimeMillis(entry.length);
+    const uint16_t cost = costOf(entry.length);
     if (credit_ < cost) {
       entry.due = NOTHING;
       counters_.count(Counter::RELAY_REFUSED);
@@ -290,7 +293,7 @@ void Forwarding::send(Entry &entry) {
     }
     if (!medium_.sendCopy(entry.bytes, entry.length, entry.hops)) return;
     credit_ = static_cast<uint16_t>(credit_ - cost);
-    entry.spent = static_cast<uint16_t>(entry.spent + cost);
+    add(entry.spent, cost);
     entry.copied = true;
     counters_.count(Counter::RELAY_COPIES);
   }

@@ -68,7 +68,10 @@ class Forwarding {
 
  private:
   static const uint8_t CAPACITY = 4;
-  static const uint16_t MOST_CREDIT = 4000;  // milliseconds on the air
+
+  // Time on the air in tenths of a millisecond: a relay takes a tenth of all time, so its credit grows by one each millisecond.
+  static const uint8_t TENTHS = 10;
+  static const uint16_t MOST_CREDIT = 4000 * TENTHS;
 
   /// The header of a packet and its nonce, by which it is known when its acknowledgement has taken the place of the rest.
   static const uint8_t HEAD_LENGTH = HEADER_LENGTH + NONCE_LENGTH;
@@ -100,7 +103,7 @@ class Forwarding {
     bool answerHandedOn : 1;
     uint16_t crc;  // of the packet
     uint16_t pair;
-    uint16_t spent;                    // milliseconds on the air
+    uint16_t spent;                    // of the credit
     uint32_t at;                       // when something happened to it
     uint8_t bytes[MAX_RADIO_PAYLOAD];  // the packet; once it is answered its head, and behind that the acknowledgement
   };
@@ -116,8 +119,9 @@ class Forwarding {
   void firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops);
   void wait(Entry &entry, Due due, uint8_t first, uint8_t left);
   uint8_t spread(bool turn);
-  void passSlots();
-  void refill();
+  void passTime();
+  JAVINO_NOINLINE uint16_t costOf(uint8_t length) const;
+  JAVINO_NOINLINE static void add(uint16_t &credit, uint16_t more);
   void send(Entry &entry);
   void sent(Entry &entry);
 
@@ -126,8 +130,8 @@ class Forwarding {
   Counters &counters_;
   Memory *memory_ JAVINO_ZEROED;
   uint8_t slots_ JAVINO_ZEROED;  // quiet slots that were counted
-  uint16_t credit_;              // milliseconds on the air that may still be spent
-  uint32_t filledAt_ JAVINO_ZEROED;
+  uint16_t credit_;              // that may still be spent
+  uint16_t filledAt_ JAVINO_ZEROED;
 };
 
 struct Forwarding::Memory {
