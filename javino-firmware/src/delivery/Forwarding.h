@@ -90,17 +90,17 @@ class Forwarding {
     uint8_t answerLength;
     uint8_t answers;   // copies of it since the packet was new or late
     uint8_t quiet;     // slots since the end of our last copy, or since what is in reserve was heard
-    bool sending : 1;  // a copy is on the air
-    bool reserve : 1;
-    bool fromReserve : 1;
-    bool trusted : 1;   // there was no doubt when it began
-    bool repeated : 1;  // or need not be
-    bool copied : 1;
-    bool late : 1;
-    bool handedOn : 1;
-    bool prompt : 1;  // and soon
-    bool answered : 1;
-    bool answerHandedOn : 1;
+    bool sending;  // a copy is on the air
+    bool reserve;
+    bool fromReserve;
+    bool trusted;   // there was no doubt when it began
+    bool repeated;  // or need not be
+    bool copied;
+    bool late;
+    bool handedOn;
+    bool prompt;  // and soon
+    bool answered;
+    bool answerHandedOn;
     uint16_t crc;  // of the packet
     uint16_t pair;
     uint16_t spent;                    // of the credit
