@@ -69,8 +69,7 @@ void Acknowledger::noteBusyAir() {
     deferred_ = true;
     state_->count(Counter::RADIO_DEFERRED);
   }
-  const bool isBusy = medium_->hearsCarrier() || medium_->isSending();
-  if (isBusy && slots_ == FRESH_SLOTS) {
+  if (medium_->isBusy() && slots_ == FRESH_SLOTS) {
     slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_->random.next(FURTHER_SLOTS_MASK));
   }
 }

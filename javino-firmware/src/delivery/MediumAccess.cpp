@@ -12,13 +12,13 @@ bool MediumAccess::begin() {
 
 void MediumAccess::update() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
-  const bool wasBusy = busy_;
+  const bool wasBusy = isBusy();
   carrier_ = radio_.carrier();
-  busy_ = carrier_ || radio_.sending();
+  sending_ = radio_.sending();
   const uint16_t elapsed = static_cast<uint16_t>(now - lookedAt_);
   lookedAt_ = now;
   quietMillis_ = 0;
-  if (busy_ || wasBusy) {
+  if (isBusy() || wasBusy) {
     quietSlots_ = 0;
     slotSince_ = now;
     return;
@@ -37,7 +37,7 @@ bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer)
   (void)trailer;
 #endif
   if (!radio_.send(payload, length)) return false;
-  busy_ = true;
+  sending_ = true;
   quietSlots_ = 0;
   return true;
 }

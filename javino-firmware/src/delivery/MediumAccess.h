@@ -12,7 +12,7 @@ namespace javinolib {
 /// Medium access (SPEC 7.4): whether the air is busy, and for how many slots it has been quiet.
 class MediumAccess {
  public:
-  explicit MediumAccess(Radio &radio) : radio_(radio), slotMillis_(1), busy_(true) {}
+  explicit MediumAccess(Radio &radio) : radio_(radio), slotMillis_(1), sending_(true) {}
 
   /// Starts the radio; to be called once, after a boot.
   /// @return false where it does not start
@@ -34,8 +34,11 @@ class MediumAccess {
   /// Whether another board's carrier is heard, or was since the update() before.
   bool hearsCarrier() const { return carrier_; }
 
-  /// Whether a packet of ours is on the air.
-  bool isSending() const { return radio_.sending(); }
+  /// Whether a packet of ours is on the air, or was at the last update().
+  bool isSending() const { return sending_; }
+
+  /// Whether either is.
+  bool isBusy() const { return carrier_ || sending_; }
 
   /// Milliseconds of quiet air since the update() before.
   uint8_t quietMillis() const { return quietMillis_; }
@@ -81,7 +84,7 @@ class MediumAccess {
   Radio &radio_;
   uint8_t slotMillis_;
   uint8_t pieceLength_;  // set by begin()
-  bool busy_;
+  bool sending_;
   bool carrier_ JAVINO_ZEROED;
   uint8_t quietSlots_ JAVINO_ZEROED;
   uint8_t quietMillis_ JAVINO_ZEROED;
