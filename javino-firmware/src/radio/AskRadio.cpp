@@ -41,19 +41,17 @@ bool AskRadio::begin() {
 }
 
 bool AskRadio::send(const uint8_t *payload, uint8_t length) {
-  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD || !decoder_->queue().claim()) return false;
+  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD) return false;
+  RadioPacket *packet;
   {
     askhardware::InterruptLock lock;
-    stopReceiving();
+    packet = decoder_->queue().claim();
+    if (packet) stopReceiving();
   }
   // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
-  RadioPacket *packet = decoder_->queue().claim();
-  const bool room = packet && encoder_->start(payload, length, follower_, packet->room, hops_);
+  if (!packet) return false;
+  encoder_->start(payload, length, follower_, packet->room, hops_);
   askhardware::InterruptLock lock;
-  if (!room) {  // a packet has come since the first look
-    startReceiving();
-    return false;
-  }
   sending_ = true;
   encoder_->next();  // the first bit is a 0, as is the silence now
   nextBit_ = encoder_->next();
