@@ -12,12 +12,11 @@ namespace linecode {
 
 static const uint8_t BITS_PER_SYMBOL = 6;
 
-/// The bits of the start symbols 0x38 and 0x2C as they lie in a 12-bit register that is filled from the top; and those of the
-/// training before them, in one of 24 bits.
+/// The bits of the start symbols 0x38 and 0x2C as they lie in a 12-bit register that is filled from the top; and those of two
+/// symbols of the training before them.
 static const uint16_t START = 0xB38;
-static const uint16_t START_TOP_BIT = 0x800;
-static const uint32_t TRAINING = 0xAAAAAA;
-static const uint32_t TRAINING_TOP_BIT = 0x800000;
+static const uint16_t TRAINING = 0xAAA;
+static const uint16_t TOP_BIT = 0x800;
 
 /// Symbols ahead of the first byte: six of training, then the two of the start symbol.
 static const uint8_t PREAMBLE_SYMBOLS = 8;

@@ -19,15 +19,17 @@ const uint8_t COUNT_SYMBOLS = 2;
 // As many as the shortest acknowledgement has.
 const uint8_t LEAST_UNCOUNTED = 42;
 
+// Twelve bits and one behind them, without the first.
+uint16_t shifted(uint16_t bits, bool next) { return static_cast<uint16_t>(bits >> 1 | (next ? linecode::TOP_BIT : 0)); }
+
 }  // namespace
 
 RadioDecoder::RadioDecoder(uint16_t bitTicks) : carrier_(bitTicks) {}
 
 void RadioDecoder::add(bool bit) {
-  before_ >>= 1;
-  if (bits_ & 1) before_ |= linecode::TRAINING_TOP_BIT;
-  bits_ >>= 1;
-  if (bit) bits_ |= linecode::START_TOP_BIT;
+  oldTraining_ = shifted(oldTraining_, newTraining_ & 1);
+  newTraining_ = shifted(newTraining_, bits_ & 1);
+  bits_ = shifted(bits_, bit);
   const bool mayStart = phase_ < BODY || startErrors_ != 0 || noise_ > 0;  // else none would count
   if (mayStart && isStart()) return;
   if (phase_ == HUNTING || ++symbolBits_ < linecode::BITS_PER_SYMBOL) return;
@@ -39,11 +41,10 @@ void RadioDecoder::add(bool bit) {
 bool RadioDecoder::isStart() {
   uint8_t wrong = linecode::onesOfWord(bits_ ^ linecode::START);
   if (wrong > MOST_START_ERRORS) return false;
-  const uint32_t training = before_ ^ linecode::TRAINING;
   // The newest twelve bits of training are those that no receiver has missed.
-  const bool isExact = wrong == 0 && (training >> 12) == 0;
-  wrong = static_cast<uint8_t>(wrong + linecode::onesOfWord(static_cast<uint16_t>(training)) +
-                               linecode::onesOf(static_cast<uint8_t>(training >> 16)));
+  wrong = static_cast<uint8_t>(wrong + linecode::onesOfWord(newTraining_ ^ linecode::TRAINING));
+  const bool isExact = wrong == 0;
+  wrong = static_cast<uint8_t>(wrong + linecode::onesOfWord(oldTraining_ ^ linecode::TRAINING));
   if (isExact && wrong > MOST_START_ERRORS) wrong = MOST_START_ERRORS;
   if (wrong > MOST_START_ERRORS || !isBetterStart(wrong)) return false;
   begin(wrong);
@@ -193,7 +194,8 @@ void RadioDecoder::abandon() {
   if (phase_ == COUNT || phase_ == BODY) countUp(counters_.missed);
   close();
   bits_ = 0;
-  before_ = 0;
+  newTraining_ = 0;
+  oldTraining_ = 0;
   hunt();
 }
 

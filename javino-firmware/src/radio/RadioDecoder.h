@@ -65,8 +65,9 @@ class RadioDecoder {
   void close();
   void hunt() { phase_ = HUNTING; }
 
-  uint16_t bits_ JAVINO_ZEROED;    // the last twelve, the newest at the top
-  uint32_t before_ JAVINO_ZEROED;  // the 24 before those
+  uint16_t bits_ JAVINO_ZEROED;         // the last twelve, the newest at the top
+  uint16_t newTraining_ JAVINO_ZEROED;  // the twelve before those
+  uint16_t oldTraining_ JAVINO_ZEROED;  // and before those
   Phase phase_ JAVINO_ZEROED;
   uint8_t startErrors_ JAVINO_ZEROED;  // wrong bits of the start of the packet under way
   int8_t noise_ JAVINO_ZEROED;         // impossible symbols less the possible ones, at least LEAST_NOISE
