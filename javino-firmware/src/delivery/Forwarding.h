@@ -71,7 +71,7 @@ class Forwarding {
 
   // Time on the air in tenths of a millisecond: a relay takes a tenth of all time, so its credit grows by one each millisecond.
   static const uint8_t TENTHS = 10;
-  static const uint16_t MOST_CREDIT = 4000 * TENTHS;
+  static const uint16_t MOST_CREDIT = 4000u * TENTHS;
 
   /// The header of a packet and its nonce, by which it is known when its acknowledgement has taken the place of the rest.
   static const uint8_t HEAD_LENGTH = HEADER_LENGTH + NONCE_LENGTH;
