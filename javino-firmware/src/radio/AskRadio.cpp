@@ -10,7 +10,7 @@ namespace {
 // The line code never holds a level for more than four bits: after twice five bits without an edge there is nothing
 // left to wait for.
 const uint8_t BITS_TO_ALARM = 5;
-const uint8_t SILENCE_ALARMS = 2;
+const uint8_t ALARMS_TO_SILENCE = 2;
 
 // A carrier is heard from its twelfth bit on, and seen by the loop within 1 ms: another that begins a slot later is
 // put off.
@@ -30,7 +30,6 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
       txPin_(txPin),
       bitRate_(bitRate),
       bitTicks_(ticksPerBit(bitRate)),
-      silentAlarms_(SILENCE_ALARMS),
       bitClock_(bitTicks_),
       decoder_(bitTicks_) {}
 
@@ -113,7 +112,7 @@ void AskRadio::counters(RadioCounters &into) const {
 }
 
 void AskRadio::onEdge(uint16_t now, bool level) {
-  if (silentAlarms_ == SILENCE_ALARMS) {
+  if (alarmsLeft_ == 0) {
     bitClock_->reset(level);
     heardUntil_ = now;
   } else {
@@ -121,7 +120,7 @@ void AskRadio::onEdge(uint16_t now, bool level) {
   }
   if (!decoder_->inPacket()) decoder_->carrier().addEdge(now, level);
   level_ = level;
-  silentAlarms_ = 0;
+  alarmsLeft_ = ALARMS_TO_SILENCE;
   setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
 }
 
@@ -141,7 +140,7 @@ void AskRadio::onAlarm() {
 }
 
 void AskRadio::startReceiving() {
-  silentAlarms_ = SILENCE_ALARMS;
+  alarmsLeft_ = 0;
   askhardware::watchEdges(true);
 }
 
@@ -168,11 +167,11 @@ void AskRadio::onSilence() {
   const uint16_t now = askhardware::now();
   hear(now);
   if (level_) decoder_->carrier().addHold();
-  if (silentAlarms_ == 0 || isHeldByCollision()) {
-    silentAlarms_ = 1;
+  if (alarmsLeft_ == ALARMS_TO_SILENCE || isHeldByCollision()) {
+    alarmsLeft_ = 1;
     setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
   } else {
-    silentAlarms_ = SILENCE_ALARMS;
+    alarmsLeft_ = 0;
     askhardware::clearAlarm();
     decoder_->carrier().silence(level_);
     decoder_->endOfSignal();

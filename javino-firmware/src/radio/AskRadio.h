@@ -85,7 +85,7 @@ class AskRadio : public Radio {
   mutable bool carrierHeard_ JAVINO_ZEROED;  // since carrier() was called, or when it was
   uint16_t alarm_ JAVINO_ZEROED;             // when the timer's interrupt is to begin
   uint16_t late_ JAVINO_ZEROED;              // by how many ticks it was late at most
-  uint8_t silentAlarms_;               // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
+  uint8_t alarmsLeft_ JAVINO_ZEROED;         // without an edge; 0: the air is quiet, the alarm is off
   uint16_t heardUntil_ JAVINO_ZEROED;  // the time up to which the line has been heard
   bool level_ JAVINO_ZEROED;           // of the line since then
 

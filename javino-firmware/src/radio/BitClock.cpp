@@ -2,7 +2,7 @@
 
 namespace javinolib {
 
-BitClock::BitClock(uint16_t bitTicks) : bitTicks_(bitTicks), settleTicks_(bitTicks / 4), maxSteerTicks_(bitTicks / 8) {}
+BitClock::BitClock(uint16_t bitTicks) : bitTicks_(bitTicks) {}
 
 void BitClock::reset(bool level) {
   phase_ = 0;
@@ -11,7 +11,7 @@ void BitClock::reset(bool level) {
 }
 
 bool BitClock::advance(uint16_t &ticks, bool level, bool &bit) {
-  if (level != steadyLevel_ && ticks >= settleTicks_) {
+  if (level != steadyLevel_ && ticks >= bitTicks_ / 4) {
     steadyLevel_ = level;
     steer();
   }
@@ -34,7 +34,7 @@ bool BitClock::advance(uint16_t &ticks, bool level, bool &bit) {
 void BitClock::steer() {
   const bool late = phase_ < bitTicks_ / 2;
   const uint16_t error = late ? phase_ : bitTicks_ - phase_;
-  const uint16_t move = error / 2 < maxSteerTicks_ ? error / 2 : maxSteerTicks_;
+  const uint16_t move = error < bitTicks_ / 4 ? error / 2 : bitTicks_ / 8;
   if (late) {
     phase_ -= move;
   } else {

@@ -34,8 +34,6 @@ class BitClock {
   void steer();
 
   const uint16_t bitTicks_;
-  const uint16_t settleTicks_;  // a level that lasts so long is no glitch
-  const uint16_t maxSteerTicks_;
   uint16_t phase_ JAVINO_ZEROED;    // ticks since the window began, moved by steering
   int16_t balance_ JAVINO_ZEROED;   // ticks high less ticks low in this window
   bool steadyLevel_ JAVINO_ZEROED;  // the last level that was no glitch

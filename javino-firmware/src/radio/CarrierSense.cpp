@@ -33,7 +33,7 @@ const uint16_t BITS_OF_LONGEST_PACKET =
 
 }  // namespace
 
-CarrierSense::CarrierSense(uint16_t bitTicks) : bitTicks_(bitTicks), toleranceTicks_(bitTicks / 4) {}
+CarrierSense::CarrierSense(uint16_t bitTicks) : bitTicks_(bitTicks) {}
 
 void CarrierSense::addEdge(uint16_t now, bool level) {
   if (!level && !edgeIsOld_) addPulse(static_cast<uint16_t>(now - edge_));
@@ -58,9 +58,10 @@ void CarrierSense::addEdge(uint16_t now, bool level) {
 
 // How many bits a period is long, 1…8; 0 where it is not a whole number of them.
 uint8_t CarrierSense::wholeBits(uint16_t period) const {
+  const uint16_t tolerance = bitTicks_ / 4;  // either way
   for (uint8_t bits = 1; bits <= MAX_PERIOD_BITS; bits++) {
     period = static_cast<uint16_t>(period - bitTicks_);
-    if (static_cast<uint16_t>(period + toleranceTicks_) <= 2 * toleranceTicks_) return bits;
+    if (static_cast<uint16_t>(period + tolerance) <= 2 * tolerance) return bits;
   }
   return 0;
 }

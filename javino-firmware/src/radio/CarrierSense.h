@@ -63,7 +63,6 @@ class CarrierSense {
   void expectAtLeast(uint16_t bits);
 
   const uint16_t bitTicks_;
-  const uint16_t toleranceTicks_;      // of a period, either way
   uint16_t edge_ JAVINO_ZEROED;        // when the line changed last
   uint16_t edgeBefore_ JAVINO_ZEROED;  // and before that
   uint8_t training_ JAVINO_ZEROED;     // periods of training, one after the other
