@@ -14,14 +14,14 @@ static const uint16_t FURTHER_SLOTS_MASK = 3;
 static const uint8_t MILLIS_A_UNIT = 100;  // of the uptime in a stale notice
 
 void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
-  for (uint8_t i = 0; i < count_; i++) {
-    if (entries_[i].slot == slot && entries_[i].sender == sender) remove(i);  // a sender awaits one answer at a time
+  for (Entry *entry = entries_; entry < end_; entry++) {
+    if (entry->slot == slot && entry->sender == sender) remove(entry);  // a sender awaits one answer at a time
   }
-  if (count_ == CAPACITY) {
+  if (end_ == entries_ + CAPACITY) {
     state_->count(Counter::RADIO_ANSWERS_DROPPED);
-    remove(0);
+    remove(entries_);
   }
-  Entry &entry = entries_[count_++];
+  Entry &entry = *end_++;
   entry.type = type;
   entry.twice = false;
   added_ = true;
@@ -31,27 +31,27 @@ void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, co
   memcpy(entry.nonce, nonce, NONCE_LENGTH);
 }
 
-void Acknowledger::remove(uint8_t index) {
-  count_--;
-  memmove(entries_ + index, entries_ + index + 1, (count_ - index) * sizeof(Entry));
-  if (index != 0) return;
+void Acknowledger::remove(Entry *entry) {
+  end_--;
+  memmove(entry, entry + 1, static_cast<size_t>(end_ - entry) * sizeof(Entry));
+  if (entry != entries_) return;
   deferred_ = false;
   slots_ = FRESH_SLOTS;
 }
 
 // The first acknowledgement is the host's to cause.
 void Acknowledger::answerTwice() {
-  if (added_ && entries_[count_ - 1].type == Proof::DELIVERED) entries_[count_ - 1].twice = true;
+  if (added_ && end_[-1].type == Proof::DELIVERED) end_[-1].twice = true;
 }
 
 void Acknowledger::keysChanged() {
-  for (uint8_t i = count_; i != 0; i--) {
-    if (state_->keys.isFree(entries_[i - 1].slot)) remove(static_cast<uint8_t>(i - 1));
+  for (Entry *entry = end_; entry-- != entries_;) {
+    if (state_->keys.isFree(entry->slot)) remove(entry);
   }
 }
 
 void Acknowledger::run() {
-  if (count_ == 0) return;
+  if (end_ == entries_) return;
   noteBusyAir();
   if (medium_->quietSlots() < slots_) return;
   uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
@@ -60,7 +60,7 @@ void Acknowledger::run() {
   if (length != 0 && entries_[0].twice) {
     entries_[0].twice = false;
   } else {
-    remove(0);
+    remove(entries_);
   }
 }
 

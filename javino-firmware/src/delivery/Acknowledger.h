@@ -22,7 +22,7 @@ namespace javinolib {
 class Acknowledger {
  public:
   Acknowledger(MediumAccess &medium, BoardState &state)
-      : medium_(medium), state_(state), slots_(FRESH_SLOTS), heard_(KeyStore::NO_SLOT) {}
+      : medium_(medium), state_(state), end_(entries_), slots_(FRESH_SLOTS), heard_(KeyStore::NO_SLOT) {}
 
   /// The host has a message.
   /// @param slot the place of the key of the frame that is answered
@@ -77,14 +77,14 @@ class Acknowledger {
   };
 
   JAVINO_NOINLINE void add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have);
-  JAVINO_NOINLINE void remove(uint8_t index);
+  JAVINO_NOINLINE void remove(Entry *entry);
   void noteBusyAir();
   uint8_t build(const Entry &entry, uint8_t *frame) const;
   void writeBody(const Entry &entry, uint8_t *body) const;
 
   Part<MediumAccess> medium_;
   Part<BoardState> state_;
-  uint8_t count_ JAVINO_ZEROED;
+  Entry *end_;                   // behind the last one
   uint8_t slots_;                // of quiet air that the first one waits for
   bool deferred_ JAVINO_ZEROED;  // it has been counted as deferred
   bool added_ JAVINO_ZEROED;     // an entry, since then
