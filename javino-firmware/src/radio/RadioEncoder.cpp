@@ -37,11 +37,8 @@ uint8_t RadioEncoder::addTrailer(Trailer trailer, uint8_t *packet, uint8_t lengt
   if (trailer == Trailer::NONE) return 0;
   packet[length] = trailer == Trailer::MARK ? linecode::TRAILER_MARK : linecode::TRAILER_PARITY;
   if (trailer == Trailer::MARK) return 1;
-  uint8_t parity[reedsolomon::PARITY_LENGTH];
-  reedsolomon::encode(packet, length, parity);
-  const uint8_t sent = linecode::parityLength(length);
-  memcpy(packet + length + 1, parity, sent);
-  return static_cast<uint8_t>(1 + sent);
+  reedsolomon::encode(packet, length, packet + length + 1);
+  return static_cast<uint8_t>(1 + linecode::parityLength(length));
 }
 
 #else

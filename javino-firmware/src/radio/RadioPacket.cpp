@@ -30,8 +30,8 @@ uint8_t RadioPacket::symbol(uint8_t index) const {
 uint16_t RadioPacket::byte(uint8_t index) const {
   const uint8_t high = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index)));
   const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index + 1)));
-  if (high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE) return NO_BYTE;
-  return static_cast<uint8_t>(high << 4 | low);
+  const uint8_t byte = static_cast<uint8_t>(high << 4 | (low & 0x0F));
+  return high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE ? NO_BYTE | byte : byte;
 }
 
 uint8_t RadioPacket::count() const {
@@ -45,16 +45,11 @@ uint16_t RadioPacket::hops() const {
   Crc16 crc;
   for (uint8_t i = 0; i < bytes; i++) {
     const uint16_t next = byte(i);
-    if (next == NO_BYTE) return NO_HOPS;
+    if (next >= NO_BYTE) return NO_HOPS;
     const uint8_t known = static_cast<uint8_t>(next);
     crc.add(&known, 1);
   }
   return hopsOf(crc.value());
-}
-
-uint8_t RadioPacket::readByte(uint8_t index) const {
-  const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index + 1)));
-  return static_cast<uint8_t>(linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index))) << 4 | (low & 0x0F));
 }
 
 // Three bytes of symbols make two bytes: none is overwritten before it was read.

@@ -55,7 +55,7 @@ struct RadioPacket {
 
   /// The byte that two symbols stand for; 15 is the nibble of one that is not in the table.
   /// @param index of a byte both of whose symbols have come
-  uint8_t readByte(uint8_t index) const;
+  uint8_t readByte(uint8_t index) const { return static_cast<uint8_t>(byte(index)); }
 
   /// Puts so many bytes, as readByte() tells them, in the place of their symbols.
   void makeBytes(uint8_t length);
@@ -70,7 +70,7 @@ struct RadioPacket {
  private:
   static const uint16_t NO_BYTE = 0x100;
 
-  // The byte that two symbols stand for; NO_BYTE where one of them is not in the table.
+  // As readByte(), and NO_BYTE beside it where a symbol is not in the table.
   uint16_t byte(uint8_t index) const;
 };
 
