@@ -39,14 +39,11 @@ uint8_t oneMore(uint8_t hops) { return static_cast<uint8_t>((hops + 1) % HOPS_MO
 
 }  // namespace
 
-uint16_t Doubts::pairOf(const Address &one, const Address &other) {
-  const bool turned = one.value() > other.value();
-  uint8_t bytes[2 * Address::STORED_LENGTH];
-  (turned ? other : one).store(bytes);
-  (turned ? one : other).store(bytes + Address::STORED_LENGTH);
-  Crc16 crc;
-  crc.add(bytes, sizeof bytes);
-  return crc.value();
+uint16_t Doubts::pairOf(const uint8_t *frame) {
+  Crc16 destination, origin;
+  destination.add(frame, Address::TEXT_LENGTH);
+  origin.add(frame + Address::TEXT_LENGTH, Address::TEXT_LENGTH);
+  return static_cast<uint16_t>(static_cast<uint32_t>(destination.value()) * origin.value());
 }
 
 uint8_t Doubts::find(uint16_t pair) const {
@@ -113,7 +110,7 @@ void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t 
   if (entry && heardAgain(*entry, hops)) return;
   const bool late = entry;
   if (entry) entry->length = 0;
-  const uint16_t pair = Doubts::pairOf(frame.destination, frame.origin);
+  const uint16_t pair = Doubts::pairOf(packet);
   const bool trusted = memory_->doubts.of(pair) == Doubts::NONE;
   const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST_CREDIT / 2);
   entry = credit_ < least ? nullptr : place();

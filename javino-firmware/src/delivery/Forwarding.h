@@ -23,8 +23,8 @@ class Doubts {
   static const uint8_t AFTER_RESERVE = 2;
   static const uint8_t MOST = 3;
 
-  /// A pair, by a number that most other pairs do not have.
-  static uint16_t pairOf(const Address &one, const Address &other);
+  /// The pair of a frame's addresses in either direction, by a number that most other pairs do not have.
+  static uint16_t pairOf(const uint8_t *frame);
 
   uint8_t of(uint16_t pair) const;
   void set(uint16_t pair, uint8_t doubt);
