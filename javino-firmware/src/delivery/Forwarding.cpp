@@ -93,11 +93,10 @@ Forwarding::Entry *Forwarding::find(const uint8_t *packet, uint8_t length, uint1
 // Returns null where all have something to send.
 Forwarding::Entry *Forwarding::place() {
   Entry *oldest = nullptr;
-  const uint32_t now = clock::millis();
   for (Entry &entry : memory_->entries) {
     if (entry.length == 0) return &entry;
     if (entry.due != NOTHING || entry.sending) continue;
-    if (!oldest || now - entry.at > now - oldest->at) oldest = &entry;
+    if (!oldest || entry.age > oldest->age) oldest = &entry;
   }
   return oldest;
 }
@@ -112,7 +111,7 @@ void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t 
   if (entry) entry->length = 0;
   const uint16_t pair = Doubts::pairOf(packet);
   const bool trusted = memory_->doubts.of(pair) == Doubts::NONE;
-  const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST_CREDIT / 2);
+  const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST / 2);
   entry = credit_ < least ? nullptr : place();
   if (!entry) {
     counters_.count(Counter::RELAY_REFUSED);
@@ -137,7 +136,7 @@ void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
   entry.handedOn = entry.prompt = entry.answered = entry.answerHandedOn = false;
   entry.answers = 0;
   entry.quiet = 0;
-  entry.at = clock::millis();
+  entry.age = 0;
   if (!entry.reserve) {
     wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)));
   }
@@ -151,7 +150,7 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
   }
   const bool isIdle = entry.due == NOTHING && !entry.sending;
   if (!entry.copied || !isIdle || placeOf(hops, entry.hops) == DOWNSTREAM ||
-      clock::millis() - entry.at <= ANSWER_AGAIN_MILLIS) {
+      entry.age <= ANSWER_AGAIN_MILLIS) {
     return true;
   }
   if (entry.answers >= MOST_ANSWERS) return false;
@@ -162,18 +161,18 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
 void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   const Place from = placeOf(hops, entry.hops);
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  if (isIdle && !entry.reserve && clock::millis() - entry.at > LATE_MILLIS) {
+  if (isIdle && !entry.reserve && entry.age > LATE_MILLIS) {
     entry.late = true;
     begin(entry, hops, false);
   } else if (from == DOWNSTREAM) {
     if (entry.copied && entry.quiet < SOON) entry.prompt = true;
     entry.handedOn = true;
     entry.due = NOTHING;
-    entry.at = clock::millis();
+    entry.age = 0;
   } else if (from == PEER) {
     if (entry.copied || entry.due == NOTHING) return;
     entry.due = NOTHING;
-    entry.at = clock::millis();
+    entry.age = 0;
   } else if (entry.reserve) {
     if (entry.quiet >= RESERVE_QUIET) begin(entry, hops, true);
     entry.quiet = 0;
@@ -198,7 +197,7 @@ void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t 
       if (from == DOWNSTREAM) entry.answerHandedOn = true;
       if (from != UPSTREAM) entry.due = NOTHING;
     }
-    entry.at = clock::millis();
+    entry.age = 0;
   }
 }
 
@@ -243,8 +242,10 @@ uint8_t Forwarding::spread(bool turn) {
 // Counts the time and the quiet slots that have passed.
 void Forwarding::passTime() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
-  add(credit_, static_cast<uint16_t>(now - filledAt_));
-  filledAt_ = now;
+  const uint16_t passed = static_cast<uint16_t>(now - lookedAt_);
+  lookedAt_ = now;
+  add(credit_, passed);
+  for (Entry &entry : memory_->entries) add(entry.age, passed);
   const uint8_t slots = medium_.quietSlots();
   if (slots < slots_ && slots < MediumAccess::CIRCLE) slots_ = 0;
   for (; slots_ != slots; slots_ = MediumAccess::slotAfter(slots_)) {
@@ -258,11 +259,11 @@ void Forwarding::passTime() {
 // More than there can ever be where a packet takes so long.
 uint16_t Forwarding::costOf(uint8_t length) const {
   const uint16_t millis = medium_.airtimeMillis(length);
-  return millis > MOST_CREDIT / TENTHS ? UINT16_MAX : static_cast<uint16_t>(millis * TENTHS);
+  return millis > MOST / TENTHS ? UINT16_MAX : static_cast<uint16_t>(millis * TENTHS);
 }
 
-void Forwarding::add(uint16_t &credit, uint16_t more) {
-  credit = more > MOST_CREDIT - credit ? MOST_CREDIT : static_cast<uint16_t>(credit + more);
+void Forwarding::add(uint16_t &sum, uint16_t more) {
+  sum = more > MOST - sum ? MOST : static_cast<uint16_t>(sum + more);
 }
 
 void Forwarding::run() {
@@ -301,7 +302,7 @@ void Forwarding::send(Entry &entry) {
 // Our copy has ended.
 void Forwarding::sent(Entry &entry) {
   entry.sending = false;
-  entry.at = clock::millis();
+  entry.age = 0;
   if (entry.answered) {
     if (entry.hops != FROM_SENDER && !entry.answerHandedOn && entry.answers <= ANSWER_REPEATS) {
       wait(entry, ANSWER, AGAIN_SLOTS, static_cast<uint8_t>(ANSWER_REPEAT_WAIT + spread(false)));

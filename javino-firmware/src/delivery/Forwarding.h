@@ -50,7 +50,7 @@ class Forwarding {
   struct Memory;
 
   Forwarding(MediumAccess &medium, Random &random, Counters &counters)
-      : medium_(medium), random_(random), counters_(counters), credit_(MOST_CREDIT) {}
+      : medium_(medium), random_(random), counters_(counters), credit_(MOST) {}
 
   /// Begins to relay, or ends that.
   /// @param memory for all that a relay knows, cleared; null where it ends
@@ -71,7 +71,7 @@ class Forwarding {
 
   // Time on the air in tenths of a millisecond: a relay takes a tenth of all time, so its credit grows by one each millisecond.
   static const uint8_t TENTHS = 10;
-  static const uint16_t MOST_CREDIT = 4000u * TENTHS;
+  static const uint16_t MOST = 4000u * TENTHS;  // where add() ends
 
   /// The header of a packet and its nonce, by which it is known when its acknowledgement has taken the place of the rest.
   static const uint8_t HEAD_LENGTH = HEADER_LENGTH + NONCE_LENGTH;
@@ -104,7 +104,7 @@ class Forwarding {
     uint16_t crc;  // of the packet
     uint16_t pair;
     uint16_t spent;                    // of the credit
-    uint32_t at;                       // when something happened to it
+    uint16_t age;                      // milliseconds since something happened to it
     uint8_t bytes[MAX_RADIO_PAYLOAD];  // the packet; once it is answered its head, and behind that the acknowledgement
   };
 
@@ -121,7 +121,7 @@ class Forwarding {
   uint8_t spread(bool turn);
   void passTime();
   JAVINO_NOINLINE uint16_t costOf(uint8_t length) const;
-  JAVINO_NOINLINE static void add(uint16_t &credit, uint16_t more);
+  JAVINO_NOINLINE static void add(uint16_t &sum, uint16_t more);
   void send(Entry &entry);
   void sent(Entry &entry);
 
@@ -131,7 +131,7 @@ class Forwarding {
   Memory *memory_ JAVINO_ZEROED;
   uint8_t slots_ JAVINO_ZEROED;  // quiet slots that were counted
   uint16_t credit_;              // that may still be spent
-  uint16_t filledAt_ JAVINO_ZEROED;
+  uint16_t lookedAt_ JAVINO_ZEROED;
 };
 
 struct Forwarding::Memory {
