@@ -53,7 +53,7 @@ class PartialFrame {
   /// Takes in a piece. Of two different ones the newer counts, and the older is kept aside in place of one that was there.
   /// @param index 0…7; a first piece is one that begins a frame
   /// @return false, and nothing changes, where it does not fit any first piece that is here, or would not fit a frame.
-  bool add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now);
+  JAVINO_NOINLINE bool add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now);
 
   /// Sets another choice of the pieces of which there are two. After CHOICES calls all choices were there, and the newest
   /// pieces count again.
