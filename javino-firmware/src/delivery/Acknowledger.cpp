@@ -76,8 +76,6 @@ void Acknowledger::noteBusyAir() {
 
 // Returns 0 where the key can no longer be read.
 uint8_t Acknowledger::build(const Entry &entry, uint8_t *frame) const {
-  DerivedKeys keys;
-  if (!state_->keys.load(entry.slot, keys)) return 0;
   const uint8_t bodyLength = Proof::bodyLength(entry.type);
   const uint8_t messageLength = static_cast<uint8_t>(bodyLength + PROOF_LENGTH);
   uint8_t *body = frame + HEADER_LENGTH;
@@ -86,8 +84,14 @@ uint8_t Acknowledger::build(const Entry &entry, uint8_t *frame) const {
   writeBody(entry, body);
   const Proof::Claim claim = {entry.type,           entry.nonce, entry.sender,
                               state_->id.address(), body,        asking_.has(entry.slot)};
-  Proof(keys).make(claim, body + bodyLength);
-  return static_cast<uint8_t>(HEADER_LENGTH + messageLength);
+  return prove(entry.slot, claim, body + bodyLength) ? static_cast<uint8_t>(HEADER_LENGTH + messageLength) : 0;
+}
+
+bool Acknowledger::prove(uint8_t slot, const Proof::Claim &claim, uint8_t *proof) const {
+  DerivedKeys keys;
+  if (!state_->keys.load(slot, keys)) return false;
+  Proof(keys).make(claim, proof);
+  return true;
 }
 
 void Acknowledger::writeBody(const Entry &entry, uint8_t *body) const {

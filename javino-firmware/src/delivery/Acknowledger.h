@@ -56,6 +56,12 @@ class Acknowledger {
   /// that is said twice: the sender is likely to hear as badly, and a firmware that knows no trailers bears little.
   void answerTwice();
 
+  /// Makes the proof of an acknowledgement.
+  /// @param slot the place of the key of the frame that is answered
+  /// @param proof room for 8 bytes
+  /// @return false where the key can no longer be read
+  JAVINO_NOINLINE bool prove(uint8_t slot, const Proof::Claim &claim, uint8_t *proof) const;
+
   /// To be called when keys were deleted: what was to be proved with them is dropped.
   void keysChanged();
 

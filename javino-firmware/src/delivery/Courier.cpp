@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../Config.h"
+#include "../crypto/Cmac.h"
 #include "../support/Clock.h"
 #include "Pieces.h"
 
@@ -401,18 +402,15 @@ bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
 }
 
 bool Courier::isBorne(const Proof::Claim &claim, const RadioPacket &lost) const {
-  DerivedKeys keys;
-  if (!state_->keys.load(current().slot, keys)) return false;
   uint8_t proof[PROOF_LENGTH];
-  Proof(keys).make(claim, proof);
   const uint8_t at = static_cast<uint8_t>(BODY_AT + 2 * Proof::bodyLength(claim.type));
-  return lost.wrongBits(at, proof, PROOF_LENGTH) <= MOST_WRONG_PROOF_BITS;
+  return acknowledger_->prove(current().slot, claim, proof) &&
+         lost.wrongBits(at, proof, PROOF_LENGTH) <= MOST_WRONG_PROOF_BITS;
 }
 
-// Apart from what follows, which may seal the message anew: the stack has no room for the keys of both.
 bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
-  DerivedKeys keys;
-  return state_->keys.load(current().slot, keys) && Proof(keys).isRight(claim, proof);
+  uint8_t expected[PROOF_LENGTH];
+  return acknowledger_->prove(current().slot, claim, expected) && equalInConstantTime(expected, proof, PROOF_LENGTH);
 }
 
 // Returns false where what was said, though proved, cannot be.

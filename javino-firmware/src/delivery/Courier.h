@@ -8,6 +8,7 @@
 #include "../secure/Envelope.h"
 #include "../secure/Proof.h"
 #include "../support/Inlining.h"
+#include "Acknowledger.h"
 #include "Backoff.h"
 #include "KeyFlags.h"
 #include "MediumAccess.h"
@@ -24,7 +25,8 @@ namespace javinolib {
 /// its answer awaited, until its attempt has come to nothing. So who is absent holds up nobody else.
 class Courier {
  public:
-  Courier(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state) {}
+  Courier(MediumAccess &medium, Acknowledger &acknowledger, BoardState &state)
+      : medium_(medium), acknowledger_(acknowledger), state_(state) {}
 
   /// To be called once, after a boot, when the random numbers are seeded.
   void begin() { nextId_ = static_cast<uint8_t>(state_->random.next(0x3F)); }
@@ -107,16 +109,17 @@ class Courier {
   bool concerns(const Frame &acknowledgement) const;
   bool accept(const Frame &acknowledgement);
   bool isExpected(Proof::Type type, const RadioPacket &lost);
-  JAVINO_NOINLINE bool isBorne(const Proof::Claim &claim, const RadioPacket &lost) const;
+  bool isBorne(const Proof::Claim &claim, const RadioPacket &lost) const;
   Trailer trailer() const;
   void noteParity(const Proof::Claim &claim);
-  JAVINO_NOINLINE bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
+  bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
   bool onAnswer(Proof::Type type, const uint8_t *body);
   bool onPieces(uint8_t have);
   bool onStale(const uint8_t *floor, uint16_t uptime);
   bool cannotHaveHadIt(uint16_t uptime) const;
 
   Part<MediumAccess> medium_;
+  Part<Acknowledger> acknowledger_;
   Part<BoardState> state_;
 
   // Of the message that has its turn.

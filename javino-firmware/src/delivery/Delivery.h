@@ -31,7 +31,7 @@ class Delivery {
         acknowledger_(medium_, state),
         inbox_(state.replays, acknowledger_),
         admission_(state, inbox_, acknowledger_),
-        courier_(medium_, state),
+        courier_(medium_, acknowledger_, state),
         overheard_(state.counters),
         receiver_(medium_, admission_, courier_, acknowledger_, overheard_, state) {}
 

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "../crypto/Cmac.h"
 #include "../framing/Limits.h"
 
 namespace javinolib {
@@ -27,12 +26,6 @@ void Proof::make(const DerivedKeys &keys, const Claim &claim, uint8_t *proof) {
   uint8_t *const tag = covered;  // 16 bytes of the stack less
   keys.authenticate(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
   memcpy(proof, tag, LENGTH);
-}
-
-bool Proof::isRight(const DerivedKeys &keys, const Claim &claim, const uint8_t *proof) {
-  uint8_t expected[LENGTH];
-  make(keys, claim, expected);
-  return equalInConstantTime(expected, proof, LENGTH);
 }
 
 }  // namespace javinolib

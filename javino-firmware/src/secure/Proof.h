@@ -8,7 +8,7 @@
 
 namespace javinolib {
 
-/// Makes and checks the proofs of acknowledgements under one key (SPEC 7.3).
+/// Makes the proofs of acknowledgements under one key (SPEC 7.3).
 class Proof {
  public:
   static const uint8_t LENGTH = 8;
@@ -44,13 +44,8 @@ class Proof {
   /// @param proof room for 8 bytes
   void make(const Claim &claim, uint8_t *proof) const { make(keys_, claim, proof); }
 
-  /// Compares in constant time.
-  /// @param proof 8 bytes
-  bool isRight(const Claim &claim, const uint8_t *proof) const { return isRight(keys_, claim, proof); }
-
  private:
   JAVINO_NOINLINE static void make(const DerivedKeys &keys, const Claim &claim, uint8_t *proof);
-  static bool isRight(const DerivedKeys &keys, const Claim &claim, const uint8_t *proof);
 
   const DerivedKeys &keys_;
 };
