@@ -73,7 +73,7 @@ void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length
   if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
     answerHeard(frame, packet, length, hops);
   } else if (frame.destination.isDevice()) {
-    packetHeard(frame, packet, length, hops);
+    packetHeard(packet, length, hops);
   }
 }
 
@@ -101,7 +101,7 @@ Forwarding::Entry *Forwarding::place() {
   return oldest;
 }
 
-void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
+void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops) {
   if (length < HEAD_LENGTH) return;
   Crc16 crc;
   crc.add(packet, length);

@@ -111,7 +111,7 @@ class Forwarding {
   static Place placeOf(uint8_t hops, uint8_t own);
   Entry *find(const uint8_t *packet, uint8_t length, uint16_t crc);
   Entry *place();
-  void packetHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
+  void packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops);
   bool heardAgain(Entry &entry, uint8_t hops);
   void copyHeard(Entry &entry, uint8_t hops);
   void begin(Entry &entry, uint8_t hops, bool fromReserve);
