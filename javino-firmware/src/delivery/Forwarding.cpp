@@ -149,8 +149,7 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
     return true;
   }
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  if (!entry.copied || !isIdle || placeOf(hops, entry.hops) == DOWNSTREAM ||
-      entry.age <= ANSWER_AGAIN_MILLIS) {
+  if (!entry.copied || !isIdle || placeOf(hops, entry.hops) == DOWNSTREAM || entry.age <= ANSWER_AGAIN_MILLIS) {
     return true;
   }
   if (entry.answers >= MOST_ANSWERS) return false;

@@ -88,9 +88,9 @@ class Forwarding {
     uint8_t hops;        // of our copy
     uint8_t answerHops;  // of our copy of its acknowledgement
     uint8_t answerLength;
-    uint8_t answers;   // copies of it since the packet was new or late
-    uint8_t quiet;     // slots since the end of our last copy, or since what is in reserve was heard
-    bool sending;  // a copy is on the air
+    uint8_t answers;  // copies of it since the packet was new or late
+    uint8_t quiet;    // slots since the end of our last copy, or since what is in reserve was heard
+    bool sending;     // a copy is on the air
     bool reserve;
     bool fromReserve;
     bool trusted;   // there was no doubt when it began

@@ -86,8 +86,8 @@ class AskRadio : public Radio {
   uint16_t alarm_ JAVINO_ZEROED;             // when the timer's interrupt is to begin
   uint16_t late_ JAVINO_ZEROED;              // by how many ticks it was late at most
   uint8_t alarmsLeft_ JAVINO_ZEROED;         // without an edge; 0: the air is quiet, the alarm is off
-  uint16_t heardUntil_ JAVINO_ZEROED;  // the time up to which the line has been heard
-  bool level_ JAVINO_ZEROED;           // of the line since then
+  uint16_t heardUntil_ JAVINO_ZEROED;        // the time up to which the line has been heard
+  bool level_ JAVINO_ZEROED;                 // of the line since then
 
   OwnPart<BitClock> bitClock_;
   OwnPart<RadioEncoder> encoder_;

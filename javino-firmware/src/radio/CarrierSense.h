@@ -38,14 +38,14 @@ class CarrierSense {
   }
 
   /// A packet has begun, of which so many bits are still to come.
-  void expect(uint16_t bits);
+  JAVINO_NOCLONE void expect(uint16_t bits);
 
   /// That packet is damaged. It goes on where its training was heard too; else it was noise, which now and then has
   /// all that a packet begins with.
-  void doubt();
+  JAVINO_NOCLONE void doubt();
 
   /// No carrier is heard, as the line has not been listened to.
-  void reset();
+  JAVINO_NOCLONE void reset();
 
   /// No carrier is heard, as the line has been at this level for too long.
   void silence(bool level) {

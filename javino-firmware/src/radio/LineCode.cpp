@@ -52,13 +52,16 @@ uint8_t trailerNibbleOf(uint8_t symbol) {
 
 namespace {
 
-uint8_t nibbleOfEither(uint8_t symbol, bool inTrailer) { return inTrailer ? trailerNibbleOf(symbol) : nibbleOf(symbol); }
+uint8_t nibbleOfEither(uint8_t symbol, bool inTrailer) {
+  return inTrailer ? trailerNibbleOf(symbol) : nibbleOf(symbol);
+}
 
 }  // namespace
 
 uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) {
   distance = onesOf(one ^ two);
-  if (distance <= 2) {  // what is in the table is nearer than all else, if the other is not: twice as fast as a search of all
+  if (distance <=
+      2) {  // what is in the table is nearer than all else, if the other is not: twice as fast as a search of all
     uint8_t first = nibbleOfEither(one, inTrailer);
     uint8_t second = nibbleOfEither(two, inTrailer);
     if (first == NO_NIBBLE) first = second;

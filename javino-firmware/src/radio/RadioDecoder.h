@@ -55,9 +55,9 @@ class RadioDecoder {
   JAVINO_NOINLINE bool isStart();
   bool isBetterStart(uint8_t wrong) const;
   void begin(uint8_t wrong);
-  void addSymbol();
-  void store();
-  void startBody();
+  JAVINO_NOCLONE void addSymbol();
+  JAVINO_OUT_OF_LINE void store();
+  JAVINO_NOCLONE void startBody();
   void endBody();
   void addToTrailer();
   void refuse();

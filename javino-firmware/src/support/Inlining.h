@@ -9,5 +9,8 @@
 /// and puts the object's address into the copy: then each access to a field takes 4 bytes of flash instead of 2.
 #define JAVINO_OUT_OF_LINE __attribute__((noinline, noclone))
 
+/// The same for a method that may become part of its caller, whose pointer to the object it then uses.
+#define JAVINO_NOCLONE __attribute__((noclone))
+
 /// Has a small method put into each caller, whose object is then in registers and not in memory. gcc counts only its length.
 #define JAVINO_INLINE inline __attribute__((always_inline))
