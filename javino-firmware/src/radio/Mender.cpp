@@ -185,8 +185,7 @@ Mender::Progress Mender::choose(RadioPacket &packet) {
     if (next_ > linecode::MAX_COUNT || 2 * next_ > packet.symbols) return lose(packet);
     if (mayHaveCount(packet, next_) && (!copy() || mayHaveCount(*copy(), next_))) break;
   }
-  end_ = static_cast<uint8_t>(2 * next_);
-  if (at_ < end_) {
+  if (at_ < 2 * next_) {
     decide(packet);
     return PENDING;
   }
@@ -234,43 +233,26 @@ uint8_t Mender::endOfStep() const {
   return static_cast<uint8_t>(end_ - at_ < STEP_SYMBOLS ? end_ : at_ + STEP_SYMBOLS);
 }
 
-// Looks at the next symbols. While choices are found it takes note of them and of the CRC; then it puts the bytes in the place of
-// their symbols, as RadioPacket::makeBytes() does, and where parity is to tell, says which of them may be others.
-void Mender::decide(RadioPacket &packet) {
-  const bool writes = phase_ == Phase::WRITING;
+void Mender::decide(const RadioPacket &packet) {
   uint8_t byte = 0;
-  bool sure = true;
+  end_ = static_cast<uint8_t>(2 * next_);
   for (const uint8_t end = endOfStep(); at_ < end; at_++) {
     uint8_t distance;
-    uint16_t nibbles = nibblesAt(packet, at_, distance);
-    for (uint8_t k = 0; writes && !corrects() && k < undecided_; k++) {
-      if (places_[k] == at_) nibbles = nibbles_[k];
-    }
+    const uint16_t nibbles = nibblesAt(packet, at_, distance);
     byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), at_));
-    if (!isOne(nibbles)) {
-      sure = false;
-      if (!writes) addChoices(nibbles, distance);
+    if (!isOne(nibbles) && choices_ != 0) {
+      const uint16_t choices = static_cast<uint16_t>(choices_ * linecode::onesOfWord(nibbles));
+      choices_ = choices > MOST_CHOICES || undecided_ == MOST_UNDECIDED ? 0 : static_cast<uint8_t>(choices);
+      distance_ = distance;
+      if (choices_ != 0) {
+        places_[undecided_] = at_;
+        nibbles_[undecided_++] = nibbles;
+      }
     }
     if (at_ % 2 == 0) continue;
-    if (writes) {
-      if (!sure) erase(static_cast<uint8_t>(at_ / 2));
-      packet.room[at_ / 2] = byte;
-    } else {
-      crc_.add(&byte, 1);
-    }
+    crc_.add(&byte, 1);
     byte = 0;
-    sure = true;
   }
-}
-
-void Mender::addChoices(uint16_t nibbles, uint8_t distance) {
-  const uint16_t choices = static_cast<uint16_t>(choices_ * linecode::onesOfWord(nibbles));
-  if (choices_ == 0) return;
-  choices_ = choices > MOST_CHOICES || undecided_ == MOST_UNDECIDED ? 0 : static_cast<uint8_t>(choices);
-  distance_ = distance;
-  if (choices_ == 0) return;
-  places_[undecided_] = at_;
-  nibbles_[undecided_++] = nibbles;
 }
 
 // Finds the one choice with which the CRC is right.
@@ -305,11 +287,29 @@ bool Mender::tryChoices() {
   return true;
 }
 
+// Puts the bytes in the place of their symbols, as RadioPacket::makeBytes() does. Where parity is to tell, it says which of them
+// may be others.
 Mender::Progress Mender::write(RadioPacket &packet) {
-  decide(packet);
+  const bool corrects = end_ != 2 * next_;
+  uint8_t byte = 0;
+  bool sure = true;
+  for (const uint8_t end = endOfStep(); at_ < end; at_++) {
+    uint8_t distance;
+    uint16_t nibbles = nibblesAt(packet, at_, distance);
+    for (uint8_t k = 0; !corrects && k < undecided_; k++) {
+      if (places_[k] == at_) nibbles = nibbles_[k];
+    }
+    sure = sure && isOne(nibbles);
+    byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), at_));
+    if (at_ % 2 == 0) continue;
+    if (!sure) erase(static_cast<uint8_t>(at_ / 2));
+    packet.room[at_ / 2] = byte;
+    byte = 0;
+    sure = true;
+  }
   if (at_ < end_) return PENDING;
   packet.areBytes = true;
-  if (!corrects()) return WHOLE;
+  if (!corrects) return WHOLE;
   phase_ = Phase::CORRECTING;
   return PENDING;
 }

@@ -95,9 +95,7 @@ class Mender {
   JAVINO_NOINLINE uint16_t nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const;
   JAVINO_NOINLINE uint16_t nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t &distance) const;
   uint8_t endOfStep() const;
-  bool corrects() const { return end_ != 2 * next_; }
-  JAVINO_NOINLINE void decide(RadioPacket &packet);
-  void addChoices(uint16_t nibbles, uint8_t distance);
+  void decide(const RadioPacket &packet);
   JAVINO_NOINLINE bool tryChoices();
   static Trailer trailerOf(const RadioPacket &packet, uint8_t count);
   bool findsParity(const RadioPacket &packet);
