@@ -121,8 +121,8 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   bool for_board = is_for_board(packet);
   if (for_board && packet->length == 0) return;
   char command = for_board ? (char)packet->message[0] : 0;
-  bool repeated = packet->sequence == s->request.sequence && packet->crc == s->request.crc && command != 'H';
-  if (repeated && (s->waiting || s->remembered)) return;  // it is answered from memory
+  bool repeated = packet->sequence == s->request.sequence && packet->crc == s->request.crc && !(command && strchr("HP", command));
+  if (repeated && (s->waiting || s->remembered)) return;  // it is answered from memory; a poll may be told more
   // The first byte of a request ends the hold of a poll, whose reply may be on its way still.
   s->held_waiting = s->waiting && s->request.command == 'P';
   s->held = s->request;
@@ -296,7 +296,7 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
       if (length == 1) write_relay(s, request, body[0], at);
       break;
     case 'P':
-      if (request->taken >= 0) {
+      if (request->taken >= 0 && request->taken != s->taken) {
         s->taken = request->taken;
         write_number(s, at, "host-taken", request->taken);
       }

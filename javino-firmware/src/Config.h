@@ -54,9 +54,8 @@ static const uint8_t SESSION_KEYS = JAVINO_SESSION_KEYS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t DEAD_BANDS = JAVINO_DEAD_BANDS;
 
-/// The longest requests and replies of a board without a radio, without header.
-static const uint16_t REQUEST = JAVINO_BY_PROFILE(511, 76);
-static const uint16_t REPLY = JAVINO_BY_PROFILE(511, 250);
+/// The longest request and reply of a board without a radio, without header.
+static const uint16_t BOARD_MESSAGE = JAVINO_BY_PROFILE(511, 250);
 
 /// The longest message (SPEC 2) that a board with a radio sends, receives and exchanges with its host; a content is 17 shorter.
 static const uint16_t MAX_MESSAGE = JAVINO_BY_PROFILE(511, 84);

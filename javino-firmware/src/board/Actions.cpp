@@ -52,8 +52,8 @@ Status Actions::performNamed(const Actions &actions, const uint8_t *action, uint
 
 Status Actions::list(const uint8_t *offset, uint16_t length, Reply &reply) const {
   if (length != 2) return Status::BAD_ARGUMENT;
-  reply.add(count_);
   uint16_t skipped = static_cast<uint16_t>(offset[0] << 8 | offset[1]);
+  reply.add(count_);
   for (uint8_t i = 0; i < count_; i++) {
     const uint8_t *at = reinterpret_cast<const uint8_t *>(entries_[i].name);
     uint8_t next;

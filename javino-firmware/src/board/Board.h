@@ -18,7 +18,7 @@ class Board {
   Board(SerialPort port, const char *firmwareName)
       : poll_(counters_),
         commands_(firmwareName, actions_, poll_, counters_),
-        session_(port, request_, sizeof request_, reply_, sizeof reply_, counters_) {}
+        session_(port, packet_, sizeof packet_, counters_) {}
 
   /// To be called once, after a boot. Nothing can fail here.
   bool begin() {
@@ -42,8 +42,7 @@ class Board {
   OwnPart<Poll> poll_;
   Commands commands_;
   SerialSession session_;
-  uint8_t request_[PACKET_OVERHEAD + config::REQUEST];
-  uint8_t reply_[PACKET_OVERHEAD + config::REPLY];
+  uint8_t packet_[PACKET_OVERHEAD + config::BOARD_MESSAGE];
 };
 
 }  // namespace javinolib

@@ -8,15 +8,9 @@ namespace javinolib {
 
 const uint8_t Reply::STATUS_AT;
 
-void Reply::begin(uint8_t sequence) {
-  bytes_[0] = sequence;
-  setStatus(Status::OK);
-  length_ = STATUS_AT + 1;
-}
-
 void Reply::setStatus(Status status) {
   bytes_[STATUS_AT] = static_cast<uint8_t>(status);
-  if (status != Status::OK) length_ = STATUS_AT + 1;
+  if (status != Status::OK) begin();
 }
 
 bool Reply::add(const uint8_t *bytes, uint16_t length) {
@@ -27,8 +21,16 @@ bool Reply::add(const uint8_t *bytes, uint16_t length) {
 }
 
 void Reply::finish() {
+  memcpy(kept_, bytes_ + STATUS_AT, sizeof kept_);
   memset(bytes_ + 1, '+', 2 * Address::TEXT_LENGTH);
   Frame::writeSize(bytes_ + 1 + 2 * Address::TEXT_LENGTH, static_cast<uint16_t>(length_ - STATUS_AT));
+}
+
+bool Reply::recall() {
+  if (length_ > STATUS_AT + sizeof kept_) return false;
+  memcpy(bytes_ + STATUS_AT, kept_, sizeof kept_);
+  finish();
+  return true;
 }
 
 const uint8_t Record::HEAD_LENGTH;

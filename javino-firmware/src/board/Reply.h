@@ -10,18 +10,20 @@
 
 namespace javinolib {
 
-/// The reply to a request, from the first byte of its body to the packet, in one buffer (SPEC 4.1, 4.2).
-/// It stays until the next begin(), so that a repeated request can be answered from it.
+/// The reply to a request, from the first byte of its body to the packet, in the place of that request (SPEC 4.1, 4.2). So who
+/// performs it reads all of it before adding to the body.
+///
+/// The next packet from the host takes its place. Only the first bytes of its message are kept, for repeats of the request:
+/// they are all that is said of one that changes anything.
 class Reply {
  public:
   /// @param bytes of `room` bytes, that of the CRC with it
   Reply(uint8_t *bytes, uint16_t room) : bytes_(bytes), bodyEnd_(static_cast<uint16_t>(room - CRC_LENGTH)) {}
 
-  /// Begins an OK without a body.
-  /// @param sequence that of the request
-  void begin(uint8_t sequence);
+  /// Begins a reply without a body.
+  void begin() { length_ = STATUS_AT + 1; }
 
-  /// Sets the status; any but OK takes the body away.
+  /// Sets the status; any but OK takes the body away. To be called when the request is not needed any more.
   void setStatus(Status status);
 
   /// The bytes that still fit the body.
@@ -36,8 +38,12 @@ class Reply {
   void truncate(uint16_t mark) { length_ = mark; }
   void replace(uint16_t mark, uint8_t byte) { bytes_[mark] = byte; }
 
-  /// Writes the header before the body.
+  /// Writes the header before the body; the sequence byte is the request's.
   void finish();
+
+  /// Makes the last reply again in the place of a repeat of its request.
+  /// @return false where more was said than is kept
+  bool recall();
 
   /// The packet before CRC and COBS: sequence and frame. There is room behind it for the CRC.
   uint8_t *packet() { return bytes_; }
@@ -46,12 +52,14 @@ class Reply {
  private:
   static const uint8_t STATUS_AT = 1 + HEADER_LENGTH;
   static const uint8_t CRC_LENGTH = 2;
+  static const uint8_t KEPT_LENGTH = 4;  // status and a key's check value (SPEC 4.3)
 
   friend class Record;
 
   uint8_t *const bytes_;
   const uint16_t bodyEnd_;
   uint16_t length_ JAVINO_ZEROED;
+  uint8_t kept_[KEPT_LENGTH];
 };
 
 /// A record of a poll reply while it is written: `type(1) length(2) value` (SPEC 4.3). It gets into the reply whole or

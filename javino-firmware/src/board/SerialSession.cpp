@@ -2,15 +2,16 @@
 
 namespace javinolib {
 
+static const uint8_t FLAGS_AT = 1 + HEADER_LENGTH + 1;  // of a poll, in its packet behind the command
+
 bool SerialSession::isIdle() const {
-  const bool canTakeMore = !requestWaits_ && port_.canRead();
   const bool canGiveMore = (requestWaits_ || !encoder_.done()) && port_.canWrite();
-  return !canTakeMore && !canGiveMore;
+  return !mayRead() && !canGiveMore;
 }
 
 void SerialSession::exchange() {
   while (!encoder_.done() && port_.canWrite()) port_.write(encoder_.next());
-  while (!requestWaits_ && !replyOpen_ && port_.canRead()) add(decoder_.add(port_.read()));
+  while (!replyOpen_ && mayRead()) add(decoder_.add(port_.read()));
 }
 
 void SerialSession::add(PacketEvent event) {
@@ -30,8 +31,9 @@ void SerialSession::askAgain() {
   }
 }
 
-// Returns whether the request is to be performed; a repeat is answered from memory. The zero tells the host that the request
-// has come, and ends what a sketch may have printed on the line.
+// Returns whether the request is to be performed. A repeat is answered from memory; but if its reply was long, it has asked
+// something, and is asked again: a poll is told what it was told. The zero tells the host that the request has come, and ends
+// what a sketch may have printed on the line.
 bool SerialSession::take(Request &request) {
   requestWaits_ = false;
   port_.write(0);
@@ -42,10 +44,13 @@ bool SerialSession::take(Request &request) {
   counters_.count(Counter::SERIAL_REQUESTS);
   if (isRepeat(request)) {
     counters_.count(Counter::SERIAL_REPEATS);
-    encoder_.start(reply_.packet(), reply_.packetLength());
-    return false;
+    if (reply_.recall()) {
+      encoder_.start(reply_.packet(), reply_.packetLength());
+      return false;
+    }
+    if (*request.message() == Request::POLL) reply_.packet()[FLAGS_AT] |= Poll::REPLY_LOST;
   }
-  reply_.begin(decoder_.sequence());
+  reply_.begin();
   lastSequence_ = decoder_.sequence();
   lastCrc_ = decoder_.crc();
   replyOpen_ = true;

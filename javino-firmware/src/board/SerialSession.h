@@ -15,15 +15,13 @@ namespace javinolib {
 
 /// The board's end of the serial line: one reply to each request, repeats answered from memory (SPEC 4.1, 4.2).
 ///
-/// Nothing waits: a reply goes out as the UART takes it. A request that comes meanwhile stays in the decoder until
-/// the reply is out. While a poll is held nothing is read, and a byte that comes ends the hold.
+/// Nothing waits: a reply goes out as the UART takes it. A request that comes meanwhile takes the place of what is out, and
+/// is performed behind it. While a poll is held nothing is read, and a byte that comes ends the hold.
 class SerialSession {
  public:
-  /// @param request of `requestRoom` bytes, for packets of the host
-  /// @param reply of `replyRoom` bytes, for packets to it
-  SerialSession(SerialPort port, uint8_t *request, uint16_t requestRoom, uint8_t *reply, uint16_t replyRoom,
-                SerialCounters &counters)
-      : port_(port), counters_(counters), decoder_(request, requestRoom), reply_(reply, replyRoom) {}
+  /// @param bytes of `room` bytes, for packets from the host and to it
+  SerialSession(SerialPort port, uint8_t *bytes, uint16_t room, SerialCounters &counters)
+      : port_(port), counters_(counters), decoder_(bytes, room), reply_(bytes, room) {}
 
   /// Reads, has requests performed, and answers as far as bytes and room are there.
   /// @param commands what performs a request, and answers a poll later: perform(request, reply), answer(reply, released)
@@ -52,6 +50,7 @@ class SerialSession {
   void finish(Commands &commands) {
     if (replyOpen_ && port_.canWrite() && commands.answer(reply_, port_.canRead())) send();
   }
+  bool mayRead() const { return !requestWaits_ && port_.canRead() && encoder_.hasGiven(decoder_.next()); }
   bool mayTake() const { return requestWaits_ && encoder_.done() && port_.canWrite(); }
   void exchange();
   void add(PacketEvent event);
@@ -65,7 +64,7 @@ class SerialSession {
   uint16_t ranAt_ JAVINO_ZEROED;        // the end of the last run, in the low half of the clock's milliseconds
   bool requestWaits_ JAVINO_ZEROED;     // a whole request is in the decoder
   bool replyOpen_ JAVINO_ZEROED;        // the request was performed, and its reply is not finished: a poll may be held
-  bool remembers_ JAVINO_ZEROED;        // the reply can be given again
+  bool remembers_ JAVINO_ZEROED;        // a repeat of the request is known
   uint8_t lastSequence_ JAVINO_ZEROED;  // of the request that the reply answers
   uint16_t lastCrc_ JAVINO_ZEROED;
   PacketDecoder decoder_;

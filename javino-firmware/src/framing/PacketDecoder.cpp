@@ -7,7 +7,6 @@ namespace javinolib {
 static const uint8_t FULL_BLOCK = 0xFF;  // the code of a block that no zero follows
 
 PacketEvent PacketDecoder::add(uint8_t byte) {
-  if (ended_) restart();
   if (byte == 0) return finish();
   started_ = true;
   if (left_ == 0) {
@@ -21,14 +20,6 @@ PacketEvent PacketDecoder::add(uint8_t byte) {
 
 uint16_t PacketDecoder::crc() const { return static_cast<uint16_t>(bytes_[length_ - 2] | bytes_[length_ - 1] << 8); }
 
-void PacketDecoder::restart() {
-  length_ = 0;
-  left_ = 0;
-  zeroOwed_ = false;
-  started_ = false;
-  ended_ = false;
-}
-
 void PacketDecoder::beginBlock(uint8_t code) {
   if (zeroOwed_) append(0);
   zeroOwed_ = code != FULL_BLOCK;
@@ -36,19 +27,24 @@ void PacketDecoder::beginBlock(uint8_t code) {
 }
 
 void PacketDecoder::append(uint8_t byte) {
-  if (length_ < room_) bytes_[length_] = byte;
-  if (length_ <= room_) length_++;
+  if (next_ < end_) *next_ = byte;
+  if (next_ <= end_) next_++;
 }
 
 PacketEvent PacketDecoder::finish() {
   if (!started_) return PacketEvent::NONE;
-  ended_ = true;
-  return check();
+  const bool inBlock = left_ != 0;
+  length_ = static_cast<uint16_t>(next_ - bytes_);
+  next_ = bytes_;
+  left_ = 0;
+  zeroOwed_ = false;
+  started_ = false;
+  return check(inBlock);
 }
 
-PacketEvent PacketDecoder::check() const {
-  if (left_ != 0) return PacketEvent::BAD_COBS;
-  if (length_ > room_) return PacketEvent::TOO_LONG;
+PacketEvent PacketDecoder::check(bool inBlock) const {
+  if (inBlock) return PacketEvent::BAD_COBS;
+  if (bytes_ + length_ > end_) return PacketEvent::TOO_LONG;
   if (length_ < MIN_PACKET_LENGTH) return PacketEvent::TOO_SHORT;
   Crc16 expected;
   expected.add(bytes_, static_cast<size_t>(length_ - 2));

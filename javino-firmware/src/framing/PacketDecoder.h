@@ -23,10 +23,13 @@ enum class PacketEvent : uint8_t {
 class PacketDecoder {
  public:
   /// @param room the most bytes of a packet, MIN_PACKET_LENGTH…MAX_PACKET_LENGTH
-  PacketDecoder(uint8_t *bytes, uint16_t room) : bytes_(bytes), room_(room) {}
+  PacketDecoder(uint8_t *bytes, uint16_t room) : bytes_(bytes), end_(bytes + room), next_(bytes) {}
 
   /// Takes the next byte. After PACKET the accessors below hold until the next call.
   PacketEvent add(uint8_t byte);
+
+  /// The place of the next byte.
+  const uint8_t *next() const { return next_; }
 
   uint8_t sequence() const { return bytes_[0]; }
   const uint8_t *frame() const { return bytes_ + 1; }
@@ -36,19 +39,18 @@ class PacketDecoder {
   JAVINO_NOINLINE uint16_t crc() const;
 
  private:
-  JAVINO_NOINLINE void restart();
   void beginBlock(uint8_t code);
   JAVINO_NOINLINE void append(uint8_t byte);
   PacketEvent finish();
-  PacketEvent check() const;
+  PacketEvent check(bool inBlock) const;
 
   uint8_t *const bytes_;
-  const uint16_t room_;
-  uint16_t length_ JAVINO_ZEROED;  // decoded bytes; one more than there is room for where there were too many
+  const uint8_t *const end_;
+  uint8_t *next_;                  // beyond the room by one where more bytes came than fit
+  uint16_t length_ JAVINO_ZEROED;  // of the packet that has ended last
   uint8_t left_ JAVINO_ZEROED;     // bytes that the current COBS block still lacks
   bool zeroOwed_ JAVINO_ZEROED;    // a zero belongs behind the block, if another block follows
   bool started_ JAVINO_ZEROED;     // a byte other than 0x00 has come
-  bool ended_ JAVINO_ZEROED;       // the next byte begins a new packet
 };
 
 }  // namespace javinolib

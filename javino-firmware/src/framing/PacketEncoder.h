@@ -14,11 +14,14 @@ namespace javinolib {
 /// bytes are on the line.
 class PacketEncoder {
  public:
-  /// Begins anew. The bytes must stay as they are until done(); the CRC is written behind them.
+  /// Begins anew. Each byte must stay as it is until hasGiven() it; the CRC is written behind them.
   JAVINO_OUT_OF_LINE void start(uint8_t *bytes, uint16_t length);
 
   /// @return whether the closing 0x00 has been given.
   bool done() const { return state_ == DONE; }
+
+  /// Whether the byte in this place is not needed any more.
+  bool hasGiven(const uint8_t *place) const { return done() || place < next_; }
 
   /// The next byte for the line; 0x00 once done.
   uint8_t next();

@@ -9,7 +9,7 @@ RadioBoard::RadioBoard(SerialPort port, const char *firmwareName, Radio &radio)
       poll_(state_->counters),
       commands_(firmwareName, actions_, poll_, state_->counters),
       radioCommands_(commands_, state_, delivery_, poll_),
-      session_(port, request_, sizeof request_, reply_, sizeof reply_, state_->counters) {}
+      session_(port, packet_, sizeof packet_, state_->counters) {}
 
 bool RadioBoard::begin() {
   radioCommands_.setOlderMemory(beginLayout());

@@ -41,8 +41,7 @@ class RadioBoard {
   OwnPart<Commands> commands_;
   RadioCommands radioCommands_;
   SerialSession session_;
-  uint8_t request_[MAX_PACKET_LENGTH];
-  uint8_t reply_[MAX_PACKET_LENGTH];
+  uint8_t packet_[MAX_PACKET_LENGTH];
 };
 
 }  // namespace javinolib

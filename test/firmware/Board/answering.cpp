@@ -108,7 +108,7 @@ TEST_F(BoardWithoutRadio, counts_what_the_line_brings_and_tells_only_that) {
 }
 
 TEST_F(BoardWithoutRadio, takes_the_longest_request_and_refuses_a_longer_one) {
-  const size_t longest = javinolib::config::REQUEST;
+  const size_t longest = javinolib::config::BOARD_MESSAGE;
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request(Bytes(longest, '?')).status);
   EXPECT_TRUE(board.sendRaw(reference::packet(9, Bytes(javinolib::HEADER_LENGTH + longest + 1, '+'))).empty());
   EXPECT_EQ(1u, board.counter(Counter::SERIAL_DAMAGED));
@@ -118,7 +118,7 @@ TEST_F(BoardWithoutRadio, tells_as_many_percepts_as_its_longest_reply_holds) {
   board.board->poll().setSource([](javinolib::Percepts &percepts) {
     for (int i = 0; i < 200; i++) percepts.add(F("n"), 1000 + i);
   });
-  const size_t fit = (javinolib::config::REPLY - 2) / (3 + 7);  // status and flags; head and text
+  const size_t fit = (javinolib::config::BOARD_MESSAGE - 2) / (3 + 7);  // status and flags; head and text
   const PollReply reply = board.poll(true);
   EXPECT_TRUE(reply.leftOut);
   EXPECT_EQ(fit, reply.records.size());
@@ -128,7 +128,7 @@ TEST_F(BoardWithoutRadio, tells_as_many_percepts_as_its_longest_reply_holds) {
 TEST_F(BoardWithoutRadio, random_packets_get_one_reply_each_and_random_bytes_none) {
   RandomBytes random(18);
   for (int i = 0; i < 2000; i++) {
-    const Bytes message = random.bytes(random.number(javinolib::config::REQUEST + 1));
+    const Bytes message = random.bytes(random.number(javinolib::config::BOARD_MESSAGE + 1));
     const std::string destination = random.number(4) == 0 ? "ROMA" : "++++";
     const Bytes request = reference::packet(random.byte(), reference::frame(destination, "++++", message));
     ASSERT_EQ(1u, board.sendRaw(request + Bytes{0}).size()) << toHex(message);

@@ -52,7 +52,7 @@ class KeyCommandsTest : public testing::Test {
   std::string body() { return std::string(reply.packet() + BODY_AT, reply.packet() + reply.packetLength()); }
 
   Reply &begin() {
-    reply.begin(1);
+    reply.begin();
     return reply;
   }
 

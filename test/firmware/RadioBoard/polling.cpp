@@ -413,6 +413,25 @@ TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
   EXPECT_EQ(first, board.sendRaw(poll));
 }
 
+TEST_F(BoardPolling, a_repeated_poll_also_brings_what_is_new) {
+  board.transmit("////", "ROMA", "tell;x");
+  board.sendNext();
+  const Bytes poll = reference::packet(200, reference::frame("++++", "++++", {'P', 0, 0, 0, 0, 0, 0}));
+  const std::vector<Bytes> first = board.sendRaw(poll);
+  board.receive(plain("////", "SUPO", "tell;y"));
+  const std::vector<Bytes> second = board.sendRaw(poll);
+  ASSERT_EQ(1u, second.size());
+  EXPECT_LT(first[0].size(), second[0].size());
+  EXPECT_EQ(1u, board.poll().records.size()) << "all but the message, which is not taken, is deleted";
+}
+
+TEST_F(BoardPolling, a_repeated_poll_brings_an_unchanged_reading_again) {
+  const Bytes poll = reference::packet(200, reference::frame("++++", "++++", {'P', 1, 0xFF, 0xFF, 0, 0, 0}));
+  const std::vector<Bytes> first = board.sendRaw(poll);
+  ASSERT_EQ(1u, first.size());
+  EXPECT_EQ(first, board.sendRaw(poll));
+}
+
 TEST_F(BoardPolling, statistics_tell_all_counters_in_order) {
   board.radio.counts = {0x01020304, 6, 7, 17, 28, 41};
   const Bytes body = board.request('S').body;

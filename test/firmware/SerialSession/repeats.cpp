@@ -42,6 +42,43 @@ TEST_F(SerialSessionTest, a_repeat_is_answered_from_memory_and_performed_once) {
   EXPECT_EQ(5u, board.counter(Counter::SERIAL_REPEATS));
 }
 
+TEST_F(SerialSessionTest, a_repeat_is_known_after_damaged_ones) {
+  const Bytes good = request(100, "Acount");
+  const std::vector<Bytes> first = board.sendRaw(good);
+  for (size_t at = 0; at < good.size(); at++) {
+    Bytes damaged = good;
+    damaged[at] = static_cast<uint8_t>(damaged[at] ^ 0x10);
+    board.sendRaw(damaged + Bytes{0} + Bytes(600, 0x55) + Bytes{0});
+    ASSERT_EQ(first, board.sendRaw(good)) << at;
+  }
+  EXPECT_EQ(1, performed);
+}
+
+TEST_F(SerialSessionTest, takes_the_longest_request_while_it_sends_the_longest_reply) {
+  board.board->poll().setSource([](javinolib::Percepts &percepts) {
+    for (int i = 0; i < 200; i++) percepts.add(F("n"), i);
+  });
+  const Bytes poll = request(7, std::string("P\3\0\0\0\0\0", 7));
+  const std::vector<Bytes> alone = board.sendRaw(poll);
+  ASSERT_LT(javinolib::MAX_PACKET_LENGTH - 10, reference::cobsDecoded(alone[0]).size());
+  const Bytes action = request(8, "Acount(\"" + std::string(javinolib::MAX_MESSAGE_LENGTH - 10, 'x') + "\")");
+  board.port.setRoom(0);
+  board.port.arrive(poll);
+  board.board->run();
+  Bytes written;
+  for (size_t i = 0; i < 2 * javinolib::MAX_PACKET_LENGTH; i++) {
+    if (i < action.size()) board.port.arrive({action[i]});
+    board.port.setRoom(1);
+    board.board->run();
+    written = written + board.port.takeWritten();
+    ASSERT_EQ(0, performed * (written.size() <= alone[0].size())) << "before the reply is out";
+  }
+  EXPECT_EQ(1, performed);
+  EXPECT_TRUE(std::equal(alone[0].begin(), alone[0].end(), written.begin() + 1)) << "behind the zero";
+  board.port.setRoom(SIZE_MAX);
+  EXPECT_EQ(0u, board.counter(Counter::SERIAL_DAMAGED));
+}
+
 TEST_F(SerialSessionTest, another_sequence_or_another_request_is_no_repeat) {
   board.sendRaw(request(100, "Acount"));
   board.sendRaw(request(101, "Acount"));

@@ -10,7 +10,7 @@ public enum Counter {
     SERIAL_DAMAGED("serialDamaged"),
     /** Packets refused: frame. */
     SERIAL_BAD_FRAMES("serialBadFrames"),
-    /** Requests answered from memory. */
+    /** Repeats of requests. */
     SERIAL_REPEATS("serialRepeats"),
     /** Radio packets with a right CRC. */
     RADIO_RECEIVED("radioReceived"),
