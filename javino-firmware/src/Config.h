@@ -60,7 +60,8 @@ static const uint16_t BOARD_MESSAGE = JAVINO_BY_PROFILE(511, 250);
 /// The longest message (SPEC 2) that a board with a radio sends, receives and exchanges with its host; a content is 17 shorter.
 static const uint16_t MAX_MESSAGE = JAVINO_BY_PROFILE(511, 84);
 
-/// Bytes for received messages that wait for the host: each takes its content and 17 bytes more.
+/// Bytes for received messages that wait for the host: each takes its content and 17 bytes more. The second of two messages that
+/// come in pieces takes 521 of them while it comes.
 static const uint16_t RECEIVE_BYTES = JAVINO_BY_PROFILE(640, 92);
 
 /// Bytes for messages that wait for the air: each takes its content and 27 bytes more, a broadcast 13.
@@ -70,20 +71,16 @@ static const uint16_t TRANSMIT_BYTES = JAVINO_BY_PROFILE(640, 97);
 /// others (SPEC 7.2). 28 bytes each.
 static const uint8_t PARTNERS = JAVINO_BY_PROFILE(4, 1);
 
-/// Messages in pieces that can be received at the same time. The longest message and 172 bytes each. A relay's memory takes the
-/// place of one of them (SPEC 7.5).
-static const uint8_t REASSEMBLIES = JAVINO_BY_PROFILE(2, 0);
-
 /// How many times the board sends a multicast, and a broadcast: neither is acknowledged (SPEC 7.2).
 static const uint8_t MULTICAST_SENDS = 2;
 static const uint8_t BROADCAST_SENDS = 1;
 
 /// Bytes for packets that were overheard, until the host has had them (SPEC 4.3): a packet takes its payload and 7 bytes more,
 /// 84 at most.
-static const uint16_t OVERHEARD_BYTES = JAVINO_BY_PROFILE(256, 0);
+static const uint16_t OVERHEARD_BYTES = JAVINO_BY_PROFILE(168, 0);
 
 /// Radio packets that wait or are being received. 150 bytes each, 124 without parity.
-static const uint8_t RADIO_PACKETS = JAVINO_BY_PROFILE(3, 2);
+static const uint8_t RADIO_PACKETS = 2;
 
 /// Packets of which a copy is kept, damaged ones to be combined with the next copy, and right ones to know a damaged repeat.
 /// 149 bytes each.

@@ -20,6 +20,8 @@ class Admission {
   Admission(BoardState &state, Inbox &inbox, Acknowledger &acknowledger)
       : state_(state), inbox_(inbox), acknowledger_(acknowledger) {}
 
+  Inbox &inbox() { return inbox_; }
+
   /// Counts what is not taken in.
   /// @return false
   bool drop(Counter why);

@@ -6,6 +6,7 @@ namespace javinolib {
 
 const uint8_t ByteQueue::MAX_RECORDS;
 const uint8_t ByteQueue::HEAD_LENGTH;
+const uint8_t ByteQueue::LEAST_LEFT;
 
 uint8_t *ByteQueue::append(uint16_t length) {
   uint8_t *head = block_ + used_;
@@ -14,6 +15,12 @@ uint8_t *ByteQueue::append(uint16_t length) {
   used_ = static_cast<uint16_t>(used_ + HEAD_LENGTH + length);
   count_++;
   return head + HEAD_LENGTH;
+}
+
+uint8_t *ByteQueue::lend(uint16_t length) {
+  if (used_ + LEAST_LEFT + length > size_) return nullptr;
+  size_ = static_cast<uint16_t>(size_ - length);
+  return block_ + size_;
 }
 
 void ByteQueue::remove(uint8_t *bytes) {

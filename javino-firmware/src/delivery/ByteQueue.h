@@ -41,17 +41,22 @@ class ByteQueue {
   /// The record that came after this one.
   Record after(Record record) const { return recordAt(record.bytes + record.length); }
 
+  /// Lends the last bytes of the block, until takeBack(); null where records are there, or would be with the head of another.
+  uint8_t *lend(uint16_t length);
+  void takeBack(uint16_t length) { size_ = static_cast<uint16_t>(size_ + length); }
+
   /// Removes a record. Those after it move.
   /// @param bytes where it begins
   JAVINO_NOINLINE void remove(uint8_t *bytes);
 
  private:
   static const uint8_t HEAD_LENGTH = 2;
+  static const uint8_t LEAST_LEFT = 24;  // so that what was lent can become a record, a bit further down
 
   JAVINO_NOINLINE Record recordAt(uint8_t *head) const;
 
   uint8_t *const block_;
-  const uint16_t size_;
+  uint16_t size_;
   uint16_t used_ JAVINO_ZEROED;
   uint8_t count_ JAVINO_ZEROED;
 };

@@ -22,7 +22,7 @@ void Inbox::add(uint8_t slot, const uint8_t *frame, uint16_t length) {
   } else {
     length = static_cast<uint16_t>(NONCE_LENGTH + length);
   }
-  memcpy(into, frame + HEADER_LENGTH, length);
+  memmove(into, frame + HEADER_LENGTH, length);
 }
 
 Inbox::Waiting Inbox::waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const {

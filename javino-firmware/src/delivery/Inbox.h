@@ -46,6 +46,11 @@ class Inbox {
   /// @param length of its content
   JAVINO_NOINLINE void add(uint8_t slot, const uint8_t *frame, uint16_t length);
 
+  /// Lends memory for a frame that comes in pieces, until takeBack(); null where messages are there. What is added next may
+  /// still lie in it.
+  uint8_t *lend() { return records_.lend(MAX_FRAME_LENGTH); }
+  void takeBack() { records_.takeBack(MAX_FRAME_LENGTH); }
+
   /// The frames that could not be taken in for want of a key.
   NoKeys &noKeys() { return noKeys_; }
   const NoKeys &noKeys() const { return noKeys_; }

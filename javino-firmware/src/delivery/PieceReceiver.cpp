@@ -61,7 +61,7 @@ bool PieceReceiver::isWanted(const Frame &piece, uint8_t id, const Frame &whole,
   }
   PartialFrame *partial = reassembly_.find(piece.origin, id);
   if (partial != nullptr && partial->hasFirst()) return false;  // it may be forged, and the one that is here not
-  if (partial != nullptr) partial->clear();
+  if (partial != nullptr) reassembly_.release(*partial);
   ignored_.add(piece.origin, id, now);
   return false;
 }
@@ -88,8 +88,11 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
       Frame::parseHeader(partial.bytes(), whole);
       if (admission_->isGenuine(whole, partial.bytes(), partial.length())) {
         const uint16_t length = partial.length();
-        partial.clear();
-        if (admission_->accept(whole, partial.bytes(), length, static_cast<uint16_t>(now - partial.begun)))
+        const uint16_t length = partial.length();
+        uint8_t *const bytes = reassembly_.release(partial);
+        Frame::parseHeader(bytes, whole);
+        const uint16_t age = static_cast<uint16_t>(now - partial.begun);
+        if (admission_->accept(whole, bytes, length, age))
           ignored_.add(partial.origin, partial.id, now);
         return;
       }

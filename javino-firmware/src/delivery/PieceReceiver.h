@@ -14,7 +14,7 @@ namespace javinolib {
 /// Puts pieces together, answers those that want an answer, and hands whole frames on (SPEC 7.1, 7.3).
 class PieceReceiver {
  public:
-  explicit PieceReceiver(Admission &admission) : admission_(admission) {}
+  explicit PieceReceiver(Admission &admission) : admission_(admission), reassembly_(admission.inbox()) {}
 
   /// Takes in a frame to a piece's address, from another board.
   /// @param longest the most bytes of a piece, 16…67
@@ -30,7 +30,7 @@ class PieceReceiver {
   void clear() { reassembly_.clear(); }
 
   /// Puts together one message less at a time, as a relay needs its place (Reassembly).
-  void *lend() { return reassembly_.lend(); }
+  BoardsForwarding::Memory *lend() { return reassembly_.lend(); }
   void takeBack() { reassembly_.takeBack(); }
 
  private:
@@ -54,7 +54,7 @@ class NoPieceReceiver {
   bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED); }
   void run() {}
   void clear() {}
-  void *lend() { return nullptr; }
+  BoardsForwarding::Memory *lend() { return nullptr; }
   void takeBack() {}
 
  private:

@@ -15,6 +15,14 @@ uint16_t lengthIn(const uint8_t *first) {
   return static_cast<uint16_t>(HEADER_LENGTH + whole.length);
 }
 
+void exchange(uint8_t *one, uint8_t *other, uint16_t length) {
+  for (; length != 0; length--) {
+    const uint8_t kept = *one;
+    *one++ = *other;
+    *other++ = kept;
+  }
+}
+
 }  // namespace
 
 void PartialFrame::begin(const Address &from, uint8_t number, uint8_t longest) {
@@ -79,11 +87,8 @@ bool PartialFrame::choose(uint8_t turn) { return swap(asideOf((turn & 1) == 0));
 bool PartialFrame::swap(Aside &aside) {
   if (aside.length == 0) return false;
   uint8_t *place = at(aside.index);
-  for (uint8_t i = 0; i < FRAGMENT_LENGTH && place + i < bytes_ + sizeof bytes_; i++) {
-    const uint8_t other = place[i];
-    place[i] = aside.bytes[i];
-    aside.bytes[i] = other;
-  }
+  const uint16_t left = static_cast<uint16_t>(bytes_ + MAX_FRAME_LENGTH - place);
+  exchange(place, aside.bytes, left < FRAGMENT_LENGTH ? left : FRAGMENT_LENGTH);
   const uint8_t length = lengths_[aside.index];
   lengths_[aside.index] = aside.length;
   aside.length = length;
@@ -112,8 +117,9 @@ PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {
 PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, uint8_t longest, bool hasFirst, bool &expired) {
   PartialFrame *place = nullptr;
   for (PartialFrame *frame = frames_; frame != end(); frame++) {
-    if (frame->isFree() || (hasFirst && !frame->hasFirst() && place == nullptr)) place = frame;
-    if (frame->isFree()) break;
+    const bool fits = frame->isFree() && findRoom(*frame);
+    if (fits || (hasFirst && !frame->isFree() && !frame->hasFirst() && place == nullptr)) place = frame;
+    if (fits) break;
   }
   if (place == nullptr) return nullptr;
   expired = !place->isFree();
@@ -121,35 +127,52 @@ PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, uint8_t longe
   return place;
 }
 
+// In the inbox only while the own room is taken.
+bool Reassembly::findRoom(PartialFrame &frame) {
+  if (frame.bytes() == nullptr) frame.setBytes(lent_ || inRoom().bytes() == room_.frame ? inbox_->lend() : room_.frame);
+  return frame.bytes() != nullptr;
+}
+
+// What lies in the inbox has to go to make room there: it changes places with a message that goes.
+uint8_t *Reassembly::release(PartialFrame &frame) {
+  PartialFrame &other = frames_[&frame == frames_ ? 1 : 0];
+  uint8_t *bytes = frame.bytes();
+  frame.clear();
+  frame.setBytes(nullptr);
+  if (bytes == room_.frame && other.bytes() != nullptr) {
+    bytes = other.bytes();
+    exchange(room_.frame, bytes, MAX_FRAME_LENGTH);
+    other.setBytes(room_.frame);
+  }
+  if (bytes != nullptr && bytes != room_.frame) inbox_->takeBack();
+  return bytes;
+}
+
 uint8_t Reassembly::expire(uint16_t now) {
   uint8_t expired = 0;
   for (PartialFrame *frame = frames_; frame != end(); frame++) {
-    if (frame->isFree() || static_cast<uint16_t>(now - frame->lastNew) < EXPIRY_MILLIS) continue;
-    frame->clear();
-    expired++;
+    if (!frame->isFree()) {
+      if (static_cast<uint16_t>(now - frame->lastNew) < EXPIRY_MILLIS) continue;
+      expired++;
+    }
+    release(*frame);
   }
   return expired;
 }
 
 void Reassembly::clear() {
-  for (PartialFrame *frame = frames_; frame != end(); frame++) frame->clear();
+  for (PartialFrame *frame = frames_; frame != end(); frame++) release(*frame);
 }
 
-void *Reassembly::lend() {
+BoardsForwarding::Memory *Reassembly::lend() {
+  PartialFrame &frame = inRoom();
+  if (frame.bytes() == room_.frame) {
+    frame.clear();
+    frame.setBytes(nullptr);
+  }
   lent_ = true;
-  return &lastCleared();
-}
-
-void Reassembly::takeBack() {
-  lastCleared();
-  lent_ = false;
-}
-
-// The last one, which is lent. As bytes, which are of any type: so the compiler mixes up nothing of what was there and what will be.
-PartialFrame &Reassembly::lastCleared() {
-  PartialFrame &last = *end();
-  memset(static_cast<void *>(&last), 0, sizeof last);
-  return last;
+  memset(static_cast<void *>(&room_), 0, sizeof room_);
+  return &room_.relay;
 }
 
 }  // namespace javinolib

@@ -6,7 +6,10 @@
 #include "../framing/Address.h"
 #include "../framing/Limits.h"
 #include "../support/Inlining.h"
+#include "Forwarding.h"
+#include "Inbox.h"
 #include "Pieces.h"
+#include "../support/Part.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
@@ -23,15 +26,16 @@ class PartialFrame {
   uint16_t lastNew;  ///< when the last new piece came, in ms
   uint16_t begun;    ///< when the piece that came first began, in ms
 
-  /// Room for the frame.
+  /// Room for the frame, or null.
   const uint8_t *bytes() const { return bytes_; }
   uint8_t *bytes() { return bytes_; }
+  void setBytes(uint8_t *bytes) { bytes_ = bytes; }
 
   bool isFree() const { return have_ == 0; }
 
   void clear() { have_ = 0; }
 
-  /// Begins with nothing of a message.
+  /// Begins with nothing of a message, where there is room.
   /// @param longest the most bytes of a piece, 16…67
   void begin(const Address &from, uint8_t number, uint8_t longest);
 
@@ -87,15 +91,17 @@ class PartialFrame {
   uint8_t longest_;
   uint8_t doubted_;  // bit k: piece k is here, but is to be sent once more
   uint8_t lengths_[MAX_FRAGMENTS];
+  uint8_t *bytes_ JAVINO_ZEROED;
   // Last: AVR reaches only the first 64 bytes of an object in one instruction.
   Aside aside_[2];  // of the first piece, and of any other
-  uint8_t bytes_[MAX_FRAME_LENGTH];
 };
 
-/// The messages that are being put together: a fixed number (Config.h), so that senders who never end theirs take no
-/// more than that, and for no longer than 5 s.
+/// The messages that are being put together: two, so that senders who never end theirs take no more than that, and for no
+/// longer than 5 s. One of them lies in the inbox, as long as that is nearly empty.
 class Reassembly {
  public:
+  explicit Reassembly(Inbox &inbox) : inbox_(inbox) {}
+
   /// @return the message of this origin and id, or null.
   JAVINO_NOINLINE PartialFrame *find(const Address &origin, uint8_t id);
 
@@ -106,6 +112,10 @@ class Reassembly {
   /// @return null where no place is free
   PartialFrame *begin(const Address &origin, uint8_t id, uint8_t longest, bool hasFirst, bool &expired);
 
+  /// Forgets a message: there is room for it in the inbox then, if there is any.
+  /// @return where its bytes are until anything else comes
+  uint8_t *release(PartialFrame &frame);
+
   /// Forgets what has got no new piece for 5 s.
   /// @return how many messages that were
   uint8_t expire(uint16_t now);
@@ -113,18 +123,28 @@ class Reassembly {
   /// Forgets all.
   void clear();
 
-  /// Has one place less until takeBack(), and forgets what is in it.
-  /// @return its memory, cleared, PLACE_LENGTH bytes
-  void *lend();
-  void takeBack();
-  static const uint16_t PLACE_LENGTH = sizeof(PartialFrame);
+  /// Has the place in the inbox only until takeBack(), and forgets what is in the other one.
+  /// @return its memory, cleared
+  BoardsForwarding::Memory *lend();
+  void takeBack() { lent_ = false; }
 
  private:
-  PartialFrame *end() { return frames_ + config::REASSEMBLIES - (lent_ ? 1 : 0); }
-  PartialFrame &lastCleared();
+  static const uint8_t PLACES = 2;
 
+  // Of a message, or of a relay.
+  union Room {
+    uint8_t frame[MAX_FRAME_LENGTH];
+    BoardsForwarding::Memory relay;
+  };
+
+  PartialFrame *end() { return frames_ + PLACES; }
+  PartialFrame &inRoom() { return frames_[0].bytes() == room_.frame ? frames_[0] : frames_[1]; }
+  bool findRoom(PartialFrame &frame);
+
+  Part<Inbox> inbox_;
   bool lent_ JAVINO_ZEROED;
-  PartialFrame frames_[config::REASSEMBLIES];
+  PartialFrame frames_[PLACES] JAVINO_ZEROED;
+  Room room_ JAVINO_ZEROED;
 };
 
 }  // namespace javinolib

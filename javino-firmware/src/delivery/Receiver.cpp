@@ -45,11 +45,8 @@ void Receiver::forget() {
 #endif
 }
 
-static_assert(!config::LARGE || sizeof(BoardsForwarding::Memory) <= Reassembly::PLACE_LENGTH,
-              "a relay's memory is that of one message in pieces");
-
 void Receiver::relay(bool on) {
-  forwarding_.relay(on ? static_cast<BoardsForwarding::Memory *>(pieces_.lend()) : nullptr);
+  forwarding_.relay(on ? pieces_.lend() : nullptr);
   if (!on) pieces_.takeBack();
 }
 

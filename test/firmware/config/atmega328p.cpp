@@ -18,7 +18,6 @@ static_assert(config::MAX_MESSAGE == 84, "");
 static_assert(config::RECEIVE_BYTES == 92, "");
 static_assert(config::TRANSMIT_BYTES == 97, "");
 static_assert(config::PARTNERS == 1, "");
-static_assert(config::REASSEMBLIES == 0, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
 static_assert(config::BROADCAST_ORIGINS == 2, "");

@@ -40,14 +40,13 @@ TEST(RadioQueue, givesPacketsInTheirOrder) {
   }
 }
 
-TEST(RadioQueue, hasNoSlotLeftWhenThreeWait) {
+TEST(RadioQueue, hasNoSlotLeftWhenTwoWait) {
   RadioQueue queue;
   put(queue, "a");
   put(queue, "b");
-  put(queue, "c");
   EXPECT_EQ(queue.claim(), nullptr);
   EXPECT_EQ(take(queue), "a");
-  put(queue, "d");
+  put(queue, "c");
   EXPECT_EQ(queue.claim(), nullptr);
   EXPECT_EQ(take(queue), "b");
 }
