@@ -121,7 +121,8 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   bool for_board = is_for_board(packet);
   if (for_board && packet->length == 0) return;
   char command = for_board ? (char)packet->message[0] : 0;
-  bool repeated = packet->sequence == s->request.sequence && packet->crc == s->request.crc && !(command && strchr("HP", command));
+  bool repeated =
+      packet->sequence == s->request.sequence && packet->crc == s->request.crc && !(command && strchr("HP", command));
   if (repeated && (s->waiting || s->remembered)) return;  // it is answered from memory; a poll may be told more
   // The first byte of a request ends the hold of a poll, whose reply may be on its way still.
   s->held_waiting = s->waiting && s->request.command == 'P';

@@ -92,8 +92,7 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
         uint8_t *const bytes = reassembly_.release(partial);
         Frame::parseHeader(bytes, whole);
         const uint16_t age = static_cast<uint16_t>(now - partial.begun);
-        if (admission_->accept(whole, bytes, length, age))
-          ignored_.add(partial.origin, partial.id, now);
+        if (admission_->accept(whole, bytes, length, age)) ignored_.add(partial.origin, partial.id, now);
         return;
       }
     }
