@@ -274,6 +274,38 @@ TEST_F(InFragments, messages_of_two_senders_may_interleave) {
   EXPECT_EQ(content, board.messages().at(0).content);
 }
 
+TEST_F(InFragments, the_first_of_two_messages_may_end_while_the_second_lies_in_the_inbox) {
+  board.setKey("SUAM", KEY);
+  const std::string shorter(400, 'y');
+  const std::vector<Bytes> first = cut(sealed(KEY, "SUHO", "SUAM", NONCE, shorter), 9);
+  const std::vector<Bytes> second = cut(longFrame(), 9);
+  for (size_t i = 0; i < second.size(); i++) {
+    if (i < first.size()) board.receive(first[i]);
+    board.receive(second[i]);
+    if (i + 1 != first.size()) continue;
+    board.receive(plain("////", "SUPO", "tell;help"));
+    EXPECT_EQ(shorter, board.messages().at(0).content);
+    EXPECT_EQ("tell;help", board.messages().at(1).content);
+    board.pollTaking(1);
+  }
+  EXPECT_EQ(content, board.messages().at(0).content);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_FRAGMENTS_DROPPED));
+}
+
+TEST_F(InFragments, of_two_messages_one_comes_where_short_ones_wait_for_the_host) {
+  board.setKey("SUAM", KEY);
+  for (const char *sender : {"SUPO", "SURA"}) board.receive(plain("////", sender, std::string(40, 'z')));
+  const std::vector<Bytes> first = cut(longFrame(), 9);
+  const std::vector<Bytes> second = cut(sealed(KEY, "SUHO", "SUAM", NONCE, std::string(400, 'y')), 9);
+  for (size_t i = 0; i < first.size(); i++) {
+    board.receive(first[i]);
+    if (i < second.size()) board.receive(second[i]);
+  }
+  EXPECT_EQ(second.size(), board.counter(Counter::RADIO_FRAGMENTS_DROPPED));
+  board.pollTaking(1);
+  EXPECT_EQ(content, board.messages().at(0).content);
+}
+
 TEST_F(InFragments, a_flood_of_messages_that_never_end_stops_no_short_one_and_long_ones_for_5_s_at_most) {
   for (int i = 0; i < 200; i++) {
     const std::string origin = "AA" + std::string(1, static_cast<char>('A' + i % 26)) + static_cast<char>('A' + i / 26);
