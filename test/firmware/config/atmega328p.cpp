@@ -37,7 +37,7 @@ const size_t PARTS = sizeof(Actions) + sizeof(Poll);
 const size_t RADIO_PARTS = PARTS + sizeof(Commands) + sizeof(BoardState) + sizeof(Delivery) + sizeof(MediumAccess) +
                            sizeof(Acknowledger) + sizeof(Inbox) + sizeof(Admission) + sizeof(Courier) +
                            sizeof(Overheard);
-static_assert(sizeof(Board) + PARTS <= 504, "static RAM of a board without a radio");
-static_assert(sizeof(RadioBoard) + RADIO_PARTS <= 856, "and of one with a radio, beside the radio's");
+static_assert(sizeof(Board) + PARTS <= 420, "static RAM of a board without a radio");
+static_assert(sizeof(RadioBoard) + RADIO_PARTS <= 710, "and of one with a radio, beside the radio's");
 
 }  // namespace javinolib
