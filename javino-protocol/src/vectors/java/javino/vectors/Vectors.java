@@ -37,6 +37,7 @@ public final class Vectors {
         files.put("commands.json", format(CommandVectors.all()));
         files.put("radio.json", format(RadioVectors.all()));
         files.put("parity.json", format(ParityVectors.all()));
+        files.put("modules.json", format(ModuleVectors.all()));
         files.put("envelopes.json", format(EnvelopeVectors.all()));
         files.put("fragments.json", format(FragmentVectors.all()));
         files.put("acknowledgements.json", format(AcknowledgementVectors.all()));
