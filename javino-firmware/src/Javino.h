@@ -10,6 +10,7 @@
 
 #ifdef JAVINO_HAS_ASK_HARDWARE
 #include "radio/AskRadio.h"
+#include "serialradio/SerialRadio.h"
 
 // For a radio on another timer than 1, write this in one file of the sketch, before this header is included:
 // #define JAVINO_RADIO_TIMER 3

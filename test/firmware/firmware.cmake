@@ -1,4 +1,5 @@
-# FIRMWARE, its folder, and FIRMWARE_SOURCES: what of it runs on a PC, which is all but the Arduino core's and the AVR's own.
+# FIRMWARE, its folder, and FIRMWARE_SOURCES: what of it runs on a PC without the Arduino core, which is all
+# but the core's, the AVR's own, and the driver of serial modules.
 get_filename_component(FIRMWARE ${CMAKE_CURRENT_LIST_DIR}/../../javino-firmware/src ABSOLUTE)
 file(GLOB FIRMWARE_SOURCES CONFIGURE_DEPENDS ${FIRMWARE}/*/*.cpp)
-list(FILTER FIRMWARE_SOURCES EXCLUDE REGEX "/arduino/|Avr\\.cpp$")
+list(FILTER FIRMWARE_SOURCES EXCLUDE REGEX "/arduino/|/serialradio/|Avr\\.cpp$")

@@ -31,10 +31,10 @@ void sendNext() {
 }
 
 void receiveNext() {
-  uint8_t length;
-  if (!radio.receive(length)) return;
+  javinolib::Received with;
+  if (!radio.receive(with)) return;
   radio.release();
-  if (length == LENGTH) Serial.println(++received);
+  if (with.length == LENGTH) Serial.println(++received);
 }
 
 void setup() {

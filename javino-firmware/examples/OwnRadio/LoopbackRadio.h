@@ -32,9 +32,10 @@ class LoopbackRadio : public javinolib::Radio {
   uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(1 + length / 8); }
   uint8_t slotMillis() const override { return 2; }
 
-  uint8_t *receive(uint8_t &length) override {
+  uint8_t *receive(javinolib::Received &with) override {
     if (length_ != 0 && !sending()) finish();
-    length = receivedLength_;
+    with.length = receivedLength_;
+    with.hops = 0;
     return receivedLength_ == 0 ? nullptr : received_;
   }
 

@@ -30,12 +30,12 @@ bool Broadcaster::send(const char *text) {
 void Broadcaster::run() {
   medium_.update();
   backoff_.listen(medium_.quietSlots());
-  uint8_t length;
-  while (const uint8_t *packet = medium_.receive(length)) {
-    if (medium_.mender() && medium_.mender()->isDoubtful()) {
+  Received with;
+  while (const uint8_t *packet = medium_.receive(with)) {
+    if (with.hops != 0 || (medium_.mender() && medium_.mender()->isDoubtful())) {
       countUp(ignored_);
     } else {
-      hear(packet, length);
+      hear(packet, with.length);
     }
     medium_.release();
   }

@@ -43,9 +43,10 @@ bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer)
 }
 
 bool MediumAccess::sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops) {
-  radio_.setHops(hops);
+  uint8_t &behind = *radio_.sentHops();
+  behind = hops;
   const bool sent = send(payload, length);
-  radio_.setHops(0);
+  behind = 0;
   return sent;
 }
 

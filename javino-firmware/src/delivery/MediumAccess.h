@@ -54,12 +54,12 @@ class MediumAccess {
   bool sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops);
 
   /// Whether the radio can tell others the hops behind a packet.
-  bool canRelay() { return radio_.setHops(0); }
+  bool canRelay() { return radio_.sentHops() != nullptr; }
 
   /// The oldest packet that the radio holds; it belongs to the caller until release().
-  /// @param length set to its length
+  /// @param with set where one waits
   /// @return null where none waits
-  uint8_t *receive(uint8_t &length) { return radio_.receive(length); }
+  uint8_t *receive(Received &with) { return radio_.receive(with); }
 
   /// What knows how that packet came; null where the radio gives intact ones only.
   Mender *mender() { return radio_.mender(); }

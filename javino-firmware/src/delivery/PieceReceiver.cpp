@@ -88,7 +88,6 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
       Frame::parseHeader(partial.bytes(), whole);
       if (admission_->isGenuine(whole, partial.bytes(), partial.length())) {
         const uint16_t length = partial.length();
-        const uint16_t length = partial.length();
         uint8_t *const bytes = reassembly_.release(partial);
         Frame::parseHeader(bytes, whole);
         const uint16_t age = static_cast<uint16_t>(now - partial.begun);

@@ -6,12 +6,12 @@ namespace javinolib {
 
 void Receiver::run() {
   const Mender *const mender = medium_->mender();
-  uint8_t length;
-  while (uint8_t *packet = medium_->receive(length)) {
-    isDoubtful_ = mender && mender->isDoubtful();
+  Received with;
+  while (uint8_t *packet = medium_->receive(with)) {
+    doubt_ = with.hops != 0 ? COPY : mender && mender->isDoubtful() ? MENDED : NONE;
     acknowledger_->heard(KeyStore::NO_SLOT);
-    overheard_->add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, length);
-    accept(packet, length, mender ? mender->hops() : 0);
+    overheard_->add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, with.length);
+    accept(packet, with.length, with.hops);
     if (config::LARGE && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
         acknowledger_->askForParity();
@@ -82,7 +82,7 @@ static bool isWord(const Frame &frame) { return frame.length != 0 && (frame.mess
 // Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said. No broadcast comes as a
 // relay's copy, and so no word does.
 bool Receiver::mayBeDoubtful(const Frame &frame) const {
-  return config::LARGE && medium_->mender()->hops() == 0 && isWord(frame);
+  return config::LARGE && doubt_ == MENDED && isWord(frame);
 }
 
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
@@ -93,9 +93,9 @@ void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
     if (admission_->isOwn(frame)) {
       admission_->drop(Counter::RADIO_OWN);
     } else {
-      if (pieces_.accept(frame, medium_->pieceLength(), age, isDoubtful_)) keep();
+      if (pieces_.accept(frame, medium_->pieceLength(), age, doubt_ != NONE)) keep();
     }
-  } else if (isDoubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
+  } else if (doubt_ != NONE && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
     admission_->drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_->isForUs(frame)) {
     if (frame.destination.isDevice()) keep();

@@ -1,7 +1,5 @@
 #include "Relay.h"
 
-#include "../radio/Mender.h"
-
 namespace javinolib {
 
 bool Relay::begin(uint16_t number) {
@@ -12,11 +10,11 @@ bool Relay::begin(uint16_t number) {
 
 void Relay::run() {
   medium_.update();
-  uint8_t length;
-  while (const uint8_t *packet = medium_.receive(length)) {
+  Received with;
+  while (const uint8_t *packet = medium_.receive(with)) {
     Frame frame;
-    if (Frame::parse(packet, length, frame) == FrameError::NONE && frame.origin.isDevice()) {
-      forwarding_.heard(frame, packet, length, medium_.mender() ? medium_.mender()->hops() : 0);
+    if (Frame::parse(packet, with.length, frame) == FrameError::NONE && frame.origin.isDevice()) {
+      forwarding_.heard(frame, packet, with.length, with.hops);
     }
     medium_.release();
   }

@@ -74,14 +74,15 @@ uint16_t AskRadio::airtimeMillis(uint8_t length) const {
 uint8_t AskRadio::slotMillis() const { return static_cast<uint8_t>((SLOT_BITS * 1000u + bitRate_ - 1) / bitRate_); }
 
 // A packet that is lost waits for release(), or for the next call.
-uint8_t *AskRadio::receive(uint8_t &length) {
+uint8_t *AskRadio::receive(Received &with) {
   lookAtLine();
   if (config::LARGE) mender_->setLastTrailer(decoder_->trailer());
   if (mender_->lost()) release();
   RadioPacket *packet = decoder_->queue().oldest();
   if (!packet) return nullptr;
   if (mender_->step(*packet) != Mender::WHOLE) return nullptr;
-  length = packet->payloadLength();
+  with.hops = mender_->hops();
+  with.length = packet->payloadLength();
   return packet->payload();
 }
 

@@ -41,13 +41,10 @@ class AskRadio : public Radio {
   uint8_t longestPayload() const override { return MAX_RADIO_PAYLOAD; }
   uint16_t airtimeMillis(uint8_t length) const override;
   uint8_t slotMillis() const override;
-  uint8_t *receive(uint8_t &length) override;
+  uint8_t *receive(Received &with) override;
   void release() override;
   Mender *mender() override { return mender_.operator->(); }
-  bool setHops(uint8_t hops) override {
-    hops_ = hops;
-    return true;
-  }
+  uint8_t *sentHops() override { return &hops_; }
 #if JAVINO_LARGE
   void follow(Trailer trailer) override { follower_ = trailer; }
 #endif

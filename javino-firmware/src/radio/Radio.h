@@ -33,6 +33,12 @@ struct RadioCounters {
   config::Count lateMicros;  ///< how late its interrupt began at most, 0 where it has none
 };
 
+/// What came with a payload.
+struct Received {
+  uint8_t length;  ///< of the payload, 1…longestPayload()
+  uint8_t hops;    ///< behind the packet, modulo 3; 0 where the driver cannot tell that (SPEC 7.5)
+};
+
 /// A half-duplex packet radio: it sends and receives payloads. Only the driver knows how, and how fast. No function
 /// blocks.
 ///
@@ -56,9 +62,9 @@ class Radio {
   virtual void follow(Trailer) {}
 #endif
 
-  /// Says how many hops lie behind the packets that are sent from now on, modulo 3; at first none (SPEC 7.5).
-  /// @return false if the driver cannot tell that to other boards: then the board is no relay
-  virtual bool setHops(uint8_t) { return false; }
+  /// @return where to say how many hops lie behind the packets that are sent from now on, modulo 3, at first none (SPEC 7.5); null
+  /// if the driver cannot tell that to other boards: then the board is no relay.
+  virtual uint8_t *sentHops() { return nullptr; }
 
   /// @return what knows how the packet that receive() returned has come, and which packets were lost; null where the driver
   /// gives intact ones only.
@@ -83,9 +89,9 @@ class Radio {
 
   /// The oldest undamaged payload received, in place: it belongs to the caller until release(). This is called often,
   /// whenever the CPU has woken up, so a driver can do its work outside of interrupts here.
-  /// @param length set to its length, 1…longestPayload()
+  /// @param with set where a payload is returned
   /// @return null if none is waiting.
-  virtual uint8_t *receive(uint8_t &length) = 0;
+  virtual uint8_t *receive(Received &with) = 0;
 
   /// Drops the payload that receive() returned.
   virtual void release() = 0;

@@ -147,10 +147,10 @@ void hearPacket() {
     radio.onAlarm();
     radio.onAlarm();
   });
-  uint8_t length = 0;
-  const uint8_t *payload = radio.receive(length);
-  if (payload != nullptr) memcpy(mailbox.bytes, payload, length);
-  mailbox.length = length;
+  Received with = {0, 0};
+  const uint8_t *payload = radio.receive(with);
+  if (payload != nullptr) memcpy(mailbox.bytes, payload, with.length);
+  mailbox.length = with.length;
 }
 
 #if JAVINO_LARGE

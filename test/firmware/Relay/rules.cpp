@@ -86,7 +86,7 @@ TEST_F(RelayTest, copies_a_unicast_that_nobody_answers_byte_by_byte_with_one_hop
     hear(packet, hops);
     EXPECT_TRUE(sends(17 * SLOT));
     EXPECT_EQ(packet, radio.sent.back());
-    EXPECT_EQ((hops + 1) % 3, radio.hops.back());
+    EXPECT_EQ((hops + 1) % 3, radio.behind.back());
   }
   EXPECT_EQ(3u, relay.copies());
 }
@@ -126,7 +126,7 @@ TEST_F(RelayTest, carries_the_acknowledgement_of_what_it_copied) {
   hear(answer(1));
   EXPECT_TRUE(sends(5 * SLOT));
   EXPECT_EQ(answer(1), radio.sent.back());
-  EXPECT_EQ(1, radio.hops.back());
+  EXPECT_EQ(1, radio.behind.back());
   EXPECT_EQ(1u, relay.answers());
   // The sender was not heard itself: twice more, unless it is heard farther on.
   EXPECT_TRUE(sends(30 * SLOT));
@@ -170,7 +170,7 @@ TEST_F(RelayTest, begins_anew_with_what_is_heard_again_late) {
   pass(500);
   hear(unicast(1), 2);
   EXPECT_TRUE(sends(17 * SLOT));
-  EXPECT_EQ(0, radio.hops.back());
+  EXPECT_EQ(0, radio.behind.back());
 }
 
 TEST_F(RelayTest, gives_the_acknowledgement_again_and_after_four_times_the_packet) {

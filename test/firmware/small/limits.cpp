@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Fragments.h"
+#include "support/Keys.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -11,7 +12,6 @@ using javinolib::Status;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 const size_t MAX_CONTENT = 67;
 const size_t MAX_SEALED_IN_A_PACKET = 53;
 

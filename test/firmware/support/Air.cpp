@@ -24,9 +24,9 @@ void Air::step() {
     listen(*station);
     station->step();
     std::vector<Bytes> &sent = station->board.radio.sent;
-    if (!sent.empty()) start(station, sent.back(), station->board.radio.hops.back());
+    if (!sent.empty()) start(station, sent.back(), station->board.radio.behind.back());
     sent.clear();
-    station->board.radio.hops.clear();
+    station->board.radio.behind.clear();
   }
 }
 

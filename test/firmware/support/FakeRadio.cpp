@@ -9,17 +9,18 @@ bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
   if (onAir_ || refuses) return false;
   sent.push_back(Bytes(payload, payload + length));
   trailers.push_back(trailer_);
-  hops.push_back(hops_);
+  behind.push_back(hops_);
   onAir_ = true;
   return true;
 }
 
-uint8_t *FakeRadio::receive(uint8_t &length) {
+uint8_t *FakeRadio::receive(javinolib::Received &with) {
   if (mends && mender_.lost()) release();
   if (in_.empty()) return nullptr;
   Arrived &first = in_.front();
   if (!mends) {
-    length = static_cast<uint8_t>(first.payload.size());
+    with.hops = 0;
+    with.length = static_cast<uint8_t>(first.payload.size());
     return first.payload.data();
   }
   mender_.setLastTrailer(first.trailer);
@@ -28,7 +29,8 @@ uint8_t *FakeRadio::receive(uint8_t &length) {
     progress = mender_.step(first.packet);
   } while (progress == javinolib::Mender::PENDING);
   if (progress != javinolib::Mender::WHOLE) return nullptr;
-  length = first.packet.payloadLength();
+  with.hops = mender_.hops();
+  with.length = first.packet.payloadLength();
   return first.packet.payload();
 }
 

@@ -20,16 +20,13 @@ class FakeRadio : public javinolib::Radio {
   uint8_t longestPayload() const override { return payload; }
   uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(42 + 6 * length); }
   uint8_t slotMillis() const override { return 8; }
-  uint8_t *receive(uint8_t &length) override;
+  uint8_t *receive(javinolib::Received &with) override;
   void release() override;
   javinolib::Mender *mender() override { return mends ? &mender_ : nullptr; }
 #if JAVINO_LARGE
   void follow(javinolib::Trailer trailer) override { trailer_ = trailer; }
 #endif
-  bool setHops(uint8_t hops) override {
-    hops_ = hops;
-    return mends;
-  }
+  uint8_t *sentHops() override { return mends ? &hops_ : nullptr; }
   void counters(javinolib::RadioCounters &into) const override { into = counts; }
   bool idle() const override { return in_.empty(); }
 
@@ -51,7 +48,7 @@ class FakeRadio : public javinolib::Radio {
   javinolib::RadioCounters counts = {0, 0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
   std::vector<javinolib::Trailer> trailers;  ///< what followed each of these
-  std::vector<uint8_t> hops;                 ///< behind each of these
+  std::vector<uint8_t> behind;               ///< behind each of these
 
  private:
   struct Arrived {

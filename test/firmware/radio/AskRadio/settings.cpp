@@ -33,9 +33,9 @@ TEST(AskRadio, hearsNothingBeforeItBegins) {
   EXPECT_EQ(hardware.interrupts(), 0u);
   ASSERT_TRUE(radio.begin());
   hardware.play(packetLine({2}));
-  uint8_t length = 0;
-  const uint8_t *payload = radio.receive(length);
-  ASSERT_EQ(length, 1);
+  javinolib::Received with = {0, 0};
+  const uint8_t *payload = radio.receive(with);
+  ASSERT_EQ(with.length, 1);
   EXPECT_EQ(payload[0], 2);
 }
 
@@ -59,9 +59,9 @@ TEST(AskRadio, sendsAndReceivesAtEachRate) {
     AskRadio radio(11, 12, rate);
     ASSERT_TRUE(radio.begin());
     hardware.play(packetLine({1, 2, 3}, bitTicks));
-    uint8_t length = 0;
-    ASSERT_NE(radio.receive(length), nullptr) << rate << " bit/s";
-    EXPECT_EQ(length, 3) << rate << " bit/s";
+    javinolib::Received with = {0, 0};
+    ASSERT_NE(radio.receive(with), nullptr) << rate << " bit/s";
+    EXPECT_EQ(with.length, 3) << rate << " bit/s";
     radio.release();
 
     const uint8_t payload[] = {1, 2, 3};

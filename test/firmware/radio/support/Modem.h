@@ -11,11 +11,11 @@ class Modem {
 
   // The next packet that is whole. What is damaged is mended in steps.
   Bytes take() {
-    uint8_t length = 0;
-    const uint8_t *payload = radio.receive(length);
-    for (int steps = 0; payload == nullptr && !radio.idle() && steps < 1000; steps++) payload = radio.receive(length);
+    javinolib::Received with = {0, 0};
+    const uint8_t *payload = radio.receive(with);
+    for (int steps = 0; payload == nullptr && !radio.idle() && steps < 1000; steps++) payload = radio.receive(with);
     if (payload == nullptr) return Bytes();
-    const Bytes taken(payload, payload + length);
+    const Bytes taken(payload, payload + with.length);
     radio.release();
     return taken;
   }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../support/Flash.h"
+
+namespace javinolib {
+
+/// What a SerialRadio has to know of a module that carries bytes from UART to UART (SPEC 6.2). It lies in flash. All modules in
+/// range have the same settings.
+struct SerialModule {
+  uint16_t baud;           ///< of its UART
+  uint8_t longestPayload;  ///< MIN_RADIO_PAYLOAD…MAX_RADIO_PAYLOAD: 6 less than what it sends in one piece
+  uint8_t slotMillis;      ///< from the first byte given to it to the first that comes out of another, 1…255
+  uint16_t airtimeMillis;  ///< to the last one that comes out, beside airtimeMicros
+  uint16_t airtimeMicros;  ///< of each byte given to it
+};
+
+/// HC-12 in its mode FU3: it sends 16 bytes at a time, while the next ones come.
+extern const SerialModule HC_12;
+
+/// EBYTE E32, LoRa at 2400 bit/s: it sends 58 bytes at a time, when all have come.
+extern const SerialModule E32;
+
+/// EBYTE E22, LoRa at 2400 bit/s: the same with 240 bytes.
+extern const SerialModule E22;
+
+}  // namespace javinolib
