@@ -24,7 +24,7 @@ static bool is_motor(const vehicle_config *vehicle, int pin) {
 static void pin_changed(void *context, int pin, bool level, cycles_t at) {
   node *n = context;
   emulation *e = n->owner;
-  if (pin == n->config->tx_pin) {
+  if (pin == n->config->tx_pin && !e->modules.modules) {
     rf_bus_carrier(&e->air, n->index, level, at);
     sniffer_tx_edge(&e->listener, n->index, level, at);
   }
@@ -84,12 +84,14 @@ static void uart_byte(void *context, bool from_host, uint8_t byte) {
 static void level_arrives(void *context, size_t receiver, bool level, cycles_t at) {
   emulation *e = context;
   node *n = &e->nodes[receiver];
+  if (e->modules.modules) return;
   board_drive_at(&n->arduino, n->config->rx_pin, level, at);
   sniffer_rx_edge(&e->listener, receiver, level, at);
 }
 
 static void carriers_overlap(void *context, size_t receiver, uint64_t sources, cycles_t at) {
   emulation *e = context;
+  serial_modules_collision(&e->modules, receiver, sources);
   sniffer_collision(&e->listener, receiver, sources, at);
 }
 
@@ -161,6 +163,7 @@ static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   n->arduino.clock_error_ppm = n->config->clock_error_ppm;
   serial_sniffer_init(&n->line, e->out, n->config->name);
   uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
+  serial_modules_join(&e->modules, n->index, &n->arduino);
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
   if (!n->sensors) return out_of_memory(e);
   for (size_t i = 0; i < n->config->sensor_count; i++)
@@ -194,6 +197,7 @@ static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *
     snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 63 together");
     return -1;
   }
+  if (serial_modules_init(&e->modules, config, seed, &e->air, &e->listener) != 0) return out_of_memory(e);
   for (; e->node_count < config->board_count; e->node_count++) {
     node *n = &e->nodes[e->node_count];
     n->owner = e;
@@ -269,6 +273,7 @@ static void cut_power(node *n, const fault_config *fault) {
   n->power_cuts++;
   trace_cut(n, now, board_power_off(&n->arduino, &n->noise));
   uart_reset(&n->serial);
+  serial_modules_power_off(&n->owner->modules, n->index);
   unplug(n);
 }
 
@@ -334,6 +339,7 @@ static cycles_t node_next_event(const node *n) {
 static cycles_t step_end(const emulation *e, cycles_t until) {
   cycles_t end =
       earliest(earliest(e->air.next_event, e->faults.next), earliest(e->surroundings.next_step, e->injector.next));
+  end = earliest(end, serial_modules_next(&e->modules));
   for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
     end = earliest(end, node_next_event(&e->nodes[i]));
   end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
@@ -363,7 +369,9 @@ int emulation_run(emulation *e, cycles_t until) {
     injector_advance(&e->injector, end);
     // In this order a packet is known at its sender before it arrives anywhere.
     sniffer_advance_tx(&e->listener, end);
+    serial_modules_send(&e->modules, e->now, end);
     rf_bus_advance(&e->air, end);
+    serial_modules_receive(&e->modules, end);
     sniffer_advance_rx(&e->listener, end);
     e->now = end;
   }
@@ -431,6 +439,7 @@ int emulation_close(emulation *e) {
   int result = save_eeproms(e);
   sniffer_end(&e->listener);
   for (size_t i = 0; i < e->node_count; i++) close_node(e, &e->nodes[i]);
+  serial_modules_release(&e->modules);
   sniffer_release(&e->listener);
   rf_bus_release(&e->air);
   fault_plan_release(&e->faults);

@@ -17,6 +17,7 @@
 #include "rf_bus.h"
 #include "scenario.h"
 #include "sensor.h"
+#include "serial_module.h"
 #include "serial_sniffer.h"
 #include "sniffer.h"
 #include "injector.h"
@@ -51,6 +52,7 @@ typedef struct emulation {
   trace *out;
   rf_bus air;
   sniffer listener;
+  serial_modules modules;
   node *nodes;
   size_t node_count;
   fault_plan faults;

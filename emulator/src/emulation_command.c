@@ -20,7 +20,8 @@ static const char *prepare(emulation *e, const command *c) {
       return world_put_obstacle(&e->surroundings, &c->obstacle) == 0 ? NULL
                                                                      : "there are 64 obstacles; remove one first";
     case COMMAND_SEND:
-      return injector_send(&e->injector, &c->packet, e->now) == 0
+      return (e->modules.modules ? serial_modules_inject(&e->modules, &c->packet, e->now)
+                                 : injector_send(&e->injector, &c->packet, e->now)) == 0
                  ? NULL
                  : "16 packets wait to be sent; send this one when some of them are out";
     default: return NULL;

@@ -32,6 +32,10 @@ static void check_board(const scenario *s, size_t index, const json_node *node) 
       json_fail(&value, "is the same as that of boards[%zu]; expected one of its own", i);
     }
   }
+  if (s->radio.module.name && board->model != &MEGA) {
+    json_node chosen = json_member(node, "model");
+    json_fail(&chosen, "has no second UART for the radio's module; expected \"mega\"");
+  }
   if (board->firmware && access(board->firmware, R_OK) != 0)
     json_fail(&firmware, "cannot read %s (%s); build the firmware or correct the path", board->firmware,
               strerror(errno));

@@ -35,8 +35,23 @@ typedef struct {
   double after_s;      // so long after the last carrier
 } noise_config;
 
+#define MODULE_MAX_BUFFER 1024
+#define MODULE_MAX_PIECE 240
+
+// A module that carries bytes from UART to UART.
 typedef struct {
-  double bit_rate;        // bit/s, 100…10000
+  const char *name;  // NULL: boards have a transmitter and a receiver for on-off keying
+  double uart_rate;  // bit/s, of which a byte takes 10
+  double air_rate;   // bit/s, of which a byte takes 8
+  double lead_s;     // of a piece on the air before its bytes
+  double pause_s;    // on the UART, after which what has come is sent
+  double delay_s;    // from there to the air
+  size_t piece;      // bytes that are sent at once
+  size_t buffer;     // bytes each way, beyond which they are lost
+} module_config;
+
+typedef struct {
+  double bit_rate;        // bit/s, 100…10000; of modules their air rate
   double range_m;         // metres, 0 or more
   double bit_error_rate;  // probability 0…1 for each bit slot and receiver
   burst_config bursts;
@@ -45,6 +60,8 @@ typedef struct {
   double shadowing_db;                               // standard deviation, 0: none
   noise_config noise;
   double capture_db;  // 0: no signal is heard over another one
+  module_config module;
+  double loss;  // probability 0…1 for each piece of a module and receiver
 } radio_config;
 
 typedef enum { SENSOR_HC_SR04, SENSOR_LDR, SENSOR_DIGITAL } sensor_kind;
@@ -96,6 +113,7 @@ typedef struct {
   double bridge_latency_ms;  // 0…255, 0: bytes are not held back
   int clock_error_ppm;       // how much faster its clock runs
   int tx_pin, rx_pin;
+  int aux_pin;  // of a module, -1: not joined
   sensor_config *sensors;
   size_t sensor_count;
   watch_config *watches;

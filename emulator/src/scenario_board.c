@@ -307,12 +307,14 @@ static void read_wiring(board_config *board, const json_node *node) {
   json_node bridge = json_member(node, "bridge");
   json_node tx = json_member(node, "txPin");
   json_node rx = json_member(node, "rxPin");
+  json_node aux = json_member(node, "auxPin");
   json_node clock_error = json_member(node, "clockError");
   board->reset_on_open = json_flag(&reset_on_open, true);
   read_bridge(board, &bridge);
   board->tx_pin = pin_read(&tx, board->model, DEFAULT_TX_PIN);
   board->rx_pin = pin_read(&rx, board->model, DEFAULT_RX_PIN);
   if (board->rx_pin == board->tx_pin) json_expected(&rx, "another pin than txPin");
+  board->aux_pin = json_given(&aux) ? pin_read(&aux, board->model, -1) : -1;
   read_clock_error(board, &clock_error);
 }
 
@@ -324,9 +326,9 @@ static void check_name(const char *name, const json_node *board) {
 
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
                        const char *directory) {
-  static const char *const KEYS[] = {"name",     "model",   "firmware",    "bootLoader", "port",       "eeprom",
-                                     "position", "path",    "resetOnOpen", "bridge",     "clockError", "txPin",
-                                     "rxPin",    "sensors", "watch",       "vehicle",    NULL};
+  static const char *const KEYS[] = {"name",     "model",  "firmware",    "bootLoader", "port",       "eeprom",
+                                     "position", "path",   "resetOnOpen", "bridge",     "clockError", "txPin",
+                                     "rxPin",    "auxPin", "sensors",     "watch",      "vehicle",    NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node chosen = json_member(node, "model");
   int index = json_choice(&chosen, MODEL_NAMES);

@@ -22,6 +22,29 @@ static const distance_rate OUTDOORS[] = {{60, 0},       {70, 6.8e-9}, {80, 2.7e-
 #define OUTDOORS_RANGE_M 200
 #define OUTDOORS_SHADOWING_DB 4
 
+// emulator/README.md says where these are from.
+static const module_config MODULES[] = {
+    {"hc-12", 9600, 15000, 0.0043, 0.004, 0.005, 16, 256},
+    {"e32", 9600, 2400, 0.06, 0.0032, 0, 58, 512},
+    {"e22", 9600, 2400, 0.06, 0.0032, 0, 240, 1000},
+};
+static const char *const MODULE_KINDS[] = {"hc-12", "e32", "e22", NULL};
+
+static void read_module(module_config *module, const json_node *node) {
+  json_node name = json_member(node, "module");
+  int kind = json_given(&name) ? json_choice(&name, MODULE_KINDS) : -1;
+  if (kind < 0) return;
+  *module = MODULES[kind];
+  json_node uart_rate = json_member(node, "uartRate");
+  json_node air_rate = json_member(node, "airRate");
+  json_node delay = json_member(node, "delay");
+  json_node buffer = json_member(node, "buffer");
+  module->uart_rate = json_number(&uart_rate, 1200, 115200, module->uart_rate);
+  module->air_rate = json_number(&air_rate, 300, 1000000, module->air_rate);
+  module->delay_s = json_number(&delay, 0, 1, module->delay_s);
+  module->buffer = (size_t)json_number(&buffer, 16, MODULE_MAX_BUFFER, (double)module->buffer);
+}
+
 static void read_bursts(burst_config *bursts, const json_node *node) {
   static const char *const KEYS[] = {"rate", "length", "rateWithin", NULL};
   if (!json_given(node) || !json_check_object(node, KEYS)) return;
@@ -91,6 +114,7 @@ void radio_change_read(radio_config *radio, const json_node *node) {
   json_node shadowing = json_member(node, "shadowing");
   json_node noise = json_member(node, "noise");
   json_node capture = json_member(node, "capture");
+  json_node loss = json_member(node, "loss");
   read_distance_rates(radio, &by_distance);  // first: "outdoors" brings a range and shadowing with it
   radio->range_m = json_number(&range, 0, MAX_DISTANCE_M, radio->range_m);
   radio->bit_error_rate = json_number(&bit_error_rate, 0, 1, radio->bit_error_rate);
@@ -98,14 +122,17 @@ void radio_change_read(radio_config *radio, const json_node *node) {
   radio->shadowing_db = json_number(&shadowing, 0, MAX_SHADOWING_DB, radio->shadowing_db);
   read_noise(&radio->noise, &noise);
   radio->capture_db = json_number(&capture, 0, MAX_CAPTURE_DB, radio->capture_db);
+  radio->loss = json_number(&loss, 0, 1, radio->loss);
 }
 
 void radio_config_read(radio_config *radio, const json_node *node) {
-  static const char *const KEYS[] = {"bitRate", RADIO_KEYS, NULL};
+  static const char *const KEYS[] = {"bitRate", RADIO_KEYS, "module", "uartRate", "airRate", "delay", "buffer", NULL};
   json_node bit_rate = json_member(node, "bitRate");
   *radio = (radio_config){.range_m = DEFAULT_RANGE_M};
   if (json_given(node)) json_check_object(node, KEYS);
   radio->bit_rate = json_number(&bit_rate, MIN_BIT_RATE, MAX_BIT_RATE, DEFAULT_BIT_RATE);
+  read_module(&radio->module, node);
+  if (radio->module.name) radio->bit_rate = radio->module.air_rate;
   radio_change_read(radio, node);
 }
 
@@ -129,5 +156,14 @@ json_t *radio_config_json(const radio_config *radio) {
   if (noise->edges_per_s > 0)
     json_object_set_new(object, "noise", json_pack("{sfsf}", "edges", noise->edges_per_s, "after", noise->after_s));
   if (radio->capture_db > 0) json_object_set_new(object, "capture", json_real(radio->capture_db));
+  if (radio->loss > 0) json_object_set_new(object, "loss", json_real(radio->loss));
+  const module_config *module = &radio->module;
+  if (module->name) {
+    json_object_set_new(object, "module", json_string(module->name));
+    json_object_set_new(object, "uartRate", json_real(module->uart_rate));
+    json_object_set_new(object, "airRate", json_real(module->air_rate));
+    json_object_set_new(object, "delay", json_real(module->delay_s));
+    json_object_set_new(object, "buffer", json_integer((json_int_t)module->buffer));
+  }
   return object;
 }

@@ -7,7 +7,7 @@
 #include "scenario.h"
 
 // The keys that a command may change, too.
-#define RADIO_KEYS "range", "bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture"
+#define RADIO_KEYS "range", "bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture", "loss"
 
 // Reads the whole part, or the defaults where it is absent.
 void radio_config_read(radio_config *radio, const json_node *node);

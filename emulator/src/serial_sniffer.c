@@ -50,8 +50,7 @@ void serial_sniffer_reset(serial_sniffer *s) {
   s->taken = -1;
 }
 
-// Undoes COBS in place. Returns the length, or -1 where it is wrong.
-static int unstuff(uint8_t *bytes, size_t length) {
+int serial_unstuff(uint8_t *bytes, size_t length) {
   size_t read = 0, written = 0;
   while (read < length) {
     size_t run = bytes[read++];
@@ -67,7 +66,7 @@ static int unstuff(uint8_t *bytes, size_t length) {
 // Returns 0, or -1 where the bytes are no packet.
 static int read_packet(serial_line *line, serial_packet *packet) {
   if (line->length > SERIAL_MAX_PACKET) return -1;
-  int length = unstuff(line->bytes, line->length);
+  int length = serial_unstuff(line->bytes, line->length);
   if (length < SEQUENCE_LENGTH + HEADER_LENGTH + CRC_LENGTH) return -1;
   size_t checked = (size_t)length - CRC_LENGTH;
   packet->crc = (uint16_t)(line->bytes[checked] | line->bytes[checked + 1] << 8);

@@ -64,4 +64,7 @@ void serial_sniffer_reset(serial_sniffer *s);
 // A byte has reached the board, or left it.
 void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at);
 
+// Undoes COBS in place. Returns the length, or -1 where it is wrong.
+int serial_unstuff(uint8_t *bytes, size_t length);
+
 #endif

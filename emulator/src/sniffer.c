@@ -37,7 +37,8 @@ static void write_frame(trace *t, const frame_view *view) {
     default: write_message(t, view); break;
   }
 }
-static void write_packet(trace *t, const line_packet *packet) {
+
+static void write_packet(trace *t, const line_packet *packet, const char *radio) {
   frame_view view;
   trace_hex(t, "payload", packet->payload, packet->length);
   if (frame_view_read(&view, packet->payload, packet->length) == 0)
@@ -46,6 +47,7 @@ static void write_packet(trace *t, const line_packet *packet) {
     trace_text(t, "kind", "no frame");
   if (packet->hops != 0) trace_count(t, "hops", packet->hops);
   if (packet->trailer != LINE_NO_TRAILER) trace_text(t, "trailer", line_trailer_text(packet->trailer));
+  if (radio) trace_text(t, "radio", radio);
   trace_count(t, "bits", packet->bits);
   trace_time(t, "start", packet->start);
   trace_time(t, "end", packet->end);
@@ -81,7 +83,7 @@ static void tx_ended(void *context, const line_packet *packet) {
   sniffer *s = station->owner;
   station->counters.sent++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
-  write_packet(s->out, packet);
+  write_packet(s->out, packet, s->config->radio.module.name);
   if (s->ending) trace_flag(s->out, "cut", true);
   trace_end(s->out);
 }
@@ -117,7 +119,7 @@ static void rx_ended(void *context, const line_packet *packet) {
     trace_text(s->out, "from", board_name(s, station->expected[index].source));
     forget(station, (size_t)index);
   }
-  write_packet(s->out, packet);
+  write_packet(s->out, packet, s->config->radio.module.name);
   trace_end(s->out);
 }
 
@@ -174,9 +176,8 @@ void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t a
   trace_end(s->out);
 }
 
-static void report_damaged(sniffer_station *station, const sniffer_expected *lost) {
+static void report_damaged(sniffer_station *station, const sniffer_expected *lost, const char *why) {
   sniffer *s = station->owner;
-  const char *why = station->last_error_at > lost->start ? line_error_text(station->last_error) : "no start symbol";
   station->counters.damaged++;
   trace_begin(s->out, lost->deadline, board_name(s, station->board), "rf-damaged");
   trace_text(s->out, "from", board_name(s, lost->source));
@@ -193,13 +194,35 @@ static void check_deadlines(sniffer *s, cycles_t now) {
     for (size_t i = 0; i < station->expected_count;) {
       cycles_t deadline = station->expected[i].deadline;
       if (deadline < now) {
-        report_damaged(station, &station->expected[i]);
+        const sniffer_expected *lost = &station->expected[i];
+        report_damaged(station, lost,
+                       station->last_error_at > lost->start ? line_error_text(station->last_error) : "no start symbol");
         forget(station, i);
         continue;
       }
       if (deadline < s->next_deadline) s->next_deadline = deadline;
       i++;
     }
+  }
+}
+
+void sniffer_module_packet(sniffer *s, size_t source, const line_packet *packet, uint64_t missed) {
+  sniffer_station *sender = &s->stations[source];
+  if (packet->length == 0) {
+    sender->counters.undecodable++;
+    return;
+  }
+  tx_ended(sender, packet);
+  for (size_t r = 0; r < s->config->board_count; r++) {
+    sniffer_station *station = &s->stations[r];
+    if (!rf_bus_hears(s->bus, r, source)) continue;
+    if (missed >> r & 1) {
+      sniffer_expected lost = {.source = source, .start = packet->start, .end = packet->end, .deadline = packet->end};
+      report_damaged(station, &lost, "a piece is lost");
+      continue;
+    }
+    expect(station, source, packet);
+    rx_ended(station, packet);
   }
 }
 

@@ -67,6 +67,10 @@ void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at);
 void sniffer_rx_edge(sniffer *s, size_t board, bool level, cycles_t at);
 void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t at);
 
+// A packet of serial modules has left that of `source`, and has come to those in range but `missed`. Without a length its bytes
+// are no packet.
+void sniffer_module_packet(sniffer *s, size_t source, const line_packet *packet, uint64_t missed);
+
 // Nothing else happens on any TX pin, or any RX pin, before `now`.
 void sniffer_advance_tx(sniffer *s, cycles_t now);
 void sniffer_advance_rx(sniffer *s, cycles_t now);
