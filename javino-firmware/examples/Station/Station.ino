@@ -6,7 +6,11 @@
 
 #include <Javino.h>
 
+#ifdef SERIAL_MODULE  // HC_12, E32 or E22, at 18 (TX1) and 19 (RX1)
+javinolib::SerialRadio radio(Serial1, javinolib::SERIAL_MODULE);
+#else
 javinolib::AskRadio radio;
+#endif
 javinolib::JavinoWithRadio board(Serial, "station 1.0", radio);
 
 void setup() {

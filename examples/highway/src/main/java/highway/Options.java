@@ -1,6 +1,8 @@
 package highway;
 
 import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,6 +32,9 @@ final class Options {
 
     @Option(names = "--radioRange", description = "How far the radio reaches, in metres; default: the scenario file's.")
     private Double radioRange;
+
+    @Option(names = "--radio", description = "A serial module in place of the ASK pair: hc-12 or e32.")
+    private String radio;
 
     @Option(names = "--seed", defaultValue = "1", description = "Seed of the air's errors; default ${DEFAULT-VALUE}.")
     private long seed;
@@ -112,11 +117,23 @@ final class Options {
                 && terminal != null && !terminal.equals("dumb");
     }
 
+    /** The scenario; with serial modules, one of sketches for them. */
+    private String scenario() throws IOException {
+        Path file = Path.of(twoCells() ? "two-cells.json" : "highway.json");
+        if (radio == null) {
+            return file.toString();
+        }
+        String text = Files.readString(file)
+                .replaceAll("\\.\\./\\.\\./javino-firmware/build/(vehicle|station)/",
+                        "../../../javino-firmware/build/$1-" + radio + "/")
+                .replace("\"bitRate\": 2000", "\"module\": \"" + radio + "\"");
+        return Files.writeString(Files.createDirectories(Path.of("build")).resolve(file), text).toString();
+    }
+
     /** @param keys where it writes the keys that hosts agree on. */
-    List<String> emulatorCommand(Path keys) {
+    List<String> emulatorCommand(Path keys) throws IOException {
         List<String> command =
-                new ArrayList<>(List.of(emulator.toString(), twoCells() ? "two-cells.json" : "highway.json", "--trace",
-                        "-", "--seed", "" + seed));
+                new ArrayList<>(List.of(emulator.toString(), scenario(), "--trace", "-", "--seed", "" + seed));
         if (radioBitErrorRate != null) {
             command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
         }

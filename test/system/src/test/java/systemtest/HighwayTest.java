@@ -210,8 +210,8 @@ class HighwayTest {
         Run run = launch(EMULATOR, "--speed=2");
 
         assertEquals(List.of(
-                "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout, "
-                        + "-Plive, -Pheadless, -Pcertificates, -Pcells"),
+                "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pradio, -Pseed, "
+                        + "-Ptimeout, -Plive, -Pheadless, -Pcertificates, -Pcells"),
                 run.lines);
         assertEquals(2, run.status);
     }
