@@ -6,6 +6,7 @@ public final class Airtime {
     private static final int FRAMING_BITS = 84;
     private static final int BITS_A_BYTE = 12;
     private static final int BITS_A_MILLI = 2;
+    private static final int MODULE_BYTES = 6;
 
     private Airtime() {
     }
@@ -13,6 +14,11 @@ public final class Airtime {
     /** @param length of the payload, in bytes. */
     public static int bits(int length) {
         return FRAMING_BITS + BITS_A_BYTE * length;
+    }
+
+    /** Of a serial module's packet (SPEC 6.2). @param length of the payload, in bytes. */
+    public static int moduleBits(int length) {
+        return 8 * (MODULE_BYTES + length);
     }
 
     /** The time at 2000 bit/s, in ms. @param length of the payload, in bytes. */

@@ -18,15 +18,16 @@ final class AirtimeCheck {
     private AirtimeCheck() {
     }
 
-    /** A packet of ours has as many bits as its bytes need (SPEC 6); a reset or the end may break off a trailer. */
+    /** A packet of ours has as many bits as its bytes need (SPEC 6, 6.2); a reset or the end may break off a trailer. */
     static void check(TraceEvent event, Payload payload, Station board) throws RefusedException {
         if (!board.isNamed() && !board.copies.isOn()) {
             return;
         }
         double bits = event.real("bits");
         String trailer = event.textOrEmpty("trailer");
-        int least = Airtime.bits(payload.bytes().length());
-        int all = least + trailerBits(trailer, payload.bytes().length());
+        int length = payload.bytes().length();
+        int least = event.has("radio") ? Airtime.moduleBits(length) : Airtime.bits(length);
+        int all = least + trailerBits(trailer, length);
         // The trace's end breaks a packet off, too.
         boolean mayBreakOff = event.has("cut") || !board.ear.isSure(event.real("start"), event.seconds());
         if (bits != all && !(mayBreakOff && bits >= least && bits < all)) {

@@ -36,9 +36,15 @@ final class Ear {
     private boolean busy;
     /** Whether it has sent, so that its rate is known. */
     private boolean known;
+    /** Whether it sends by a serial module, whose times are others than the model's. */
+    private boolean module;
 
     Ear(Disturbances disturbances) {
         this.disturbances = disturbances;
+    }
+
+    void useModule() {
+        module = true;
     }
 
     void busy(boolean now) {
@@ -56,7 +62,7 @@ final class Ear {
 
     /** Whether the board's times are those of the model. */
     boolean isTimed() {
-        return Math.abs(rate / RATE - 1) < OTHER_RATE;
+        return !module && Math.abs(rate / RATE - 1) < OTHER_RATE;
     }
 
     /** Whether all is known of what the board has heard between two moments. */
@@ -66,7 +72,7 @@ final class Ear {
 
     /** Whether a packet of the board's own is as long as its bits take, by the first one: up to a quarter of a bit. */
     boolean fits(double bits, double seconds) {
-        return !known || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;
+        return module || !known || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;
     }
 
     /**

@@ -222,7 +222,11 @@ final class RadioCell {
                     board.name() + " sends its own packet with " + event.hops() + " hops behind it; expected none");
         }
         AirtimeCheck.check(event, payload, board);
-        board.ear.learn(event.real("bits"), start, event.real("end"));
+        if (event.has("radio")) {
+            board.ear.useModule();
+        } else {
+            board.ear.learn(event.real("bits"), start, event.real("end"));
+        }
         Message message = null;
         List<Message> answered = List.of();
         String answer = "";

@@ -49,9 +49,9 @@ public final class Replay {
     private static final double FEW_ERRORS = 0.002;
     /** Commands and faults that change nothing of what boards hear, or of which another event tells that. */
     private static final Set<String> QUIET = Set.of("send", "speed", "light", "sensor", "reset", "power-cut");
-    /** What makes reception uncertain. */
-    private static final List<String> UNCERTAIN =
-            List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
+    /** What makes reception uncertain; a serial module also gives on late what it has received. */
+    private static final List<String> UNCERTAIN = List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing",
+            "noise", "capture", "loss", "module");
 
     private final PriorityQueue<Step> steps =
             new PriorityQueue<>(
