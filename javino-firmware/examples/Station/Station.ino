@@ -6,7 +6,7 @@
 
 #include <Javino.h>
 
-#ifdef SERIAL_MODULE  // HC_12, E32 or E22, at 18 (TX1) and 19 (RX1)
+#ifdef SERIAL_MODULE  // HC_12, E32 or E22: TX1 at 18, RX1 at 19
 javinolib::SerialRadio radio(Serial1, javinolib::SERIAL_MODULE);
 #else
 javinolib::AskRadio radio;

@@ -32,7 +32,7 @@ const uint8_t HEADLIGHTS_PIN = 30;
 const uint8_t PROXIMITY_DEAD_BAND = 2;  // cm
 const uint8_t LIGHT_DEAD_BAND = 4;
 
-#ifdef SERIAL_MODULE  // HC_12, E32 or E22, at 18 (TX1) and 19 (RX1)
+#ifdef SERIAL_MODULE  // HC_12, E32 or E22: TX1 at 18, RX1 at 19
 javinolib::SerialRadio radio(Serial1, javinolib::SERIAL_MODULE);
 #else
 javinolib::AskRadio radio;

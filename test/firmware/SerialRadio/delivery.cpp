@@ -22,6 +22,9 @@ struct Module {
 
 void PrintTo(const Module &module, std::ostream *out) { *out << module.name; }
 
+// As the README has one: of the fewest bytes.
+const SerialModule MINE = {19200, javinolib::MIN_RADIO_PAYLOAD, 30, 30, 1500};
+
 // A board and its module, which gives on what it got when nothing came for 20 ms.
 struct Side {
   explicit Side(const SerialModule &module) : radio(uart, module), board(&radio) {}
@@ -135,5 +138,5 @@ TEST_P(SerialRadioDelivery, sends_again_what_was_lost) {
 
 INSTANTIATE_TEST_SUITE_P(, SerialRadioDelivery,
                          testing::Values(Module{"HC_12", &javinolib::HC_12, 77}, Module{"E32", &javinolib::E32, 52},
-                                         Module{"E22", &javinolib::E22, 77}),
+                                         Module{"E22", &javinolib::E22, 77}, Module{"MINE", &MINE, 26}),
                          [](const testing::TestParamInfo<Module> &module) { return module.param.name; });

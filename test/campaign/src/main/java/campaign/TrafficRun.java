@@ -16,9 +16,9 @@ import java.util.function.BooleanSupplier;
  *
  * @param seed    of the air, and of the times at which messages are offered.
  * @param seconds emulated, how long messages are offered.
- * @param bitErrorRate of the air.
+ * @param radio   what the scenario says of it.
  */
-record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRun.Plan> plans) implements
+record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<TrafficRun.Plan> plans) implements
         Callable<List<TrafficRun.Result>> {
 
     /** Of each content, in bytes. */
@@ -61,7 +61,7 @@ record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRu
         List<TrafficRun> runs = new ArrayList<>();
         for (int seed = 0; seed < seeds; seed++) {
             for (int group = 0; group < groups.size(); group++) {
-                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds, bitErrorRate,
+                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds, Map.of("bitErrorRate", bitErrorRate),
                         groups.get(group)));
             }
         }
@@ -95,7 +95,8 @@ record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRu
     public List<Result> call() throws Exception {
         AirUsage air = new AirUsage();
         Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = timetable.scenario(seed, air).radio("bitErrorRate", bitErrorRate);
+        Emulator.Scenario scenario = timetable.scenario(seed, air);
+        radio.forEach(scenario::radio);
         SplittableRandom seeds = new SplittableRandom(seed);
         try (Closing closing = new Closing()) {
             closing.add(timetable);

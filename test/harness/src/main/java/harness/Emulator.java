@@ -88,11 +88,15 @@ public final class Emulator implements AutoCloseable {
             return this;
         }
 
-        /** A board with a sketch of the library's examples or of test/system/sketches, e.g. {@code Vehicle}. */
+        /**
+         * A board with a sketch of the library's examples or of test/system/sketches, e.g. {@code Vehicle}; built for the
+         * serial module that radio() has named before.
+         */
         public Scenario board(String name, String sketch, Map<String, Object> more) {
             Map<String, Object> board = new LinkedHashMap<>();
             board.put("name", name);
-            board.put("firmware", firmware(sketch, (String) more.getOrDefault("model", MEGA)).toString());
+            Object variant = radio.getOrDefault("module", more.getOrDefault("model", MEGA));
+            board.put("firmware", firmware(sketch, (String) variant).toString());
             board.put("port", "ports/" + name);
             board.put("eeprom", "eeprom/" + name + ".bin");
             board.putAll(more);
