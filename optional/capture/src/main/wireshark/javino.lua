@@ -9,6 +9,7 @@ local MAX_MESSAGE_LENGTH = 511
 local MAX_CONTENT_LENGTH = 494
 local MAX_RADIO_PAYLOAD = 77
 local FRAGMENT_LENGTH = 67
+local E32_FRAGMENT_LENGTH = 42
 local NONCE_LENGTH, TAG_LENGTH, PROOF_LENGTH = 6, 8, 8
 local REVOCATION_LIST_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of one without serials, and of that its signature
 local LONGEST_COUNT = 80
@@ -806,9 +807,9 @@ local function wrong_fragment(frame, index)
   if index * FRAGMENT_LENGTH + length > HEADER_LENGTH + MAX_MESSAGE_LENGTH then return "the whole would be too long" end
   if frame.origin == "++++" then return "from the serial line" end
   if index > 0 then return nil end
-  if length < FRAGMENT_LENGTH then return "a first fragment of " .. length .. " bytes" end
+  if length < FRAGMENT_LENGTH and length ~= E32_FRAGMENT_LENGTH then return "a first fragment of " .. length .. " bytes" end
   local destination, bits = frame.message:sub(1, 4), digits(frame.message, 9, 10)
-  if not digits(destination, 1, 4) or not bits or bits % 8 ~= 0 or HEADER_LENGTH + bits / 8 <= MAX_RADIO_PAYLOAD then return "no header of a whole" end
+  if not digits(destination, 1, 4) or not bits or bits % 8 ~= 0 or bits / 8 <= length then return "no header of a whole" end
   if frame.message:sub(5, 8) ~= frame.origin then return "the whole is another device's" end
   local class = class_of(destination)
   if class ~= "device" and class ~= "multicast" and class ~= "broadcast" then return "the whole goes to " .. destination end
@@ -820,9 +821,9 @@ local function join(partial)
   if not first then return "", false end
   local total = HEADER_LENGTH + digits(first, 9, 10) / 8
   local parts = {}
-  for i = 0, math.ceil(total / FRAGMENT_LENGTH) - 1 do
+  for i = 0, math.ceil(total / #first) - 1 do
     local part = partial.parts[i]
-    if not part or #part ~= math.min(FRAGMENT_LENGTH, total - i * FRAGMENT_LENGTH) then return table.concat(parts), false end
+    if not part or #part ~= math.min(#first, total - i * #first) then return table.concat(parts), false end
     table.insert(parts, part)
   end
   return table.concat(parts), true

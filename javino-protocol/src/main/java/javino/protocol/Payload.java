@@ -12,6 +12,8 @@ public record Payload(Kind kind, Bytes bytes) {
 
     /** The longest part of a frame in a fragment. */
     public static final int PART_LENGTH = 67;
+    /** The same over an E32 (SPEC 6.2). */
+    public static final int E32_PART_LENGTH = 42;
     /** Of a sealed message: the nonce before its content. */
     public static final int NONCE_LENGTH = 6;
     /** The tag behind a sealed content; also the proof at the end of an acknowledgement. */

@@ -95,6 +95,7 @@ final class Bytes {
     /** Somebody begins to send a packet. */
     void begin(TraceEvent event, Payload payload) throws RefusedException {
         Desk desk = desk(event);
+        desk.useRadio(event.textOrEmpty("radio"));
         boolean isOwn = desk.ids.contains(payload.origin());
         if (payload.isAcknowledgement()) {
             answer(desk, payload, event.real("start"));
@@ -162,24 +163,24 @@ final class Bytes {
     }
 
     private static void checkForm(Desk desk, Frame frame, Payload payload) throws RefusedException {
-        String wrong = wrongForm(frame, payload);
+        String wrong = wrongForm(frame, payload, desk.pieceLength);
         if (!wrong.isEmpty()) {
             throw new RefusedException(desk.name + " sends a " + payload.kind() + " with " + wrong);
         }
     }
 
-    private static String wrongForm(Frame frame, Payload payload) {
+    private static String wrongForm(Frame frame, Payload payload, int piece) {
         if (frame.length == 0 || !frame.origin.equals(payload.origin())) {
             return "no header of a frame of its own";
         }
         if (frame.isSealed() && frame.contentLength() < 0) {
             return "no room for nonce and tag";
         }
-        if (payload.isFragment() && frame.length <= Payload.PART_LENGTH + Frame.HEADER) {
+        if (payload.isFragment() && frame.length <= piece + Frame.HEADER) {
             return "a frame that fits one packet";
         }
-        if (payload.isFragment() && frame.first.length != Payload.PART_LENGTH) {
-            return frame.first.length + " bytes; expected " + Payload.PART_LENGTH;
+        if (payload.isFragment() && frame.first.length != piece) {
+            return frame.first.length + " bytes; expected " + piece;
         }
         return payload.isFragment() && payload.asks() && !frame.isUnicast() ? "a wish for an answer, though to many"
                 : "";

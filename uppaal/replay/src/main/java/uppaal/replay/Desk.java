@@ -53,8 +53,16 @@ final class Desk {
     private int lastId = -1;
     private boolean wasStale;
 
+    /** Of its radio, in bytes. */
+    int pieceLength = Payload.PART_LENGTH;
+
     Desk(String name) {
         this.name = name;
+    }
+
+    /** @param name of its serial module; empty where it has none */
+    void useRadio(String name) {
+        pieceLength = name.equals("e32") ? Payload.E32_PART_LENGTH : Payload.PART_LENGTH;
     }
 
     /** It begins anew, with another epoch. */

@@ -86,16 +86,16 @@ final class Frame {
     }
 
     int pieces() {
-        return pieces(length);
+        return pieces(length, first.length);
     }
 
-    private static int pieces(int length) {
-        return (length + Payload.PART_LENGTH - 1) / Payload.PART_LENGTH;
+    private static int pieces(int length, int piece) {
+        return (length + piece - 1) / piece;
     }
 
     /** How many pieces the frame has of which this is the first packet. */
     static int pieces(Payload first) {
-        return first.isFragment() ? Math.max(1, pieces(Payload.lengthIn(first.message()))) : 1;
+        return first.isFragment() ? Math.max(1, pieces(Payload.lengthIn(first.message()), first.message().length())) : 1;
     }
 
     /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
@@ -121,8 +121,8 @@ final class Frame {
 
     /** Whether these are the bytes of a later piece: those of the frame, or as many, and the same each time. */
     boolean hasPiece(int index, byte[] piece) {
-        int from = index * Payload.PART_LENGTH;
-        int to = Math.min(length, from + Payload.PART_LENGTH);
+        int from = index * first.length;
+        int to = Math.min(length, from + first.length);
         if (bytes != null) {
             return Arrays.equals(bytes, from, to, piece, 0, piece.length);
         }
