@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Stations with a serial module at their second UART. */
-@Tag("now")
+@Tag("verify")
 class SerialModuleTest {
 
     private static final Address TO = Address.parse("SUPO");

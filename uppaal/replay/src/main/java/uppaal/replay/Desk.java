@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import javino.protocol.Payload;
 
 /** What is known of a board: what its host wants to be sent, what it has sealed and cut, which pieces it may have. */
 final class Desk {
