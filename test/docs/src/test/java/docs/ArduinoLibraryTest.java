@@ -130,10 +130,10 @@ class ArduinoLibraryTest {
         String api = readme.substring(readme.indexOf("\n## API"), readme.indexOf("\n## Size"));
         assertEquals(found("(?m)\\w+\\.(\\w+)\\(", firstColumn(api)), words(lines, "KEYWORD2"));
         Set<String> types =
-                found("javinolib::([A-Z]\\w+)", FILES.stream().filter(named(".*\\.ino")).map(Repository::text)
+                found("javinolib::([A-Z]\\w*[a-z]\\w*)", FILES.stream().filter(named(".*\\.ino")).map(Repository::text)
                         .collect(Collectors.joining()) + api);
         assertEquals(types, words(lines, "KEYWORD1"));
-        assertEquals(Set.of("JAVINO_RADIO_TIMER"), words(lines, "LITERAL1"));
+        assertEquals(Set.of("JAVINO_RADIO_TIMER", "HC_12", "E32", "E22"), words(lines, "LITERAL1"));
     }
 
     private static Map<String, String> properties() {

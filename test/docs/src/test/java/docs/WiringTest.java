@@ -40,6 +40,6 @@ class WiringTest {
         String page = Repository.text("docs/wiring.md");
         assertEquals(List.of(), PICTURES.stream().map(picture -> "(wiring/" + picture.getFileName() + ")")
                 .filter(link -> !page.contains(link)).toList());
-        assertEquals(4, PICTURES.size());
+        assertEquals(5, PICTURES.size());
     }
 }
