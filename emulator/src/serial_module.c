@@ -31,7 +31,7 @@ static bool on_air(const serial_module *m) { return m->piece_length > 0; }
 static void tell_aux(serial_module *m) {
   if (m->aux_pin < 0) return;
   bool busy = m->waiting_count > 0 || on_air(m) || m->output_count > 0;
-  board_drive((board *)m->arduino, m->aux_pin, !busy);
+  board_drive(m->arduino, m->aux_pin, !busy);
 }
 
 static void take(serial_module *m, uint8_t byte, cycles_t at) {

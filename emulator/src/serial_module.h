@@ -25,8 +25,8 @@ struct avr_irq_t;
 typedef struct {
   struct serial_modules *owner;
   size_t index;
-  const board *arduino;  // NULL: the injector's
-  int aux_pin;           // -1: none
+  board *arduino;  // NULL: the injector's
+  int aux_pin;     // -1: none
   struct avr_irq_t *input;
   uint8_t waiting[MODULE_MAX_BUFFER];  // for the air
   size_t waiting_count;

@@ -81,9 +81,7 @@ static bool isWord(const Frame &frame) { return frame.length != 0 && (frame.mess
 
 // Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said. No broadcast comes as a
 // relay's copy, and so no word does.
-bool Receiver::mayBeDoubtful(const Frame &frame) const {
-  return config::LARGE && doubt_ == MENDED && isWord(frame);
-}
+bool Receiver::mayBeDoubtful(const Frame &frame) const { return config::LARGE && doubt_ == MENDED && isWord(frame); }
 
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
 // is right, if there is a doubt.

@@ -42,7 +42,7 @@ SerialRadio::SerialRadio(Stream &port, void (*open)(Stream &, unsigned long), co
 bool SerialRadio::begin() {
   open_(port_, flashWord(&module_.baud));
   if (auxPin_ != NO_PIN) pinMode(auxPin_, INPUT_PULLUP);
-  return true;
+  return port_.availableForWrite() > 0;  // some cores never say so
 }
 
 bool SerialRadio::send(const uint8_t *payload, uint8_t length) {

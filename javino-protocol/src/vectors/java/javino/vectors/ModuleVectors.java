@@ -44,7 +44,8 @@ final class ModuleVectors {
     }
 
     private static Map<String, Object> valid(int hops, byte[] payload) {
-        return vector("hops", hops, "payload", Wire.hex(payload), "sent", Wire.hex(join(bytes(0), packet(hops, payload))));
+        return vector("hops", hops, "payload", Wire.hex(payload), "sent",
+                Wire.hex(join(bytes(0), packet(hops, payload))));
     }
 
     private static Map<String, Object> invalid(byte[] sent, String error) {

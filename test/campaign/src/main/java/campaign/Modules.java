@@ -12,8 +12,8 @@ final class Modules implements Campaign {
 
     private static final int SHORT = 16;
     private static final int LONG = 200;
-    private static final int PAIRS = 3;
-    private static final int SECONDS = 100;
+    private static final int PAIRS = 2;
+    private static final int SECONDS = 60;
     private static final int TEST_SECONDS = 15;
     private static final int BOARDS = 10;
     private static final double LOAD = 0.5;
@@ -77,7 +77,8 @@ final class Modules implements Campaign {
             plans.add(other);
         }
         List<PairRun> runs = kinds.stream()
-                .flatMap(kind -> losses.stream().map(loss -> new PairRun(kind.losing(loss), settings.seed(), seconds, plans)))
+                .flatMap(kind -> losses.stream()
+                        .map(loss -> new PairRun(kind.losing(loss), settings.seed(), seconds, plans)))
                 .toList();
         List<List<PairRun.Result>> results = Runs.all(runs, report);
         report.text("""
@@ -105,9 +106,11 @@ final class Modules implements Campaign {
                         Table.percent(result.sum().delivered(), result.sum().offered()),
                         Table.text("%.2f", (double) result.air().packets() / result.sum().offered()), speed);
                 if (loss == 0) {
-                    report.claim(name + ", throughput", speed, Table.of(result.sum().delivered(), result.sum().offered()));
+                    report.claim(name + ", throughput", speed,
+                            Table.of(result.sum().delivered(), result.sum().offered()));
                 } else if (length == SHORT) {
-                    report.claim(name + ", delivered", Table.of(result.sum().delivered(), result.sum().offered()), speed);
+                    report.claim(name + ", delivered", Table.of(result.sum().delivered(), result.sum().offered()),
+                            speed);
                 }
             }
         }
@@ -140,8 +143,9 @@ final class Modules implements Campaign {
             all = all.plus(result.sum());
         }
         report.text("""
-            %d boards in one range, each of which sends contents of %d bytes at random times (Poisson) to the next one for
-            %d s, so that messages and acknowledgements would take half of the radio's time if each were sent once."""
+            %d boards in one range, each of which sends contents of %d bytes at random times (Poisson) to the next one
+            for %d s, so that messages and acknowledgements would take half of the radio's time if each were sent
+            once."""
                 .formatted(boards, SHORT, seconds));
         report.table(table);
         return all;

@@ -61,7 +61,8 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
         List<TrafficRun> runs = new ArrayList<>();
         for (int seed = 0; seed < seeds; seed++) {
             for (int group = 0; group < groups.size(); group++) {
-                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds, Map.of("bitErrorRate", bitErrorRate),
+                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds,
+                        Map.of("bitErrorRate", bitErrorRate),
                         groups.get(group)));
             }
         }

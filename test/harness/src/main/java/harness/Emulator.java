@@ -89,8 +89,8 @@ public final class Emulator implements AutoCloseable {
         }
 
         /**
-         * A board with a sketch of the library's examples or of test/system/sketches, e.g. {@code Vehicle}; built for the
-         * serial module that radio() has named before.
+         * A board with a sketch of the library's examples or of test/system/sketches, e.g. {@code Vehicle}; built for
+         * the serial module that radio() has named before.
          */
         public Scenario board(String name, String sketch, Map<String, Object> more) {
             Map<String, Object> board = new LinkedHashMap<>();

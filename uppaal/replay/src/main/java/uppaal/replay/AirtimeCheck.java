@@ -18,7 +18,7 @@ final class AirtimeCheck {
     private AirtimeCheck() {
     }
 
-    /** A packet of ours has as many bits as its bytes need (SPEC 6, 6.2); a reset or the end may break off a trailer. */
+    /** A packet of ours has as many bits as its bytes need (SPEC 6, 6.2); a reset or the end may cut a trailer. */
     static void check(TraceEvent event, Payload payload, Station board) throws RefusedException {
         if (!board.isNamed() && !board.copies.isOn()) {
             return;

@@ -95,7 +95,8 @@ final class Frame {
 
     /** How many pieces the frame has of which this is the first packet. */
     static int pieces(Payload first) {
-        return first.isFragment() ? Math.max(1, pieces(Payload.lengthIn(first.message()), first.message().length())) : 1;
+        return first.isFragment() ? Math.max(1, pieces(Payload.lengthIn(first.message()), first.message().length()))
+                : 1;
     }
 
     /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
