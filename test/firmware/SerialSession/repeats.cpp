@@ -74,7 +74,7 @@ TEST_F(SerialSessionTest, takes_the_longest_request_while_it_sends_the_longest_r
     ASSERT_EQ(0, performed * (written.size() <= alone[0].size())) << "before the reply is out";
   }
   EXPECT_EQ(1, performed);
-  EXPECT_TRUE(std::equal(alone[0].begin(), alone[0].end(), written.begin() + 1)) << "behind the zero";
+  EXPECT_TRUE(std::equal(alone[0].begin(), alone[0].end(), written.begin() + 2)) << "behind the zeros";
   board.port.setRoom(SIZE_MAX);
   EXPECT_EQ(0u, board.counter(Counter::SERIAL_DAMAGED));
 }
