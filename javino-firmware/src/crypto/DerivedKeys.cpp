@@ -16,7 +16,7 @@ namespace {
 const uint8_t INPUT_LENGTH = 13;
 const uint8_t NAME_AT = 7;  // the label's last three letters
 const uint8_t NAME_LENGTH = 3;
-const uint8_t INPUT[INPUT_LENGTH] JAVINO_FLASH = {1, 'J', 'a', 'v', 'i', 'n', 'o', 0, 0, 0, 0, 0, 0x80};
+const uint8_t KDF_INPUT[INPUT_LENGTH] JAVINO_FLASH = {1, 'J', 'a', 'v', 'i', 'n', 'o', 0, 0, 0, 0, 0, 0x80};
 const uint8_t NAMES[] JAVINO_FLASH = {'C', 'h', 'k', 'E', 'n', 'c', 'M', 'a', 'c'};
 
 }  // namespace
@@ -28,7 +28,7 @@ void DerivedKeys::derive(const uint8_t *key) {
   const Aes128 cipher(key);
   const Cmac prf(cipher);
   uint8_t input[INPUT_LENGTH];
-  for (uint8_t i = 0; i != INPUT_LENGTH; i++) input[i] = flashByte(INPUT + i);
+  for (uint8_t i = 0; i != INPUT_LENGTH; i++) input[i] = flashByte(KDF_INPUT + i);
   const uint8_t *name = NAMES;
   for (uint8_t *into = check; name != NAMES + sizeof NAMES; into += into == check ? CHECK_LENGTH : Aes128::KEY_LENGTH) {
     for (uint8_t i = 0; i != NAME_LENGTH; i++) input[NAME_AT + i] = flashByte(name++);

@@ -13,7 +13,7 @@ static const uint8_t LAST_DOUBLING = 3;  // who retries waits longer, as boards 
 // Of the slots beyond the first ones. Where half of all beginnings come after fewer, one slot in five is taken.
 static const uint8_t FEW_IDLE_SLOTS = 3;
 static const uint8_t PARTS = 16;  // of a slot, that the window is counted in
-static const uint8_t CHANGE = 8;  // the window changes by this part of it
+static const uint8_t SHARE = 8;  // the window changes by this part of it
 
 Backoff::Backoff() : window_(LEAST_WINDOW * PARTS) {}
 
@@ -23,7 +23,7 @@ void Backoff::listen(uint8_t quietSlots) {
   const uint8_t before = quiet_;
   quiet_ = quietSlots;
   if (!begun || before < FIRST_SLOTS) return;  // an acknowledgement waits less: it tells nothing
-  const uint16_t change = window_ / CHANGE;
+  const uint16_t change = window_ / SHARE;
   if (before - FIRST_SLOTS < FEW_IDLE_SLOTS) {
     window_ = static_cast<uint16_t>(window_ + change);
     if (window_ > MOST_WINDOW * PARTS) window_ = MOST_WINDOW * PARTS;

@@ -15,6 +15,7 @@
 #define LOW 0
 #define INPUT 0
 #define OUTPUT 1
+#define INPUT_PULLUP 2
 #define LED_BUILTIN 13
 #define PROGMEM
 #define PSTR(text) (text)
