@@ -15,7 +15,7 @@
 #define JAVINO_BY_PROFILE(large, small) large
 #endif
 
-/// Keys in the EEPROM store, with next and previous ones, 1…63 (one reply lists them all). Each takes 4 bytes of RAM and
+/// Keys in the EEPROM store, with next and previous ones, 1…63 (one reply lists them all). Each takes 3 bytes of RAM and
 /// 44 of EEPROM, and so does one more place, where a new key is written before an old one is deleted.
 #ifndef JAVINO_KEYS
 #define JAVINO_KEYS JAVINO_BY_PROFILE(16, 6)
@@ -93,7 +93,7 @@ static const uint8_t ACKNOWLEDGEMENTS = JAVINO_BY_PROFILE(6, 3);
 static const uint8_t BROADCAST_ORIGINS = JAVINO_BY_PROFILE(4, 2);
 
 /// Origins, counted once for each key, whose last nonce is remembered. Each key of a pair has its own place; groups share the
-/// others. 13 bytes each.
+/// others. 12 bytes each.
 static const uint8_t REPLAY_ENTRIES = JAVINO_BY_PROFILE(24, 6);
 
 /// Places of the ring with the floors of these nonces. 26 bytes of EEPROM each. The more of them are free, the longer the

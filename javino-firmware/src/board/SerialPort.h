@@ -28,7 +28,7 @@ class SerialPort {
  private:
   Stream &serial_;  // a UART, or the USB of chips that have their own
 #ifndef __AVR__
-  mutable bool tellsRoom_ = false;
+  mutable bool tellsRoom_ __attribute__((unused)) = false;  // a UART that never did takes bytes all the same
 #endif
 };
 
