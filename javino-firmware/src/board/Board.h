@@ -37,7 +37,7 @@ class Board {
   Actions &actions() { return actions_; }
 
  private:
-  SerialCounters counters_;
+  OwnPart<SerialCounters> counters_;
   OwnPart<Actions> actions_;
   OwnPart<Poll> poll_;
   Commands commands_;

@@ -74,7 +74,7 @@ Status Commands::command(const Request &request, Reply &reply) {
 Status Commands::act(const uint8_t *body, uint16_t length) {
   const uint16_t began = static_cast<uint16_t>(clock::millis());
   const Status status = actions_->perform(body, length);
-  counters_.longest(Counter::ACTION_MILLIS, began);
+  counters_->longest(Counter::ACTION_MILLIS, began);
   return status;
 }
 
@@ -99,7 +99,7 @@ Status Commands::statistics(uint16_t length, Reply &reply) const {
   if (length != 1) return Status::BAD_ARGUMENT;
   for (uint8_t number = 1; number < static_cast<uint8_t>(Counter::END); number++) {
     const Counter counter = static_cast<Counter>(number);
-    if (SerialCounters::has(counter)) addCounter(number, counters_.value(counter), reply);
+    if (SerialCounters::has(counter)) addCounter(number, counters_->value(counter), reply);
   }
   return Status::OK;
 }

@@ -71,7 +71,7 @@ class Commands {
   const char *const firmwareName_;
   Part<Actions> actions_;
   Part<Poll> poll_;
-  SerialCounters &counters_;
+  Part<SerialCounters> counters_;
   bool greeted_ JAVINO_ZEROED;
 };
 

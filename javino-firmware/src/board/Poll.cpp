@@ -69,7 +69,7 @@ bool Poll::addReading(uint32_t now, Reply &reply) {
   deadBands_.begin(anew);
   Percepts percepts(reply, deadBands_);
   if (source_ != nullptr) source_(percepts);
-  counters_.longest(Counter::PERCEPTS_MILLIS, static_cast<uint16_t>(now));
+  counters_->longest(Counter::PERCEPTS_MILLIS, static_cast<uint16_t>(now));
   if (percepts.leftOut() != 0) reply.replace(flagsAt, HAS_READING | PERCEPTS_OMITTED);
   const uint32_t read = hash(reply.packet() + flagsAt, static_cast<uint16_t>(reply.mark() - flagsAt));
   sampledAt_ = now;
@@ -77,7 +77,7 @@ bool Poll::addReading(uint32_t now, Reply &reply) {
     reply.truncate(flagsAt);
     return false;
   }
-  for (uint16_t left = percepts.leftOut(); left != 0; left--) counters_.count(Counter::PERCEPTS_LEFT_OUT);
+  for (uint16_t left = percepts.leftOut(); left != 0; left--) counters_->count(Counter::PERCEPTS_LEFT_OUT);
   deadBands_.told();
   told_ = true;
   toldAt_ = now;

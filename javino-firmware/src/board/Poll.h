@@ -63,7 +63,7 @@ class Poll {
   bool isReadingDue(uint32_t now, bool released) const;
   bool addReading(uint32_t now, Reply &reply);
 
-  SerialCounters &counters_;
+  Part<SerialCounters> counters_;
   PerceptSource source_ JAVINO_ZEROED;
   uint16_t sampleMillis_;
   uint32_t sampledAt_ JAVINO_ZEROED;

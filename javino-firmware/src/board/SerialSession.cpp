@@ -18,7 +18,7 @@ void SerialSession::add(PacketEvent event) {
   if (event == PacketEvent::PACKET) {
     requestWaits_ = true;
   } else if (event != PacketEvent::NONE) {
-    counters_.count(Counter::SERIAL_DAMAGED);
+    counters_->count(Counter::SERIAL_DAMAGED);
     // The host need not wait for as long as it lets a poll be held.
     if (encoder_.done()) askAgain();
   }
@@ -38,12 +38,12 @@ bool SerialSession::take(Request &request) {
   requestWaits_ = false;
   port_.write(0);
   if (!Request::parse(decoder_.frame(), decoder_.frameLength(), request)) {
-    counters_.count(Counter::SERIAL_BAD_FRAMES);
+    counters_->count(Counter::SERIAL_BAD_FRAMES);
     return false;
   }
-  counters_.count(Counter::SERIAL_REQUESTS);
+  counters_->count(Counter::SERIAL_REQUESTS);
   if (isRepeat(request)) {
-    counters_.count(Counter::SERIAL_REPEATS);
+    counters_->count(Counter::SERIAL_REPEATS);
     if (reply_.recall()) {
       encoder_.start(reply_.packet(), reply_.packetLength());
       return false;

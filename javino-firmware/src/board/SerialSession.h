@@ -27,7 +27,7 @@ class SerialSession {
   /// @param commands what performs a request, and answers a poll later: perform(request, reply), answer(reply, released)
   template <typename Commands>
   void run(Commands &commands) {
-    counters_.longest(Counter::LOOP_MILLIS, ranAt_);
+    counters_->longest(Counter::LOOP_MILLIS, ranAt_);
     finish(commands);
     exchange();
     while (mayTake()) {
@@ -59,7 +59,7 @@ class SerialSession {
   bool isRepeat(const Request &request) const;
 
   SerialPort port_;
-  SerialCounters &counters_;
+  Part<SerialCounters> counters_;
   PacketEncoder encoder_;
   uint16_t ranAt_ JAVINO_ZEROED;        // the end of the last run, in the low half of the clock's milliseconds
   bool requestWaits_ JAVINO_ZEROED;     // a whole request is in the decoder

@@ -5,6 +5,7 @@
 #include "../Config.h"
 #include "Clock.h"
 #include "Inlining.h"
+#include "Part.h"
 #include "Zeroed.h"
 
 namespace javinolib {
@@ -80,10 +81,9 @@ class SerialCounters {
 
   config::Count value(Counter counter) const { return values_[indexOf(counter)]; }
 
- protected:
-  static const uint8_t COUNT = static_cast<uint8_t>(Counter::SERIAL_REPEATS) + 1 + 3;
-
   config::Count &at(Counter counter) { return values_[indexOf(counter)]; }
+
+  static const uint8_t COUNT = static_cast<uint8_t>(Counter::SERIAL_REPEATS) + 1 + 3;
 
  private:
   static uint8_t indexOf(Counter counter) {
@@ -98,7 +98,7 @@ class SerialCounters {
 };
 
 /// The same, and what a board with a radio does and drops; nothing is dropped without a count.
-class Counters : public SerialCounters {
+class Counters {
  public:
   static const uint8_t COUNT = static_cast<uint8_t>(Counter::END) - 1;
 
@@ -107,6 +107,8 @@ class Counters : public SerialCounters {
     return (counter >= Counter::RADIO_RECEIVED && counter <= Counter::RADIO_MISSED) || counter == Counter::RADIO_SENT ||
            counter == Counter::RADIO_MENDED || counter == Counter::RADIO_LATE_MICROS;
   }
+
+  SerialCounters &serial() { return serial_; }
 
   /// @param counter none of the radio's
   void count(Counter counter) { countUp(at(counter)); }
@@ -120,13 +122,14 @@ class Counters : public SerialCounters {
 
   // The radio's have no place.
   JAVINO_NOINLINE config::Count &at(Counter counter) {
-    if (has(counter)) return SerialCounters::at(counter);
+    if (SerialCounters::has(counter)) return serial_->at(counter);
     uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(counter) - FIRST);
     if (counter > Counter::RADIO_SENT) index = static_cast<uint8_t>(index - 2);
     if (counter > Counter::RADIO_MENDED) index--;
     return values_[index];
   }
 
+  OwnPart<SerialCounters> serial_;
   config::Count values_[COUNT - RADIOS - SerialCounters::COUNT] JAVINO_ZEROED;
 };
 
