@@ -70,7 +70,7 @@ void Acknowledger::noteBusyAir() {
     state_->count(Counter::RADIO_DEFERRED);
   }
   if (medium_->isBusy() && slots_ == FRESH_SLOTS) {
-    slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_->random.next(FURTHER_SLOTS_MASK));
+    slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_->random->next(FURTHER_SLOTS_MASK));
   }
 }
 

@@ -29,7 +29,7 @@ class Courier {
       : medium_(medium), acknowledger_(acknowledger), state_(state) {}
 
   /// To be called once, after a boot, when the random numbers are seeded.
-  void begin() { nextId_ = static_cast<uint8_t>(state_->random.next(0x3F)); }
+  void begin() { nextId_ = static_cast<uint8_t>(state_->random->next(0x3F)); }
 
   Outbox &outbox() { return outbox_; }
 

@@ -33,7 +33,7 @@ bool Delivery::relay(const uint8_t *number) {
 // Two relays with the same random numbers would send at the same time, again and again.
 void Delivery::beginToRelay(const uint8_t *number) {
   if (!state_->id.isSet()) {
-    state_->random.seed(static_cast<uint16_t>(number[0] << 8 | number[1]), state_->epoch.value());
+    state_->random->seed(static_cast<uint16_t>(number[0] << 8 | number[1]), state_->epoch.value());
   }
   receiver_.relay(true);
 }

@@ -114,7 +114,7 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
   const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST / 2);
   entry = credit_ < least ? nullptr : place();
   if (!entry) {
-    counters_.count(Counter::RELAY_REFUSED);
+    counters_->count(Counter::RELAY_REFUSED);
     return;
   }
   *entry = Entry();
@@ -222,7 +222,7 @@ void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length
     memory_->doubts.set(entry.pair, Doubts::MOST);
   }
   if (entry.handedOn || entry.prompt || (!direct && (doubt == Doubts::NONE || entry.late))) {
-    wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_.next(ANSWER_SPREAD_MASK)));
+    wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_->next(ANSWER_SPREAD_MASK)));
   }
 }
 
@@ -234,8 +234,8 @@ void Forwarding::wait(Entry &entry, Due due, uint8_t first, uint8_t left) {
 
 // A random number of slots, and perhaps a turn of another relay, which may not be heard.
 uint8_t Forwarding::spread(bool turn) {
-  const uint8_t slots = static_cast<uint8_t>(random_.next(SPREAD_MASK));
-  return static_cast<uint8_t>(turn && random_.next(1) != 0 ? slots + TURN : slots);
+  const uint8_t slots = static_cast<uint8_t>(random_->next(SPREAD_MASK));
+  return static_cast<uint8_t>(turn && random_->next(1) != 0 ? slots + TURN : slots);
 }
 
 // Counts the time and the quiet slots that have passed.
@@ -245,7 +245,7 @@ void Forwarding::passTime() {
   lookedAt_ = now;
   add(credit_, passed);
   for (Entry &entry : memory_->entries) add(entry.age, passed);
-  const uint8_t slots = medium_.quietSlots();
+  const uint8_t slots = medium_->quietSlots();
   if (slots < slots_ && slots < MediumAccess::CIRCLE) slots_ = 0;
   for (; slots_ != slots; slots_ = MediumAccess::slotAfter(slots_)) {
     for (Entry &entry : memory_->entries) {
@@ -257,7 +257,7 @@ void Forwarding::passTime() {
 
 // More than there can ever be where a packet takes so long.
 uint16_t Forwarding::costOf(uint8_t length) const {
-  const uint16_t millis = medium_.airtimeMillis(length);
+  const uint16_t millis = medium_->airtimeMillis(length);
   return millis > MOST / TENTHS ? UINT16_MAX : static_cast<uint16_t>(millis * TENTHS);
 }
 
@@ -270,29 +270,29 @@ void Forwarding::run() {
   passTime();
   for (Entry &entry : memory_->entries) {
     if (entry.length == 0) continue;
-    const uint8_t slots = medium_.quietSlots();
-    if (entry.sending && !medium_.isSending()) sent(entry);
+    const uint8_t slots = medium_->quietSlots();
+    if (entry.sending && !medium_->isSending()) sent(entry);
     if (entry.due != NOTHING && slots >= entry.first && entry.left == 0) send(entry);
   }
 }
 
 void Forwarding::send(Entry &entry) {
   if (entry.due == ANSWER) {
-    if (!medium_.sendCopy(entry.bytes + HEAD_LENGTH, entry.answerLength, entry.answerHops)) return;
+    if (!medium_->sendCopy(entry.bytes + HEAD_LENGTH, entry.answerLength, entry.answerHops)) return;
     entry.answers++;
-    counters_.count(Counter::RELAY_ANSWERS);
+    counters_->count(Counter::RELAY_ANSWERS);
   } else {
     const uint16_t cost = costOf(entry.length);
     if (credit_ < cost) {
       entry.due = NOTHING;
-      counters_.count(Counter::RELAY_REFUSED);
+      counters_->count(Counter::RELAY_REFUSED);
       return;
     }
-    if (!medium_.sendCopy(entry.bytes, entry.length, entry.hops)) return;
+    if (!medium_->sendCopy(entry.bytes, entry.length, entry.hops)) return;
     credit_ = static_cast<uint16_t>(credit_ - cost);
     add(entry.spent, cost);
     entry.copied = true;
-    counters_.count(Counter::RELAY_COPIES);
+    counters_->count(Counter::RELAY_COPIES);
   }
   entry.due = NOTHING;
   entry.sending = true;

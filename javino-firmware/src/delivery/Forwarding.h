@@ -8,6 +8,7 @@
 #include "../radio/Radio.h"
 #include "../support/Counters.h"
 #include "../support/Inlining.h"
+#include "../support/Part.h"
 #include "../support/Random.h"
 #include "../support/Zeroed.h"
 #include "MediumAccess.h"
@@ -125,9 +126,9 @@ class Forwarding {
   void send(Entry &entry);
   void sent(Entry &entry);
 
-  MediumAccess &medium_;
-  Random &random_;
-  Counters &counters_;
+  Part<MediumAccess> medium_;
+  Part<Random> random_;
+  Part<Counters> counters_;
   Memory *memory_ JAVINO_ZEROED;
   uint8_t slots_ JAVINO_ZEROED;  // quiet slots that were counted
   uint16_t credit_;              // that may still be spent

@@ -47,7 +47,7 @@ uint8_t *Overheard::append(How how, uint8_t length) {
   if (!listens_) return nullptr;
   const uint16_t all = static_cast<uint16_t>(HEAD_LENGTH + length);
   if (!records_.fits(all)) {
-    counters_.count(Counter::RADIO_OVERHEARD_DROPPED);
+    counters_->count(Counter::RADIO_OVERHEARD_DROPPED);
     return nullptr;
   }
   uint8_t *const record = records_.append(all);

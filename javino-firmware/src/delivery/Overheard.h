@@ -6,6 +6,7 @@
 #include "../radio/RadioPacket.h"
 #include "../support/Counters.h"
 #include "../support/Inlining.h"
+#include "../support/Part.h"
 #include "ByteQueue.h"
 #include "../support/Zeroed.h"
 
@@ -53,7 +54,7 @@ class Overheard {
 
   JAVINO_NOINLINE uint8_t *append(How how, uint8_t length);
 
-  Counters &counters_;
+  Part<Counters> counters_;
   bool listens_ JAVINO_ZEROED;
   uint8_t told_ JAVINO_ZEROED;
   ByteQueue records_;

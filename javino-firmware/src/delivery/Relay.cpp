@@ -3,20 +3,20 @@
 namespace javinolib {
 
 bool Relay::begin(uint16_t number) {
-  random_.seed(number, 0);
+  random_->seed(number, 0);
   forwarding_.relay(&memory_);
-  return medium_.begin() && medium_.canRelay();
+  return medium_->begin() && medium_->canRelay();
 }
 
 void Relay::run() {
-  medium_.update();
+  medium_->update();
   Received with;
-  while (const uint8_t *packet = medium_.receive(with)) {
+  while (const uint8_t *packet = medium_->receive(with)) {
     Frame frame;
     if (Frame::parse(packet, with.length, frame) == FrameError::NONE && frame.origin.isDevice()) {
       forwarding_.heard(frame, packet, with.length, with.hops);
     }
-    medium_.release();
+    medium_->release();
   }
   forwarding_.run();
 }

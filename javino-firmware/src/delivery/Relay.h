@@ -5,6 +5,7 @@
 
 #include "../radio/Radio.h"
 #include "../support/Counters.h"
+#include "../support/Part.h"
 #include "../support/Random.h"
 #include "Forwarding.h"
 #include "MediumAccess.h"
@@ -29,16 +30,16 @@ class Relay {
   void run();
 
   // The number of copies since the boot: of messages, and of acknowledgements.
-  uint32_t copies() const { return counters_.value(Counter::RELAY_COPIES); }
-  uint32_t answers() const { return counters_.value(Counter::RELAY_ANSWERS); }
+  uint32_t copies() const { return counters_->value(Counter::RELAY_COPIES); }
+  uint32_t answers() const { return counters_->value(Counter::RELAY_ANSWERS); }
 
   // The number of messages that were not copied, since its memory was full or too many went unanswered.
-  uint32_t refused() const { return counters_.value(Counter::RELAY_REFUSED); }
+  uint32_t refused() const { return counters_->value(Counter::RELAY_REFUSED); }
 
  private:
-  MediumAccess medium_;
-  Random random_;
-  Counters counters_;
+  OwnPart<MediumAccess> medium_;
+  OwnPart<Random> random_;
+  OwnPart<Counters> counters_;
   Forwarding::Memory memory_ JAVINO_ZEROED;
   Forwarding forwarding_;
 };

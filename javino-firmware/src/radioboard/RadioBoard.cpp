@@ -6,10 +6,10 @@ namespace javinolib {
 
 RadioBoard::RadioBoard(SerialPort port, const char *firmwareName, Radio &radio)
     : delivery_(radio, state_),
-      poll_(state_->counters.serial()),
-      commands_(firmwareName, actions_, poll_, state_->counters.serial()),
+      poll_(state_->counters->serial()),
+      commands_(firmwareName, actions_, poll_, state_->counters->serial()),
       radioCommands_(commands_, state_, delivery_, poll_),
-      session_(port, packet_, sizeof packet_, state_->counters.serial()) {}
+      session_(port, packet_, sizeof packet_, state_->counters->serial()) {}
 
 bool RadioBoard::begin() {
   radioCommands_.setOlderMemory(beginLayout());

@@ -32,7 +32,7 @@ bool RadioCommands::answer(Reply &reply, bool released) {
   } else if (!poll_->answer(reply, released)) {
     return false;
   }
-  if (state_->counters.value(Counter::MEMORY_DAMAGED) != 0) reply.packet()[FLAGS_AT] |= Poll::MEMORY_DAMAGED;
+  if (state_->counters->value(Counter::MEMORY_DAMAGED) != 0) reply.packet()[FLAGS_AT] |= Poll::MEMORY_DAMAGED;
   return true;
 }
 
@@ -180,7 +180,7 @@ Status RadioCommands::statistics(uint16_t length, Reply &reply) {
   const config::Count *nextOfRadio = reinterpret_cast<const config::Count *>(&radio);  // in the order of their numbers
   for (uint8_t number = 1; number <= Counters::COUNT; number++) {
     const Counter counter = static_cast<Counter>(number);
-    const config::Count value = Counters::isRadios(counter) ? *nextOfRadio++ : state_->counters.value(counter);
+    const config::Count value = Counters::isRadios(counter) ? *nextOfRadio++ : state_->counters->value(counter);
     if (ALL_COUNTERS_FIT || value != 0) Commands::addCounter(number, value, reply);
   }
   return Status::OK;

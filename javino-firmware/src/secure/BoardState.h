@@ -5,6 +5,7 @@
 #include "../storage/RfId.h"
 #include "../support/Counters.h"
 #include "../support/Inlining.h"
+#include "../support/Part.h"
 #include "../support/Random.h"
 #include "NonceSource.h"
 #include "ReplayMemory.h"
@@ -18,15 +19,15 @@ namespace javinolib {
 struct BoardState {
   BoardState() : nonces(epoch), replays(keys) {}
 
-  void count(Counter counter) { counters.count(counter); }
+  void count(Counter counter) { counters->count(counter); }
 
   RfId id;
-  Random random;
+  OwnPart<Random> random;
   BootEpoch epoch;
   NonceSource nonces;
   KeyStore keys;
   ReplayMemory replays;
-  Counters counters;
+  OwnPart<Counters> counters;
 };
 
 #ifdef __AVR__
