@@ -24,14 +24,22 @@
 
 namespace javinolib {
 
-bool SerialPort::canRead() const { return serial_.available() > 0; }
+// A port is of Serial's type. On an AVR no function is looked up in its table of virtual ones.
+#ifdef __AVR__
+typedef decltype(Serial) HostSerial;
+#define JAVINO_PORT(call) static_cast<HostSerial &>(serial_).HostSerial::call
+#else
+#define JAVINO_PORT(call) serial_.call
+#endif
 
-uint8_t SerialPort::read() { return static_cast<uint8_t>(serial_.read()); }
+bool SerialPort::canRead() const { return JAVINO_PORT(available()) > 0; }
+
+uint8_t SerialPort::read() { return static_cast<uint8_t>(JAVINO_PORT(read())); }
 
 // The core's write() waits when its buffer of 64 bytes is full, so it is never called then. Ports of some other cores never
 // tell how much room there is, also not before the first byte.
 bool SerialPort::canWrite() const {
-  const bool hasRoom = serial_.availableForWrite() > 0;
+  const bool hasRoom = JAVINO_PORT(availableForWrite()) > 0;
 #ifndef __AVR__
   if (hasRoom) tellsRoom_ = true;
   if (!tellsRoom_) return true;
@@ -39,7 +47,7 @@ bool SerialPort::canWrite() const {
   return hasRoom;
 }
 
-void SerialPort::write(uint8_t byte) { serial_.write(byte); }
+void SerialPort::write(uint8_t byte) { JAVINO_PORT(write(byte)); }
 
 #ifdef __AVR__
 
