@@ -150,9 +150,7 @@ bool Courier::seal(bool again) {
   if (again) envelope.open(record.bytes, record.length);
   state_->nonces.take(message.nonce);
   state_->keys.used(message.slot);
-  const Frame plain = {message.destination, message.sender, record.bytes + Envelope::CONTENT_AT,
-                       static_cast<uint16_t>(record.length - Envelope::MIN_FRAME_LENGTH)};
-  envelope.seal(plain, message.nonce, record.bytes);
+  envelope.seal(record.bytes, record.length, message.nonce);
   return true;
 }
 

@@ -12,16 +12,13 @@ const uint8_t Envelope::NONCE_AT;
 const uint8_t Envelope::CONTENT_AT;
 
 // The tagged bytes lie in the frame in just the order of SPEC 5: destination, origin, size, N, C.
-uint16_t Envelope::seal(const DerivedKeys &keys, const Frame &plain, const uint8_t *nonce, uint8_t *sealed) {
-  uint8_t *content = sealed + CONTENT_AT;
-  Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
-  memcpy(sealed + NONCE_AT, nonce, NONCE_LENGTH);
-  memmove(content, plain.message, plain.length);  // it may be there already
-  apply(keys, sealed, plain.length, false);
+void Envelope::seal(const DerivedKeys &keys, uint8_t *frame, uint16_t length, const uint8_t *nonce) {
+  memcpy(frame + NONCE_AT, nonce, NONCE_LENGTH);
+  apply(keys, frame, static_cast<uint16_t>(length - MIN_FRAME_LENGTH), false);
+  const uint16_t tagged = static_cast<uint16_t>(length - TAG_LENGTH);
   uint8_t tag[Aes128::BLOCK_LENGTH];
-  keys.authenticate(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
-  memcpy(content + plain.length, tag, TAG_LENGTH);
-  return static_cast<uint16_t>(MIN_FRAME_LENGTH + plain.length);
+  keys.authenticate(frame, tagged, tag);
+  memcpy(frame + tagged, tag, TAG_LENGTH);
 }
 
 bool Envelope::isAuthentic(const DerivedKeys &keys, const uint8_t *frame, uint16_t length) {

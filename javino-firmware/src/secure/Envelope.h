@@ -25,14 +25,10 @@ class Envelope {
   /// @param keys that outlive this object
   explicit Envelope(const DerivedKeys &keys) : keys_(keys) {}
 
-  /// Builds a sealed frame.
-  /// @param plain with the content as message, 0…497 bytes
+  /// Seals a frame in place: its header is there, and its content where it is to be.
+  /// @param length of the whole frame
   /// @param nonce 6 bytes that were never used under this key
-  /// @param sealed room for the content and 24 bytes
-  /// @return the sealed frame's length
-  uint16_t seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const {
-    return seal(keys_, plain, nonce, sealed);
-  }
+  void seal(uint8_t *frame, uint16_t length, const uint8_t *nonce) const { seal(keys_, frame, length, nonce); }
 
   /// Whether a sealed frame is long enough and its tag right; nothing of it may be used before.
   /// @param length of the whole frame
@@ -43,7 +39,7 @@ class Envelope {
   uint16_t open(uint8_t *frame, uint16_t length) const { return open(keys_, frame, length); }
 
  private:
-  static uint16_t seal(const DerivedKeys &keys, const Frame &plain, const uint8_t *nonce, uint8_t *sealed);
+  static void seal(const DerivedKeys &keys, uint8_t *frame, uint16_t length, const uint8_t *nonce);
   JAVINO_NOINLINE static bool isAuthentic(const DerivedKeys &keys, const uint8_t *frame, uint16_t length);
   static uint16_t open(const DerivedKeys &keys, uint8_t *frame, uint16_t length);
   JAVINO_NOINLINE static void apply(const DerivedKeys &keys, uint8_t *frame, uint16_t length, bool decrypting);

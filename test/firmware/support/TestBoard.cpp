@@ -219,12 +219,11 @@ Bytes sealed(const Bytes &key, const std::string &destination, const std::string
              const std::string &content) {
   javinolib::DerivedKeys keys;
   keys.derive(key.data());
-  const Bytes frame = plain(destination, origin, content);
-  javinolib::Frame parsed;
-  javinolib::Frame::parse(frame.data(), static_cast<uint16_t>(frame.size()), parsed);
-  Bytes into(frame.size() + javinolib::SEAL_LENGTH);
-  into.resize(javinolib::Envelope(keys).seal(parsed, nonce.data(), into.data()));
-  return into;
+  const std::string before(javinolib::NONCE_LENGTH, 0);
+  const std::string behind(javinolib::TAG_LENGTH, 0);
+  Bytes frame = plain(destination, origin, before + content + behind);
+  javinolib::Envelope(keys).seal(frame.data(), static_cast<uint16_t>(frame.size()), nonce.data());
+  return frame;
 }
 
 Bytes plain(const std::string &destination, const std::string &origin, const std::string &content) {
