@@ -63,7 +63,7 @@ uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) 
   if (distance <=
       2) {  // what is in the table is nearer than all else, if the other is not: twice as fast as a search of all
     uint8_t first = nibbleOfEither(one, inTrailer);
-    uint8_t second = nibbleOfEither(two, inTrailer);
+    uint8_t second = one == two ? first : nibbleOfEither(two, inTrailer);
     if (first == NO_NIBBLE) first = second;
     if (second == NO_NIBBLE) second = first;
     if (first == second && first != NO_NIBBLE) return static_cast<uint16_t>(1 << first);

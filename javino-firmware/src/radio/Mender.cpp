@@ -54,8 +54,13 @@ const uint8_t LEAST_KEPT = 24;
 JAVINO_NOINLINE uint16_t bitOf(uint8_t nibble) { return static_cast<uint16_t>(1 << nibble); }
 
 JAVINO_NOINLINE uint8_t firstOf(uint16_t nibbles) {
+  uint8_t half = static_cast<uint8_t>(nibbles);
   uint8_t nibble = 0;
-  for (; (nibbles & 1) == 0; nibbles >>= 1) nibble++;
+  if (half == 0) {
+    half = static_cast<uint8_t>(nibbles >> 8);
+    nibble = 8;
+  }
+  for (; (half & 1) == 0; half >>= 1) nibble++;
   return nibble;
 }
 
