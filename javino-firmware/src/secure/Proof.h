@@ -32,8 +32,8 @@ class Proof {
   struct Claim {
     Type type;
     const uint8_t *nonce;  ///< 6 bytes, of the frame that is answered
-    Address sender;        ///< of that frame
-    Address acknowledger;
+    const Address &sender;  ///< of that frame
+    const Address &acknowledger;
     const uint8_t *body;  ///< what comes before the proof: bodyLength(type) bytes
     bool asksParity;
   };

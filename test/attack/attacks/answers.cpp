@@ -72,9 +72,10 @@ Bytes proof(const Bytes &key, Proof::Type type, const Bytes &nonce, const std::s
             const std::string &acknowledger, const Bytes &body) {
   javinolib::DerivedKeys keys;
   keys.derive(key.data());
-  Proof::Claim claim = {type, nonce.data(), javinolib::Address(), javinolib::Address(), body.data(), false};
-  javinolib::Address::parse(bytesOf(sender).data(), claim.sender);
-  javinolib::Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
+  javinolib::Address to, from;
+  javinolib::Address::parse(bytesOf(sender).data(), to);
+  javinolib::Address::parse(bytesOf(acknowledger).data(), from);
+  const Proof::Claim claim = {type, nonce.data(), to, from, body.data(), false};
   Bytes made(javinolib::PROOF_LENGTH);
   Proof(keys).make(claim, made.data());
   return made;

@@ -28,14 +28,11 @@ Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::st
   DerivedKeys keys;
   keys.derive(key.data());
   const bool asksParity = (type & Proof::ASKS_PARITY) != 0;
-  Proof::Claim claim = {static_cast<Proof::Type>(type & ~Proof::ASKS_PARITY),
-                        nonce.data(),
-                        Address(),
-                        Address(),
-                        body.data(),
-                        asksParity};
-  Address::parse(bytesOf(sender).data(), claim.sender);
-  Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
+  Address to, from;
+  Address::parse(bytesOf(sender).data(), to);
+  Address::parse(bytesOf(acknowledger).data(), from);
+  const auto claimed = static_cast<Proof::Type>(type & ~Proof::ASKS_PARITY);
+  const Proof::Claim claim = {claimed, nonce.data(), to, from, body.data(), asksParity};
   Bytes proof(PROOF_LENGTH);
   Proof(keys).make(claim, proof.data());
   Bytes address(4);

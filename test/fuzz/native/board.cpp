@@ -189,14 +189,11 @@ class Scene {
   static Bytes proof(uint8_t type, const Bytes &nonce, const Bytes &body) {
     javinolib::DerivedKeys keys;
     keys.derive(PAIR_KEY.data());
-    javinolib::Proof::Claim claim = {static_cast<javinolib::Proof::Type>(javinolib::Proof::DELIVERED + type),
-                                     nonce.data(),
-                                     javinolib::Address(),
-                                     javinolib::Address(),
-                                     body.data(),
-                                     false};
-    javinolib::Address::parse(bytesOf("SUPO").data(), claim.sender);
-    javinolib::Address::parse(bytesOf("ROMA").data(), claim.acknowledger);
+    javinolib::Address to, from;
+    javinolib::Address::parse(bytesOf("SUPO").data(), to);
+    javinolib::Address::parse(bytesOf("ROMA").data(), from);
+    const auto claimed = static_cast<javinolib::Proof::Type>(javinolib::Proof::DELIVERED + type);
+    const javinolib::Proof::Claim claim = {claimed, nonce.data(), to, from, body.data(), false};
     Bytes made(javinolib::PROOF_LENGTH);
     javinolib::Proof(keys).make(claim, made.data());
     return made;
