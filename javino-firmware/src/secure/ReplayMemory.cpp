@@ -26,9 +26,12 @@ const uint8_t COUNTER_AT = 3;       // in a nonce
 const uint8_t MORE_PER_WRITE = 31;  // how far a floor is set above the nonce that it is written for
 const uint32_t LAST_COUNTER = 0xFFFFFF;
 
+JAVINO_NOINLINE uint16_t placeAt(uint8_t place) {
+  return static_cast<uint16_t>(FLOORS_AT + place * FLOOR_PLACE_LENGTH);
+}
+
 EepromRecord recordAt(uint8_t place, uint8_t copy) {
-  return EepromRecord(static_cast<uint16_t>(FLOORS_AT + place * FLOOR_PLACE_LENGTH + copy * FLOOR_RECORD_LENGTH),
-                      FLOOR_LENGTH);
+  return EepromRecord(static_cast<uint16_t>(placeAt(place) + copy * FLOOR_RECORD_LENGTH), FLOOR_LENGTH);
 }
 
 // Reads the floor at a place; false where there is none.

@@ -9,10 +9,12 @@ const Uint24 BootEpoch::NONE_LEFT;
 static const uint8_t COPIES = 2;
 
 // One after the other they are now before the keys, now behind the floors.
-JAVINO_NOINLINE static EepromRecord recordAt(uint8_t slot) {
+JAVINO_NOINLINE static uint16_t placeAt(uint8_t slot) {
   const uint16_t end = (slot & 1) == 0 ? EPOCHS_AT : OTHER_EPOCHS_AT;
-  return EepromRecord(static_cast<uint16_t>(end + slot / 2 * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
+  return static_cast<uint16_t>(end + slot / 2 * EPOCH_RECORD_LENGTH);
 }
+
+static EepromRecord recordAt(uint8_t slot) { return EepromRecord(placeAt(slot), EPOCH_LENGTH); }
 
 static uint8_t behind(uint8_t slot) { return static_cast<uint8_t>((slot + 1) % config::EPOCH_SLOTS); }
 

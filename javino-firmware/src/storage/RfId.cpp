@@ -4,9 +4,11 @@
 
 namespace javinolib {
 
-static EepromRecord recordAt(uint8_t place) {
-  return EepromRecord(static_cast<uint16_t>(RF_ID_AT + place * RF_ID_RECORD_LENGTH), RF_ID_LENGTH);
+JAVINO_NOINLINE static uint16_t placeAt(uint8_t place) {
+  return static_cast<uint16_t>(RF_ID_AT + place * RF_ID_RECORD_LENGTH);
 }
+
+static EepromRecord recordAt(uint8_t place) { return EepromRecord(placeAt(place), RF_ID_LENGTH); }
 
 void RfId::begin() {
   for (uint8_t place = 0; place < RF_ID_PLACES; place++) {
