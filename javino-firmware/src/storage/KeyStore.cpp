@@ -89,7 +89,7 @@ bool KeyStore::begin() {
 // Whether a newer key of the same address replaces this one: an interrupted change has left it.
 bool KeyStore::isReplaced(uint8_t slot) const {
   for (uint8_t other = 0; other < SLOTS; other++) {
-    if (!isFree(slot) && addresses_[other] == addresses_[slot] && isNewer(other, slot) && isAlone(other)) return true;
+    if (!isFree(slot) && addressAt(other) == addressAt(slot) && isNewer(other, slot) && isAlone(other)) return true;
   }
   return false;
 }
@@ -98,7 +98,7 @@ bool KeyStore::isReplaced(uint8_t slot) const {
 uint8_t KeyStore::best(const Address &address, uint8_t except) const {
   uint8_t best = NO_SLOT;
   for (uint8_t slot = 0; slot < PLACES; slot++) {
-    if (slot == except || addresses_[slot] != address || isFree(slot)) continue;
+    if (slot == except || addressAt(slot) != address || isFree(slot)) continue;
     if (best == NO_SLOT || (isNewer(slot, best) ? isUsed(slot) : !isUsed(best))) best = slot;
   }
   return best;

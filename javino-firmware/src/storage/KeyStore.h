@@ -58,7 +58,7 @@ class KeyStore {
   /// The address of a place, or `++++` where it is free.
   JAVINO_NOINLINE const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
 
-  JAVINO_NOINLINE bool isFree(uint8_t slot) const { return addresses_[slot].isSerial(); }
+  JAVINO_NOINLINE bool isFree(uint8_t slot) const { return addressAt(slot).isSerial(); }
 
   /// Reads the key at a place.
   /// @return false where it is NO_SLOT, free or no longer readable.
