@@ -26,7 +26,6 @@ inline bool Mender::note(uint16_t hops) {
 
 #if JAVINO_LARGE
 
-const uint8_t Mender::NONE;
 const uint8_t Mender::MOST_UNDECIDED;
 
 namespace {
@@ -91,7 +90,7 @@ Mender::Progress Mender::work(RadioPacket &packet) {
 
 // The end of a good packet is not waited for.
 Mender::Progress Mender::look(RadioPacket &packet) {
-  like_ = NONE;
+  like_ = nullptr;
   isOther_ = false;
   mended_ = false;
   doubtful_ = false;
@@ -111,13 +110,13 @@ Mender::Progress Mender::look(RadioPacket &packet) {
 
 // Looks at one copy at a time.
 Mender::Progress Mender::compare(RadioPacket &packet) {
-  const RadioPacket &copy = copies_[next_];
+  RadioPacket &copy = copies_[next_];
   if (isLike(packet, copy)) {
-    like_ = next_;
+    like_ = &copy;
   } else if (++next_ < config::DAMAGED_COPIES) {
     return PENDING;
   }
-  if (like_ != NONE && copy.areBytes && !isOther_) {
+  if (like_ && copy.areBytes && !isOther_) {
     trailer_ = trailerOf(packet, copy.room[0]);
     memcpy(packet.room, copy.room, sizeof packet.room);
     packet.areBytes = true;
@@ -156,13 +155,9 @@ bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) {
   return !isOther_ || differ <= symbols / (LIKE_BUT_FOR_CRC_PART / linecode::BITS_PER_SYMBOL);
 }
 
-const RadioPacket *Mender::copy() const { return like_ != NONE ? copies_ + like_ : nullptr; }
-
 #else
 
 Mender::Progress Mender::compare(RadioPacket &) { return choose(linecode::MIN_COUNT); }
-
-const RadioPacket *Mender::copy() const { return nullptr; }
 
 #endif
 
@@ -372,11 +367,11 @@ Mender::Progress Mender::correct(RadioPacket &) { return LOST; }
 
 void Mender::save(const RadioPacket &packet) {
   if (packet.symbols < 2 * LEAST_KEPT) return;
-  if (like_ == NONE) {
-    like_ = oldest_;
+  if (!like_) {
+    like_ = copies_ + oldest_;
     oldest_ = static_cast<uint8_t>((oldest_ + 1) % config::DAMAGED_COPIES);
   }
-  RadioPacket &place = copies_[like_];
+  RadioPacket &place = *like_;
   place.symbols = packet.symbols;
   place.areBytes = packet.areBytes;
   memcpy(place.room, packet.room, sizeof place.room);
@@ -385,11 +380,11 @@ void Mender::save(const RadioPacket &packet) {
 // Only the bytes that are right.
 void Mender::keep() {
   save(*packet_);
-  if (like_ != NONE) copies_[like_].symbols = static_cast<uint8_t>(2 * packet_->room[0]);
+  if (like_) like_->symbols = static_cast<uint8_t>(2 * packet_->room[0]);
 }
 
 void Mender::forget() {
-  if (like_ != NONE) copies_[like_].symbols = 0;
+  if (like_) like_->symbols = 0;
 }
 
 #else

@@ -72,7 +72,6 @@ class Mender {
   void forget();
 
  private:
-  static const uint8_t NONE = 0xFF;
   static const uint8_t MOST_CHOICES = 64;  // of symbols that are tried
   static const uint16_t ANY = 0xFFFF;      // nibble
   static const uint8_t MOST_UNDECIDED = 6;
@@ -102,14 +101,14 @@ class Mender {
   void beginParity(RadioPacket &packet);
   void erase(uint8_t byte);
   void save(const RadioPacket &packet);
-  const RadioPacket *copy() const;
+  const RadioPacket *copy() const { return like_; }
 
   bool isSaved_ JAVINO_ZEROED;  // the packet's symbols, in the copy that is like it
   Phase phase_ JAVINO_ZEROED;
   uint8_t next_ JAVINO_ZEROED;        // copy to compare, or count to try
   uint8_t at_ JAVINO_ZEROED;          // symbol to decide on, or to write
   uint8_t end_ JAVINO_ZEROED;         // of these
-  uint8_t like_ JAVINO_ZEROED;        // the copy that is like the packet
+  RadioPacket *like_ JAVINO_ZEROED;   // the copy that is like the packet
   bool isOther_ JAVINO_ZEROED;        // that copy is another piece, but for its digit and CRC
   uint8_t oldest_ JAVINO_ZEROED;      // copy
   uint8_t distance_ JAVINO_ZEROED;    // of the last undecided symbol from the nearest ones
