@@ -64,8 +64,8 @@ class Inbox {
   void keysChanged(const KeyStore &keys);
 
   /// Goes through the messages: no bytes stand for the end.
-  ByteQueue::Record first() const { return records_.first(); }
-  ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
+  JAVINO_NOINLINE ByteQueue::Record first() const { return records_.first(); }
+  JAVINO_NOINLINE ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
   static Message read(ByteQueue::Record record);
 
   /// The number of the first message: 0 for the first since the boot, …, 255, 0, …

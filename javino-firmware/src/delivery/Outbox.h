@@ -31,8 +31,8 @@ class Outbox {
   uint8_t count() const { return records_.count(); }
 
   /// Goes through the frames, each with a byte more, its number: no bytes stand for the end.
-  ByteQueue::Record first() const { return records_.first(); }
-  ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
+  JAVINO_NOINLINE ByteQueue::Record first() const { return records_.first(); }
+  JAVINO_NOINLINE ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
   static uint8_t numberOf(ByteQueue::Record record) { return record.bytes[record.length - 1]; }
 
   /// Whether a message to this address waits or is under way.

@@ -31,7 +31,7 @@ class Proof {
   /// What a proof covers.
   struct Claim {
     Type type;
-    const uint8_t *nonce;  ///< 6 bytes, of the frame that is answered
+    const uint8_t *nonce;   ///< 6 bytes, of the frame that is answered
     const Address &sender;  ///< of that frame
     const Address &acknowledger;
     const uint8_t *body;  ///< what comes before the proof: bodyLength(type) bytes
