@@ -13,7 +13,7 @@ static const uint8_t LAST_DOUBLING = 3;  // who retries waits longer, as boards 
 // Of the slots beyond the first ones. Where half of all beginnings come after fewer, one slot in five is taken.
 static const uint8_t FEW_IDLE_SLOTS = 3;
 static const uint8_t PARTS = 16;  // of a slot, that the window is counted in
-static const uint8_t SHARE = 8;  // the window changes by this part of it
+static const uint8_t SHARE = 8;   // the window changes by this part of it
 
 Backoff::Backoff() : window_(LEAST_WINDOW * PARTS) {}
 
