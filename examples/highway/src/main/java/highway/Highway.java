@@ -89,7 +89,8 @@ public final class Highway implements Callable<Integer> {
         scenario.provision();
         if (options.boardsOnly()) {
             scenario.note(
-                    "the boards run; start the agents (README, \"Agents that you start by hand\"); end with Ctrl-C");
+                    "the boards run; start the agents (examples/highway/README.md, \"Agents that you start by hand\"); "
+                            + "end with Ctrl-C");
             scenario.stay();
         } else {
             scenario.joinCells();
