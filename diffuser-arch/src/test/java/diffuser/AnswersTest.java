@@ -93,7 +93,7 @@ class AnswersTest {
                         + " in anyone's name");
         board.receive("SUPO", "ROMA", "askOne#AAD;speed(X)");
         RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
-        assertEquals(1L, agent.diffuser().getStatus().get("rfMessagesRefused"));
+        assertEquals(1L, agent.diffuser().inbox().refused());
     }
 
     @Test

@@ -94,7 +94,7 @@ class GateTest {
     }
 
     private static long refused(RunningAgent agent) throws Exception {
-        return (Long) agent.diffuser().getStatus().get("rfMessagesRefused");
+        return agent.diffuser().inbox().refused();
     }
 
     @ParameterizedTest
@@ -153,7 +153,7 @@ class GateTest {
         board.receive(ME, "ROMB", "achieve;e");
         nothingSoFar(agent, board);
         assertEquals(before, plansOf(agent));
-        assertTrue(refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed") > 0,
+        assertTrue(refused(agent) + agent.diffuser().inbox().malformed() > 0,
                 content + " was let in");
     }
 
@@ -180,7 +180,7 @@ class GateTest {
         board.receive(ME, "SUPO", content);
         nothingSoFar(agent, board);
         assertEquals(before, plansOf(agent));
-        assertEquals(1L, refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed"));
+        assertEquals(1L, refused(agent) + agent.diffuser().inbox().malformed());
     }
 
     @ParameterizedTest

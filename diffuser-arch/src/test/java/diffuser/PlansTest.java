@@ -72,7 +72,7 @@ class PlansTest {
         agent.warns("dropped tellHow from ROMA: it came as a broadcast");
         agent.warns("dropped untellHow from ROMA: it came as a broadcast");
         agent.notesNothingElse();
-        assertEquals(4L, agent.diffuser().getStatus().get("rfMessagesRefused"));
+        assertEquals(4L, agent.diffuser().inbox().refused());
         assertEquals(0, agent.warnings.size());
         agent.achieve("count({ +!go })");
         agent.notes("1");

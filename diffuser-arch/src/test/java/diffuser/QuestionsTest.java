@@ -52,7 +52,7 @@ class QuestionsTest {
     }
 
     private static long refused(RunningAgent agent) throws Exception {
-        return (Long) agent.diffuser().getStatus().get("rfMessagesRefused");
+        return agent.diffuser().inbox().refused();
     }
 
     @ParameterizedTest
@@ -180,7 +180,7 @@ class QuestionsTest {
         agent.warns("\".stopMAS\": an internal action cannot be sent");
         board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
         agent.notes("5");
-        assertEquals(2L, agent.diffuser().getStatus().get("rfMessagesMalformed"));
+        assertEquals(2L, agent.diffuser().inbox().malformed());
     }
 
     @Test

@@ -154,7 +154,8 @@ class TakenRequestTest extends BoardFixture {
         fake.line.awaitHeld();
         fake.line.print("still here");
         Thread.sleep(50);
-        board.act("go").get();
+        fake.receive("tell;help");
+        listener.until("message");
         assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
     }
 }

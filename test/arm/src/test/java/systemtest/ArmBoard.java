@@ -109,6 +109,11 @@ final class ArmBoard implements SketchBoard {
     }
 
     @Override
+    public boolean isInEmulatedTime() {
+        return false;
+    }
+
+    @Override
     public void reset() {
         input.println("reset");
     }

@@ -17,6 +17,11 @@ public interface SketchBoard extends AutoCloseable {
     /** Presses its reset button. */
     void reset();
 
+    /** Whether its time waits for a busy machine; else bytes from the host may be lost there, and are sent again. */
+    default boolean isInEmulatedTime() {
+        return true;
+    }
+
     default Host host() {
         return Host.over(SerialLink.opener(port()));
     }
