@@ -231,6 +231,26 @@ class LivePageTest {
 
     @Test
     @Tag("verify")
+    void beliefThatIsSealed_staysSoWhenItIsShoutedToo() throws Exception {
+        Files.writeString(folder.resolve("trace.jsonl"), """
+                {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"}]}
+                {"t":1,"board":"a","event":"port","state":"open"}
+                {"t":1,"board":"a","event":"beliefs","add":["openness(totallyClosed)[source(percept)]",\
+                "port(x,on)[source(percept)]",\
+                "help[cast(broadcast,\\"ROMA\\"),cast(unicast,\\"ROMA\\"),source(\\"ROMA\\")]"]}
+                """);
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
+            page.awaitText("section.agent .belief", "from ROMA, sealed; also shouted by ROMA, perhaps forged");
+            String card = page.await("section.agent").getText();
+            assertTrue(card.contains("agent connected") && !card.contains("cut off"), card);
+            assertFalse(card.contains("port(x,on)"), card);
+            assertTrue(card.contains("1 about its board"), card);
+            assertClean(page);
+        }
+    }
+
+    @Test
+    @Tag("verify")
     void board_isWatchedWithoutAnyAgent() throws Exception {
         Files.writeString(folder.resolve("lamp.json"), """
                 {"boards": [{"name": "car", "firmware": "%s/javino-firmware/build/vehicle/Vehicle.ino.elf",

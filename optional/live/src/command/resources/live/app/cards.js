@@ -8,6 +8,8 @@ import { plain } from './text.js';
 import { REFUSALS } from './phrases.js';
 
 const LINES = 3;
+/** What the library tells of the board itself. */
+const OWN = new Set(['port', 'peer']);
 const BELIEFS = 14;
 
 const OPENNESS = {
@@ -22,13 +24,22 @@ const PORTS = { __proto__: null, open: 'agent connected', closed: 'no agent conn
 
 const NUMERIC = /^([a-z]\w*)\((-?\d+(?:\.\d+)?)\)$/;
 
+const WAYS = {
+  __proto__: null,
+  unicast: (who) => 'from ' + who + ', sealed',
+  multicast: (who) => 'to the group, by ' + who,
+  broadcast: (who) => 'shouted by ' + who + ', perhaps forged',
+};
+
+/** All ways by which it came: what is sealed stays so, whoever shouts the same. */
+const ways = (casts) => Object.keys(WAYS).flatMap((how) => casts.filter(([, cast]) => cast === how).map(([, , who]) => WAYS[how](who))).join('; also ');
+
 /** A belief without its annotations, and these in plain words. */
 function parted(belief) {
   const [, term, annotations] = /^(.*)\[([^\]]*)\]$/s.exec(belief) ?? [, belief, ''];
-  const [, how, who] = /cast\((\w+),\s*"?([^")]*)"?\)/.exec(annotations) ?? [];
+  const casts = [...annotations.matchAll(/cast\((\w+),\s*"?([^")]*)"?\)/g)];
   const [, source] = /source\("?([^")]*)"?\)/.exec(annotations) ?? [];
-  const ways = { __proto__: null, broadcast: 'shouted by ' + who + ', perhaps forged', multicast: 'to the group, by ' + who, unicast: 'from ' + who + ', sealed' };
-  const from = how ? ways[how] ?? how + ' ' + who : source === 'percept' ? 'sensed' : source === 'self' ? 'own' : source ? 'from ' + source : '';
+  const from = casts.length ? ways(casts) : source === 'percept' ? 'sensed' : source === 'self' ? 'own' : source ? 'from ' + source : '';
   const hidden = annotations.includes('hide_in_mind_inspector');
   return { term, from, functor: term.split('(')[0], hidden, sensed: source === 'percept' };
 }
@@ -53,10 +64,12 @@ function shownBeliefs(board, t) {
 
 const belief = (b, t) => html`<li class="belief ${b.gone ? 'gone' : t - b.t < NEW_FOR && !b.sensed ? 'new' : ''}">
   <span class="sign">${b.gone ? '−' : t - b.t < NEW_FOR && !b.sensed ? '+' : ''}</span><code>${plain(b.term, 80)}</code>
-  <small>${plain(b.from, 40)}</small></li>`;
+  <small>${plain(b.from, 120)}</small></li>`;
 
 function mind(board, t) {
-  const beliefs = shownBeliefs(board, t);
+  const all = shownBeliefs(board, t);
+  const beliefs = all.filter((b) => !OWN.has(b.functor));
+  const own = all.filter((b) => OWN.has(b.functor));
   const more = beliefs.length - BELIEFS;
   return html`
     ${board.said.length === 0 ? nothing : html`<h3>says</h3>
@@ -64,6 +77,8 @@ function mind(board, t) {
     ${beliefs.length === 0 ? nothing : html`<h3>believes</h3>
     <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(b, t))}
       ${more > 0 ? html`<li><small>and ${more} more</small></li>` : nothing}</ul>`}
+    ${own.length === 0 ? nothing : html`<details class="own"><summary>${own.length} about its board</summary>
+    <ul class="beliefs">${repeat(own, (b) => b.belief, (b) => belief(b, t))}</ul></details>`}
     ${board.intentions.length === 0 ? nothing : html`<h3>intends</h3>
     <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li><code>${plain(i.replaceAll('[source(self)]', ''), 120)}</code></li>`)}</ul>`}`;
 }
@@ -102,7 +117,7 @@ export function card(board, t, chosen, choose) {
       data-openness=${state ?? ''} @click=${() => choose(board.name)}>
     <h2><span class="letter">${letter(board)}</span> ${plain(board.title, 30)} <code>${plain(board.address, 8)}</code>
       <span class="state">${stateOf(board, t)}</span></h2>
-    ${state ? html`<p class="openness" title="openness(${state})">${plain(board.title, 30)} ${OPENNESS[state] ?? state}.</p>` : nothing}
+    ${state ? html`<p class="openness" title="openness(${state})">${plain(board.title, 30)} ${board.port === 'open' && state === 'totallyClosed' ? 'does not talk with other devices' : OPENNESS[state] ?? state}.</p>` : nothing}
     ${mind(board, t)}
     ${board.percepts.length || board.pins.size ? html`<h3>its board</h3>${percepts(board)}${lamps(board)}` : nothing}
     ${refused(board)}
