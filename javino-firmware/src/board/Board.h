@@ -23,11 +23,15 @@ class Board {
   /// To be called once, after a boot. Nothing can fail here.
   bool begin() {
     session_.askAgain();
+    session_.ran();
     return true;
   }
 
   /// Handles what the serial line brought. Never waits.
-  void run() { session_.run(commands_); }
+  void run() {
+    session_.run(commands_);
+    session_.ran();
+  }
 
   /// Whether run() has nothing to do until the next interrupt. Safe to call with interrupts off.
   bool isIdle() const { return session_.isIdle(); }

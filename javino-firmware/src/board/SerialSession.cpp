@@ -25,7 +25,6 @@ void SerialSession::add(PacketEvent event) {
 }
 
 void SerialSession::askAgain() {
-  ranAt_ = static_cast<uint16_t>(clock::millis());
   for (uint8_t i = 0; i != 3; i++) {
     if (port_.canWrite()) port_.write(i & 1);  // 0, and an empty packet
   }

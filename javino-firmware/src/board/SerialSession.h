@@ -36,8 +36,10 @@ class SerialSession {
       finish(commands);
       exchange();
     }
-    ranAt_ = static_cast<uint16_t>(clock::millis());
   }
+
+  /// The board goes back to its sketch.
+  void ran() { ranAt_ = static_cast<uint16_t>(clock::millis()); }
 
   /// Has the host ask again: after a boot, in which the reply to a poll that was held is lost, and after damage.
   void askAgain();

@@ -19,6 +19,7 @@ bool RadioBoard::begin() {
   if (state_->epoch.status() == Status::EPOCH_LOST) state_->replays.doubtFloors();
   const bool radioStarted = delivery_->begin();
   session_.askAgain();
+  session_.ran();
   return radioStarted && state_->epoch.status() != Status::STORE_FAILED;
 }
 
@@ -27,6 +28,7 @@ bool RadioBoard::begin() {
 void RadioBoard::run() {
   session_.run(radioCommands_);
   delivery_->run();
+  session_.ran();
 }
 
 }  // namespace javinolib

@@ -85,3 +85,14 @@ TYPED_TEST(Times, begin_with_begin_and_outlive_the_clock_s_overflow) {
   this->pause(20);
   this->expect(20, 0, 0);
 }
+
+TEST(RadioBoardTimes, leave_out_what_the_board_itself_takes) {
+  TestBoard board;
+  board.hello();
+  board.radio.working = [&] { board.clock.millis += 90; };
+  board.sendRaw({0});
+  board.radio.working = nullptr;
+  board.clock.millis += 7;
+  board.sendRaw({0});
+  EXPECT_EQ(7u, board.counter(Counter::LOOP_MILLIS));
+}

@@ -15,6 +15,7 @@ bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
 }
 
 uint8_t *FakeRadio::receive(javinolib::Received &with) {
+  if (working) working();
   if (mends && mender_.lost()) release();
   if (in_.empty()) return nullptr;
   Arrived &first = in_.front();

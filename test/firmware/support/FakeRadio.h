@@ -3,6 +3,7 @@
 #include <radio/Mender.h>
 
 #include <deque>
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -39,6 +40,7 @@ class FakeRadio : public javinolib::Radio {
   /// The packet on the air ends.
   void finishSending();
 
+  std::function<void()> working;  ///< what it does whenever it is asked what has come
   bool works = true;              ///< whether begin() succeeds
   bool refuses = false;           ///< whether send() does nothing
   bool mends = false;             ///< whether packets come as from the air
