@@ -161,7 +161,8 @@ class SerialSessionTest {
         try (SketchBoard board = start("Neighbour", folder, List.of(light(0), button())); Host host = board.host()) {
             host.board.perceptInterval(Duration.ofSeconds(1));
             host.board.percepts(true);
-            for (int i = 0; i < PRESSES; i++) {
+            // On a busy machine two may come between two readings, and are one.
+            for (int i = board.isInEmulatedTime() ? PRESSES : 1; i > 0; i--) {
                 host.percepts(percepts -> percepts.contains("pressed"));
                 host.percepts(percepts -> !percepts.contains("pressed"));
             }
