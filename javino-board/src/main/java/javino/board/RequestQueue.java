@@ -45,7 +45,8 @@ final class RequestQueue {
         if (waiting.size() + held.size() >= capacity) {
             throw new QueueFullException(request.description(), capacity);
         }
-        waiting.add(request);
+        boolean follows = request.isTransmission() && !held.isEmpty();
+        (follows ? held : waiting).add(request);
         news();
     }
 
@@ -68,17 +69,15 @@ final class RequestQueue {
         return hasRoom && !held.isEmpty() ? held.poll() : waiting.poll();
     }
 
-    /** Whether there is a request to perform; transmissions behind one that is held are held, too. */
     private boolean hasRequest() {
-        while (!held.isEmpty() && !waiting.isEmpty() && waiting.peek().isTransmission()) {
-            held.add(waiting.poll());
-        }
         return !waiting.isEmpty() || hasRoom && !held.isEmpty();
     }
 
-    /** Holds a transmission until {@link #setRoom}: the board has no room for it. */
+    /** Holds a transmission, and all behind it, until {@link #setRoom}: the board has no room for it. */
     synchronized void hold(PendingRequest<?> transmission) {
         held.addFirst(transmission);
+        waiting.stream().filter(PendingRequest::isTransmission).forEach(held::add);
+        waiting.removeIf(PendingRequest::isTransmission);
         hasRoom = false;
     }
 
