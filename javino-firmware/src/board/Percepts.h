@@ -34,27 +34,15 @@ class Percepts {
   // `name(number)` for a value that trembles: the number told last stays until the new one differs from it by the dead
   // band or more, and until it has been told for the least time (0 for none). The board does so for JAVINO_DEAD_BANDS
   // percepts (Config.h), and tells all further ones as they are. Each call needs an F("…") of its own.
-  template <typename Band>
-  void add(const FlashText *name, int number, Band deadBand, unsigned long leastMillis = 0) {
-    addSettled(name, number, static_cast<unsigned long>(deadBand), leastMillis);
-  }
-  template <typename Band>
-  void add(const FlashText *name, unsigned int number, Band deadBand, unsigned long leastMillis = 0) {
-    addSettled(name, static_cast<long>(number), static_cast<unsigned long>(deadBand), leastMillis);
-  }
-  template <typename Band>
-  void add(const FlashText *name, long number, Band deadBand, unsigned long leastMillis = 0) {
-    addSettled(name, number, static_cast<unsigned long>(deadBand), leastMillis);
-  }
-  template <typename Band>
-  void add(const FlashText *name, unsigned long number, Band deadBand, unsigned long leastMillis = 0) {
-    addSettled(name, static_cast<long>(number), static_cast<unsigned long>(deadBand), leastMillis);
-  }
-  template <typename Band>
-  void add(const FlashText *name, double number, Band deadBand, unsigned long leastMillis = 0) {
-    if (!isWithinRange(number)) return;
-    const unsigned long band = static_cast<unsigned long>(hundredths(deadBand));
-    addHundredths(name, deadBands_.settle(name, hundredths(number), band, leastMillis));
+  template <typename Number, typename Band>
+  void add(const FlashText *name, Number number, Band deadBand, unsigned long leastMillis = 0) {
+    const bool isInteger = static_cast<Number>(1) / 2 == 0;
+    if (isInteger) {
+      addSettled(name, static_cast<long>(number), static_cast<unsigned long>(deadBand), leastMillis);
+    } else if (isWithinRange(static_cast<double>(number))) {
+      const unsigned long band = static_cast<unsigned long>(hundredths(static_cast<double>(deadBand)));
+      addHundredths(name, deadBands_.settle(name, hundredths(static_cast<double>(number)), band, leastMillis));
+    }
   }
 
   // `name` for something that lasts for less than the time between two readings, such as the press of a button: if it
