@@ -14,7 +14,6 @@ const uint8_t Doubts::MOST;
 
 namespace {
 
-const uint8_t HOPS_MODULUS = 3;
 const uint8_t FROM_SENDER = 1;  // hops of a copy of what its sender itself has sent
 
 // In slots (SPEC 7.5).

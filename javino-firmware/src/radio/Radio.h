@@ -14,6 +14,9 @@ static const uint8_t MAX_RADIO_PAYLOAD = 77;
 /// its frame and the nonce.
 static const uint8_t MIN_RADIO_PAYLOAD = 26;
 
+/// Packets tell how many hops lie behind them modulo this (SPEC 7.5).
+static const uint8_t HOPS_MODULUS = 3;
+
 class Mender;
 
 /// What follows a packet (SPEC 6.1).
@@ -36,7 +39,7 @@ struct RadioCounters {
 /// What came with a payload.
 struct Received {
   uint8_t length;  ///< of the payload, 1…longestPayload()
-  uint8_t hops;    ///< behind the packet, modulo 3; 0 where the driver cannot tell that (SPEC 7.5)
+  uint8_t hops;    ///< behind the packet, modulo HOPS_MODULUS; 0 where the driver cannot tell that (SPEC 7.5)
 };
 
 /// A half-duplex packet radio: it sends and receives payloads. Only the driver knows how, and how fast. No function
@@ -62,7 +65,7 @@ class Radio {
   virtual void follow(Trailer) {}
 #endif
 
-  /// @return where to say how many hops lie behind the packets that are sent from now on, modulo 3, at first none (SPEC 7.5); null
+  /// @return where to say how many hops lie behind the packets that are sent from now on, modulo HOPS_MODULUS, at first none; null
   /// if the driver cannot tell that to other boards: then the board is no relay.
   virtual uint8_t *sentHops() { return nullptr; }
 

@@ -12,8 +12,6 @@ const uint8_t SerialRadio::ROOM;
 
 namespace {
 
-const uint8_t HOPS_MODULUS = 3;
-
 // 0x00, COBS, hops, CRC and 0x00 around a payload.
 const uint8_t OVERHEAD = 6;
 
