@@ -31,8 +31,10 @@ const WAYS = {
   broadcast: (who) => 'shouted by ' + who + ', perhaps forged',
 };
 
+const RANKS = Object.keys(WAYS);
+
 /** All ways by which it came: what is sealed stays so, whoever shouts the same. */
-const ways = (casts) => Object.keys(WAYS).flatMap((how) => casts.filter(([, cast]) => cast === how).map(([, , who]) => WAYS[how](who))).join('; also ');
+const ways = (casts) => casts.sort(([, a], [, b]) => RANKS.indexOf(a) - RANKS.indexOf(b)).map(([, how, who]) => WAYS[how]?.(who) ?? how + ' ' + who).join('; also ');
 
 /** A belief without its annotations, and these in plain words. */
 function parted(belief) {
