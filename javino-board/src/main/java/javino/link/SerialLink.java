@@ -36,6 +36,10 @@ public final class SerialLink implements Link {
     private static final int FORBIDDEN = 13;
     /** EBUSY of the same, and EWOULDBLOCK, with which a port that is locked is refused, of Linux and of the others. */
     private static final Set<Integer> BUSY = Set.of(16, 11, 35);
+    /** ENOENT, ENXIO and ENODEV of the same: the device has gone. */
+    private static final Set<Integer> GONE = Set.of(2, 6, 19);
+    /** EIO, and EBADF, of the same: it goes just now. */
+    private static final Set<Integer> GOING = Set.of(5, 9);
     private static final String NO_PORT = "there is no such port; is the board plugged in?";
     private static final String NO_SERIAL_PORT = "is no serial port; javino ports lists them";
 
@@ -120,7 +124,7 @@ public final class SerialLink implements Link {
         try {
             Path path = Path.of(name);
             if (Files.isDirectory(path)) {
-                throw new LinkException(name, NO_SERIAL_PORT);
+                throw new LinkException(name, "is a folder; javino ports lists serial ports");
             }
             if (Files.exists(path)) {
                 return SerialPort.getCommPort(path.toRealPath().toString());
@@ -145,6 +149,9 @@ public final class SerialLink implements Link {
         if (code == FORBIDDEN) {
             return "you may not read and write it; join its group (dialout on Debian) and log in anew";
         }
+        if (GONE.contains(code)) {
+            return NO_PORT;
+        }
         if (BUSY.contains(code)) {
             return "another program is using it; end that first";
         }
@@ -156,7 +163,7 @@ public final class SerialLink implements Link {
     }
 
     private static String cause(int code) {
-        return code == 0 ? "" : " (system error " + code + ")";
+        return code == 0 || GONE.contains(code) || GOING.contains(code) ? "" : " (errno " + code + ")";
     }
 
     @Override

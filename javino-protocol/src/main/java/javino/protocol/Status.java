@@ -17,7 +17,7 @@ public enum Status {
     /** The sketch refused the action or its arguments. */
     ACTION_FAILED("the sketch refused the action or its arguments"),
     /** The board has no RF id yet. */
-    NO_RF_ID("the board has no RF id yet; set one first"),
+    NO_RF_ID("the board has no RF id yet; give it one by .setMyRFId or javino provision"),
     /** The frame's origin is not the board's RF id. */
     WRONG_ORIGIN("the origin is not the board's RF id"),
     /** Nothing can be sent to this address. */
