@@ -5,6 +5,7 @@ import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.Printable;
 import javino.board.Board;
+import javino.board.BoardListener;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
@@ -46,10 +47,22 @@ final class SendCommand implements Callable<Integer> {
                 return Content.parse(text);
             } catch (IllegalArgumentException e) {
                 boolean noContent = e.getMessage().startsWith(ProtocolError.BAD_CONTENT.name());
-                throw new TypeConversionException(noContent
-                        ? "a performative, ; and a term were expected, such as 'tell;help', not " + Printable.of(text)
-                        : e.getMessage());
+                String found = Printable.of(text);
+                throw new TypeConversionException(!noContent ? e.getMessage()
+                        : text.contains(";") ? "a performative, ; and a term were expected, such as 'tell;help', not "
+                                + found : "'" + found + "' has no performative: write 'tell;" + found + "'");
             }
+        }
+    }
+
+    /** Why the board went, if it did. */
+    private static final class Loss implements BoardListener {
+
+        private volatile String why;
+
+        @Override
+        public void offline(String reason) {
+            why = reason;
         }
     }
 
@@ -59,9 +72,13 @@ final class SendCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), content.performative()
                     + " goes to a device or a group, not to all: no agent accepts it from a broadcast");
         }
-        try (Board board = port.open()) {
+        Loss loss = new Loss();
+        try (Board board = port.open(loss)) {
             Outcome outcome = Await.result(board.transmit(to, content).end());
             spec.commandLine().getOut().println(outcome.toString().toLowerCase(Locale.ROOT));
+            if (outcome == Outcome.UNDELIVERED && loss.why != null) {
+                spec.commandLine().getErr().println("javino: " + loss.why + "; the message may have arrived");
+            }
             return outcome == Outcome.UNDELIVERED ? 1 : 0;
         }
     }

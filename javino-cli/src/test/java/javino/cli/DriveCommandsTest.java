@@ -113,10 +113,9 @@ class DriveCommandsTest extends CommandFixture {
         assertFails(2, "ACTION", "act", "--port", "fake");
     }
 
-    @ParameterizedTest
-    @ValueSource(ints = {0, 511})
-    void act_badLength_isWrongUsage(int length) {
-        assertFails(2, "1…510 bytes of UTF-8, not " + length, "act", "--port", "fake", "x".repeat(length));
+    @Test
+    void act_badLength_isWrongUsage() {
+        assertFails(2, "1…510 bytes of UTF-8, not 511", "act", "--port", "fake", "x".repeat(511));
         assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
@@ -149,7 +148,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @ParameterizedTest
     @CsvSource({"SUP,tell;help,characters", "++++,tell;help,a group such as //SU", "+FAA,tell;help,for all",
-            "SUPO,help,a performative, ; and a term were expected", "SUPO,tell;,and a term"})
+            "SUPO,help,write 'tell;help'", "SUPO,tell;,and a term"})
     void send_badArgument_isWrongUsage(String to, String content, String reason) {
         assertFails(2, reason, "send", "--port", "fake", to, content);
         assertEquals(List.of(), List.copyOf(fake.requests));
