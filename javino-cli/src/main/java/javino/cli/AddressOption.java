@@ -2,6 +2,8 @@ package javino.cli;
 
 import java.util.EnumSet;
 import java.util.Set;
+import javino.Printable;
+import javino.keyring.Keyring;
 import javino.protocol.Address;
 import javino.protocol.Address.Kind;
 import picocli.CommandLine.ITypeConverter;
@@ -55,6 +57,22 @@ public abstract class AddressOption implements ITypeConverter<Address> {
         Destination() {
             super(EnumSet.of(Kind.DEVICE, Kind.MULTICAST, Kind.BROADCAST),
                     "a device such as SUPO, a group such as //SU, or //// for all");
+        }
+    }
+
+    /** Two devices. */
+    static final class Pair implements ITypeConverter<Keyring.Members> {
+        @Override
+        public Keyring.Members convert(String text) {
+            String[] ends = text.split(",", -1);
+            if (ends.length != 2) {
+                throw new TypeConversionException("a pair is written as ROMA,SUPO, not " + Printable.of(text));
+            }
+            try {
+                return Keyring.Members.pair(Address.parse(ends[0]), Address.parse(ends[1]));
+            } catch (IllegalArgumentException e) {
+                throw new TypeConversionException(e.getMessage());
+            }
         }
     }
 

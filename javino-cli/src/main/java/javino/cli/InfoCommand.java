@@ -1,5 +1,6 @@
 package javino.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Map;
@@ -44,7 +45,7 @@ final class InfoCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws JavinoException {
+    public Integer call() throws JavinoException, IOException {
         if (seconds != null && (seconds < 1 || seconds > MOST_SECONDS)) {
             throw new ParameterException(spec.commandLine(),
                     "--after takes 1 to " + MOST_SECONDS + " seconds, not " + seconds);
@@ -53,7 +54,7 @@ final class InfoCommand implements Callable<Integer> {
         return 0;
     }
 
-    private void show() throws JavinoException, InterruptedException {
+    private void show() throws JavinoException, IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
             BoardInfo info = Await.result(board.greeted());

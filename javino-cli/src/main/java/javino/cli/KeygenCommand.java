@@ -5,12 +5,12 @@ import javino.keyring.Keyring;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Key;
@@ -32,8 +32,9 @@ final class KeygenCommand implements Callable<Integer> {
     @ArgGroup(multiplicity = "1")
     private Which which;
 
-    @Option(names = "--pair", paramLabel = "A,B", description = "Two devices that share a key, such as ROMA,SUPO.")
-    private List<String> pairs = List.of();
+    @Option(names = "--pair", paramLabel = "A,B", converter = AddressOption.Pair.class,
+            description = "Two devices that share a key, such as ROMA,SUPO.")
+    private List<Keyring.Members> pairs = List.of();
 
     @Option(names = "--group", paramLabel = "GG", converter = AddressOption.Group.class,
             description = "A group that shares a key, such as SU.")
@@ -107,6 +108,9 @@ final class KeygenCommand implements Callable<Integer> {
         if (pairs.isEmpty() && groups.isEmpty() && ids.isEmpty()) {
             chosen.addAll(keyring.keys().keySet());
         }
+        if (chosen.isEmpty()) {
+            throw new JavinoException(which.renew + " has no key");
+        }
         Set<Keyring.Members> unfinished = new LinkedHashSet<>(chosen);
         unfinished.removeIf(members -> keyring.keys().get(members).next() == null);
         if (!unfinished.isEmpty()) {
@@ -123,20 +127,7 @@ final class KeygenCommand implements Callable<Integer> {
     }
 
     private List<Keyring.Members> named() {
-        try {
-            List<Keyring.Members> named = new ArrayList<>();
-            for (String pair : pairs) {
-                String[] ends = pair.split(",", -1);
-                if (ends.length != 2) {
-                    throw new IllegalArgumentException("a pair is written as ROMA,SUPO, not " + pair);
-                }
-                named.add(Keyring.Members.pair(Address.parse(ends[0]), Address.parse(ends[1])));
-            }
-            groups.forEach(group -> named.add(Keyring.Members.group(group)));
-            return named;
-        } catch (IllegalArgumentException e) {
-            throw wrongUsage(e.getMessage());
-        }
+        return Stream.concat(pairs.stream(), groups.stream().map(Keyring.Members::group)).toList();
     }
 
     private ParameterException wrongUsage(String what) {

@@ -5,24 +5,18 @@ import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import javino.JavinoException;
-import javino.Printable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.MissingParameterException;
-import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
-import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The {@code javino} command. */
 @Command(name = "javino", description = "Sets up, inspects and controls Javino boards.",
@@ -68,10 +62,7 @@ public final class Main implements Callable<Integer> {
     static CommandLine commandLine(CommandLine.IFactory factory) {
         CommandLine commandLine = new CommandLine(new Main(), factory);
         ServiceLoader.load(CommandPlugin.class).forEach(commandLine::addSubcommand);
-        commandLine.setParameterExceptionHandler((e, args) -> {
-            e.getCommandLine().getErr().println("javino: " + describe(e) + " (try --help)");
-            return CommandLine.ExitCode.USAGE;
-        });
+        WrongUsage.configure(commandLine);
         commandLine.setExecutionExceptionHandler((thrown, command, parsed) -> {
             Exception e = thrown instanceof UncheckedIOException unchecked ? unchecked.getCause() : thrown;
             if (!(e instanceof JavinoException || e instanceof IOException || e instanceof IllegalArgumentException)) {
@@ -83,37 +74,11 @@ public final class Main implements Callable<Integer> {
         return commandLine;
     }
 
-    /** Which word is too much, and one that is near to it. */
-    private static String describe(ParameterException e) {
-        if (e instanceof MissingParameterException missing) {
-            boolean oneOf = missing.getMissing().stream().anyMatch(each -> each.group() != null);
-            return missing.getMissing().stream().map(Main::describe)
-                    .collect(Collectors.joining(oneOf ? " or " : ", ", "missing: ", ""));
-        }
-        if (!(e instanceof UnmatchedArgumentException unmatched)) {
-            // What is wrong with a value a converter of ours says.
-            boolean ours = e.getCause() instanceof TypeConversionException && e.getArgSpec() != null;
-            return ours ? name(e.getArgSpec()) + ": " + e.getCause().getMessage() : e.getMessage();
-        }
-        String kind = unmatched.isUnknownOption() ? "there is no option "
-                : e.getCommandLine().getSubcommands().isEmpty() ? "there is no place for " : "there is no command ";
-        String near =
-                unmatched.getSuggestions().stream().findFirst().map(name -> "; did you mean " + name + "?").orElse("");
-        return kind + Printable.of(unmatched.getUnmatched().get(0)) + near;
-    }
-
-    private static String describe(ArgSpec missing) {
-        return missing.isOption() ? name(missing) + " " + missing.paramLabel() : name(missing);
-    }
-
-    private static String name(ArgSpec argument) {
-        return argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
-    }
-
     /** Exceptions about files often say no more than the file's name. */
     private static String describe(Exception e) {
-        if (e instanceof NoSuchFileException) {
-            return e.getMessage() + ": there is no such file";
+        if (e instanceof NoSuchFileException missing) {
+            Path folder = Path.of(missing.getFile()).toAbsolutePath().getParent();
+            return e.getMessage() + ": there is no " + (Files.isDirectory(folder) ? "such file" : "folder " + folder);
         }
         if (e instanceof FileAlreadyExistsException) {
             return e.getMessage() + ": it is there already; move it away first";
@@ -121,9 +86,7 @@ public final class Main implements Callable<Integer> {
         if (e instanceof AccessDeniedException) {
             return e.getMessage() + ": you may not read and write it";
         }
-        if (e instanceof FileSystemException) {
-            return e.getMessage();
-        }
-        return e instanceof IOException ? e.getClass().getSimpleName() + ": " + e.getMessage() : e.getMessage();
+        return e instanceof IOException && !(e instanceof FileSystemException)
+                ? "a file cannot be read or written: " + e.getMessage() : e.getMessage();
     }
 }

@@ -1,5 +1,6 @@
 package javino.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
@@ -28,12 +29,12 @@ final class MonitorCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws JavinoException {
+    public Integer call() throws JavinoException, IOException {
         UntilInterrupted.run(this::watch);
         return 0;
     }
 
-    private void watch() throws JavinoException, InterruptedException {
+    private void watch() throws JavinoException, IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         Monitor monitor = new Monitor(out, spec.commandLine().getColorScheme().ansi());
         try (Board board = port.open(monitor)) {

@@ -1,5 +1,6 @@
 package javino.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -35,7 +36,7 @@ final class PerceptsCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws JavinoException, InterruptedException {
+    public Integer call() throws JavinoException, IOException, InterruptedException {
         if (follow) {
             UntilInterrupted.run(this::follow);
         } else {

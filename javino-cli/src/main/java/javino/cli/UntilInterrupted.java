@@ -1,5 +1,6 @@
 package javino.cli;
 
+import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
@@ -17,14 +18,14 @@ public final class UntilInterrupted {
     /** Ends by an interrupt, if by nothing else. */
     public interface Work {
         /** @throws InterruptedException when it is to end. */
-        void run() throws JavinoException, InterruptedException;
+        void run() throws JavinoException, IOException, InterruptedException;
     }
 
     /**
      * Does the work until the thread is interrupted, or Ctrl-C or a kill ends the program; that then waits until the
      * work has closed what it opened.
      */
-    public static void run(Work work) throws JavinoException {
+    public static void run(Work work) throws JavinoException, IOException {
         Thread worker = Thread.currentThread();
         CountDownLatch ended = new CountDownLatch(1);
         // It stays until the program ends, and by then may find nothing left to interrupt.
@@ -43,7 +44,7 @@ public final class UntilInterrupted {
      * Does the work with the board's radio open, if it has one, and blocks it then, so that no message waits for a
      * program that has ended.
      */
-    static void listen(Board board, Work work) throws JavinoException, InterruptedException {
+    static void listen(Board board, Work work) throws JavinoException, IOException, InterruptedException {
         if (board.info().filter(info -> !info.hasRadio() && !info.isLegacy()).isPresent()) {
             work.run();
             return;

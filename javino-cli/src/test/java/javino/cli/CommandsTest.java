@@ -179,7 +179,7 @@ class CommandsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            "send --port fake SUPO hello     | CONTENT: a performative, ; and a term were expected",
+            "send --port fake SUPO hello     | CONTENT: 'hello' has no performative: write 'tell;hello'",
             "send --port fake SUP tell;help  | TO: an address has 4 characters of A-Z a-z 0-9 + /, but \"SUP\" has 3",
             "send --port fake                | missing: TO",
             "provision                       | missing: --port PORT, --id ADDRESS",

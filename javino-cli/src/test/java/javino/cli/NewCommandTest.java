@@ -160,7 +160,7 @@ class NewCommandTest extends CommandFixture {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"7robot", "my robot", "-", "r'b", "räuber", ".", "..", "/", ""})
+    @ValueSource(strings = {"7robot", "my robot", "-", "r'b", "räuber", ".", "..", "/"})
     void new_badName_isWrongUsage(String name) throws IOException {
         assertFails(2, "a letter first, not", "new", "--", name);
         assertEquals(List.of(), files(folder));

@@ -26,6 +26,6 @@ class RelayCommandTest extends CommandFixture {
 
     @Test
     void word_thatIsNeither_isRefused() {
-        assertFails(2, "expected one of", "relay", "--port", "fake", "maybe");
+        assertFails(2, "on|off: on or off was expected, not maybe", "relay", "--port", "fake", "maybe");
     }
 }

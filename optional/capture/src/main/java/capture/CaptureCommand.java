@@ -94,7 +94,7 @@ public final class CaptureCommand implements CommandPlugin {
                 "javino " + CaptureCommand.class.getPackage().getImplementationVersion()), ids);
     }
 
-    private void listen(LinkOpener link) throws JavinoException, InterruptedException {
+    private void listen(LinkOpener link) throws JavinoException, IOException, InterruptedException {
         String name = link.name().substring(link.name().lastIndexOf('/') + 1);
         OverheardPackets ear = new OverheardPackets(name, this::note, CaptureCommand::now);
         try (Board board = Board.open(link, BoardConfig.create(), ear)) {
@@ -110,8 +110,6 @@ public final class CaptureCommand implements CommandPlugin {
                     Overhearing.end(board);
                 }
             }
-        } catch (IOException e) {
-            throw new JavinoException(e.getClass().getSimpleName() + ": " + e.getMessage(), e);
         }
     }
 

@@ -92,7 +92,11 @@ public final class GatewayCommand implements CommandPlugin {
             return Optional.ofNullable(System.getenv(PASSWORD));
         }
         try {
-            return TextFile.read(passwordFile).lines().findFirst();
+            Optional<String> line = TextFile.read(passwordFile).lines().findFirst();
+            if (line.filter(text -> text.matches("\\P{Cntrl}+")).isEmpty()) {
+                throw new JavinoException(passwordFile + " has no password in its first line");
+            }
+            return line;
         } catch (IllegalArgumentException e) {
             throw new JavinoException(e.getMessage(), e);
         }

@@ -3,6 +3,7 @@ package keyagreement;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.time.LocalDate;
@@ -75,7 +76,7 @@ public final class CaCommand implements CommandPlugin {
         }
         Request asked = Request.decode(Entries.read(request).get(Request.NAME)
                 .orElseThrow(() -> new JavinoException(request + " has no request; javino enroll writes one")));
-        mustNotExist(out);
+        mustBeNew(out);
         List<Entries> answer = new ArrayList<>();
         PrivateFile.change(file, text -> {
             Authority authority = Authority.parse(text, file);
@@ -92,9 +93,13 @@ public final class CaCommand implements CommandPlugin {
         return 0;
     }
 
-    private static void mustNotExist(Path out) throws IOException {
+    /** Found out before the authority's file notes what goes there. */
+    private static void mustBeNew(Path out) throws IOException {
         if (Files.exists(out)) {
             throw new FileAlreadyExistsException(out.toString());
+        }
+        if (!Files.isDirectory(out.toAbsolutePath().getParent())) {
+            throw new NoSuchFileException(out.toString());
         }
     }
 
@@ -112,7 +117,7 @@ public final class CaCommand implements CommandPlugin {
             throw wrongUsage("--least-until takes a day up to " + Days.LAST);
         }
         LocalDate today = LocalDate.now();
-        mustNotExist(out);
+        mustBeNew(out);
         String text = PrivateFile.change(file, before -> {
             Authority authority = Authority.parse(before, file);
             List<Integer> serials = new ArrayList<>();

@@ -9,6 +9,7 @@ import java.security.SecureRandom;
 import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
 import javino.JavinoException;
+import javino.Printable;
 import javino.cli.AddressOption;
 import javino.cli.CommandPlugin;
 import javino.keyring.PrivateFile;
@@ -16,9 +17,11 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
@@ -43,13 +46,24 @@ public final class EnrollCommand implements CommandPlugin {
     @ArgGroup
     private What what = new What();
 
-    @Option(names = "--authority", paramLabel = "FINGERPRINT",
+    @Option(names = "--authority", paramLabel = "FINGERPRINT", converter = Fingerprint.class,
             description = "With --certificate: trust this authority beside those that the device trusts already; as "
                     + "javino ca init or list says it.")
     private String authority;
 
     @Spec
     private CommandSpec spec;
+
+    private static final class Fingerprint implements ITypeConverter<String> {
+        @Override
+        public String convert(String text) {
+            if (!text.matches("[0-9a-f]{16}")) {
+                throw new TypeConversionException(
+                        "a fingerprint is 16 of 0-9 a-f, as javino ca list says it, not " + Printable.of(text));
+            }
+            return text;
+        }
+    }
 
     /** What to do; nothing stands for {@code --request}. */
     private static final class What {
@@ -178,11 +192,11 @@ public final class EnrollCommand implements CommandPlugin {
     }
 
     private void take() throws IOException, JavinoException, InterruptedException {
-        Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
-                HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
         Bytes revocationList = Entries.read(what.revocationList).get(Identity.REVOCATION_LIST).orElseThrow(
                 () -> new JavinoException(
                         what.revocationList + " has no revocation list; javino ca revoke writes one"));
+        Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
+                HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
         boolean isNew = identity.take(revocationList);
         print(RevocationList.decode(revocationList)
                 + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));

@@ -1,7 +1,7 @@
 package live;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -48,9 +48,11 @@ public final class WatchCommand implements CommandPlugin {
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws JavinoException {
+    public Integer call() throws JavinoException, IOException {
         check(port == null == (trace != null), "watch takes either --port PORT, for a board, or --trace FILE");
         check(control == null || isRun(), "--control needs --trace -: only a run that goes on takes commands");
+        check(control == null || !Files.isDirectory(control) && !Files.isRegularFile(control),
+                "--control takes the emulator's control socket, not " + control);
         check(httpPort >= 0 && httpPort <= LAST_PORT, "--http-port takes 0 to " + LAST_PORT + ", not " + httpPort);
         UntilInterrupted.run(this::watch);
         return 0;
@@ -66,7 +68,7 @@ public final class WatchCommand implements CommandPlugin {
         return trace != null && trace.toString().equals("-");
     }
 
-    private void watch() throws JavinoException, InterruptedException {
+    private void watch() throws JavinoException, IOException, InterruptedException {
         Hub hub = new Hub();
         try (Source source = source(hub); Server server = Server.start(hub, source, httpPort)) {
             spec.commandLine().getOut().println("watch: " + server.address());
@@ -77,7 +79,7 @@ public final class WatchCommand implements CommandPlugin {
         }
     }
 
-    private Source source(Hub hub) throws JavinoException, InterruptedException {
+    private Source source(Hub hub) throws JavinoException, IOException, InterruptedException {
         if (port != null) {
             return BoardSource.open(SerialLink.opener(port), BoardConfig.create(), hub);
         }
@@ -85,10 +87,6 @@ public final class WatchCommand implements CommandPlugin {
             return RunSource.follow(System.in, hub, Optional.ofNullable(control).map(ControlSocket::new),
                     spec.commandLine().getErr());
         }
-        try {
-            return TraceSource.read(trace, hub);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return TraceSource.read(trace, hub);
     }
 }

@@ -227,6 +227,7 @@ class CertificateCommandsTest {
         assertTrue(fails(1, issue).contains("no text in UTF-8"));
         Files.writeString(folder.resolve("no"), "request 00\n");
         assertTrue(fails(1, issue).contains("no request of a device"));
+        Files.writeString(folder.resolve("no"), "revocation-list 00\n");
         assertTrue(fails(1, "enroll", "--id", "SUPO", "--folder", file("home"), "--revocation-list", file("no"))
                 .contains("SUPO has no certificate"));
     }
