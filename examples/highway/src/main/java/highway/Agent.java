@@ -28,11 +28,11 @@ public final class Agent implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    private Agent() {}
+    Agent() {}
 
     /** Runs the agent until it or the user ends it. */
     public static void main(String[] arguments) {
-        System.exit(Highway.execute(new Agent(), arguments));
+        System.exit(Highway.commandLine(new Agent()).execute(arguments));
     }
 
     @Override

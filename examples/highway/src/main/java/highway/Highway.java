@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import javino.cli.WrongUsage;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -22,18 +23,17 @@ public final class Highway implements Callable<Integer> {
     private Options options;
     private volatile boolean over;
 
-    private Highway() {}
+    Highway() {}
 
     /** Runs the scenario. */
     public static void main(String[] arguments) {
-        System.exit(execute(new Highway(), arguments));
+        System.exit(commandLine(new Highway()).execute(arguments));
     }
 
     /**
-     * Runs a command whose options the user gives to Gradle: they are called as there in the one line that tells a
-     * mistake.
+     * A command whose options the user gives to Gradle: they are called as there in the one line that tells a mistake.
      */
-    static int execute(Object program, String... arguments) {
+    static CommandLine commandLine(Object program) {
         CommandLine command = new CommandLine(program);
         command.setParameterExceptionHandler((wrong, given) -> {
             String text = wrong instanceof UnmatchedArgumentException unmatched ? "there is no option "
@@ -41,11 +41,11 @@ public final class Highway implements Callable<Integer> {
                     + command.getCommandSpec().options()
                             .stream().filter(option -> !option.hidden()).map(OptionSpec::longestName)
                             .collect(Collectors.joining(", "))
-                    : wrong.getMessage();
+                    : WrongUsage.describe(wrong);
             command.getErr().println(command.getCommandName() + ": " + text.replace("--", "-P"));
             return CommandLine.ExitCode.USAGE;
         });
-        return command.execute(arguments);
+        return command;
     }
 
     @Override

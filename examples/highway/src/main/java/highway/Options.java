@@ -7,10 +7,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 import keyagreement.BoardMeetings;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
@@ -33,27 +35,22 @@ final class Options {
     @Option(names = "--radioRange", description = "How far the radio reaches, in metres; default: the scenario file's.")
     private Double radioRange;
 
-    @Option(names = "--radio", description = "A serial module in place of the ASK pair: hc-12 or e32.")
-    private String radio;
-
     @Option(names = "--seed", defaultValue = "1", description = "Seed of the air's errors; default ${DEFAULT-VALUE}.")
     private long seed;
 
-    @Option(names = "--timeout", defaultValue = "45",
-            description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default "
-                    + "${DEFAULT-VALUE}.")
+    @Option(names = "--live", arity = "1", converter = Given.class,
+            description = "Show the run in the browser, until Ctrl-C.")
+    private boolean live;
+
+    @Option(names = "--headless", arity = "1", converter = Given.class, description = "With live: open no browser.")
+    private boolean headless;
+
+    @Option(names = "--certificates", arity = "1", converter = Given.class,
+            description = "Give the boards no keys: the devices have certificates, and agree on keys by radio.")
+    private boolean certificates;
+
+    private String radio;
     private int timeout;
-
-    @Option(names = "--live", description = "Show the run in the browser, until Ctrl-C.")
-    private String live;
-
-    @Option(names = "--headless", description = "With live: open no browser.")
-    private String headless;
-
-    @Option(names = "--certificates", description = "Give the boards no keys: the devices have certificates, and "
-            + "agree on keys by radio.")
-    private String certificates;
-
     private int cells;
 
     @Spec(Spec.Target.MIXEE)
@@ -71,6 +68,37 @@ final class Options {
     @Option(names = "--inspector", hidden = true, description = "With an agent that travels by radio.")
     private boolean inspector;
 
+    /** Gradle gives an option without a value an empty one. */
+    private static final class Given implements ITypeConverter<Boolean> {
+        @Override
+        public Boolean convert(String value) {
+            if (!value.isEmpty()) {
+                throw new TypeConversionException("takes no value, not " + value);
+            }
+            return true;
+        }
+    }
+
+    private void check(boolean right, String otherwise) {
+        if (!right) {
+            throw new ParameterException(command.commandLine(), otherwise);
+        }
+    }
+
+    @Option(names = "--radio", description = "A serial module in place of the ASK pair: hc-12 or e32.")
+    private void setRadio(String module) {
+        check(module == null || List.of("hc-12", "e32").contains(module), "--radio takes hc-12 or e32, not " + module);
+        radio = module;
+    }
+
+    @Option(names = "--timeout", defaultValue = "45",
+            description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default "
+                    + "${DEFAULT-VALUE}.")
+    private void setTimeout(int seconds) {
+        check(seconds > 0, "--timeout takes 1 second or more, not " + seconds);
+        timeout = seconds;
+    }
+
     /** Whether an inspector travels to the bus meanwhile. */
     boolean inspector() {
         return inspector;
@@ -80,9 +108,7 @@ final class Options {
             description = "With 2: support station and hospital are 5 km away, and two gateways join the cells; needs "
                     + "mosquitto.")
     private void setCells(int count) {
-        if (count != 1 && count != 2) {
-            throw new ParameterException(command.commandLine(), "--cells takes 1 or 2, not " + count);
-        }
+        check(count == 1 || count == 2, "--cells takes 1 or 2, not " + count);
         cells = count;
     }
 
@@ -93,7 +119,7 @@ final class Options {
 
     /** Whether the devices have certificates, and no keys. */
     boolean certificates() {
-        return certificates != null;
+        return certificates;
     }
 
     /** Seconds. */
@@ -107,7 +133,7 @@ final class Options {
 
     /** Whether the run is watched in the browser, and goes on until the user ends it. */
     boolean live() {
-        return live != null;
+        return live;
     }
 
     /** Colours, unless asked for none here or by the environment (no-color.org). */
@@ -152,7 +178,7 @@ final class Options {
     /** {@code javino watch}: the page, which takes the events from its standard input. */
     List<String> watchCommand() {
         List<String> command = javino("watch", "--trace", "-", "--control", CONTROL);
-        if (headless != null) {
+        if (headless) {
             command.add("--no-browser");
         }
         return command;

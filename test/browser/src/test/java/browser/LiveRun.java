@@ -60,7 +60,7 @@ final class LiveRun implements AutoCloseable {
         }
         List<String> arguments = new ArrayList<>(List.of("highway.Highway", "--plain", "--emulator",
                 ROOT.resolve("emulator/build/javino-emulator").toString(),
-                "--live=" + System.getProperty("java.class.path"), "--headless="));
+                "--live=", "--headless="));
         arguments.addAll(List.of(options));
         return new LiveRun(folder, arguments);
     }

@@ -42,7 +42,7 @@ public final class Main {
             System.err.println("model: " + file + ": there is no such file");
             return 2;
         } catch (IOException unreadable) {
-            System.err.println("model: " + file + " cannot be read: " + unreadable);
+            System.err.println("model: " + file + " cannot be read: " + unreadable.getMessage());
             return 2;
         }
         System.out.println(replay.verdict());
