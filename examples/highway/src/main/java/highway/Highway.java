@@ -91,6 +91,7 @@ public final class Highway implements Callable<Integer> {
             scenario.note(
                     "the boards run; start the agents (examples/highway/README.md, \"Agents that you start by hand\"); "
                             + "end with Ctrl-C");
+            scenario.showPage();
             scenario.stay();
         } else {
             scenario.joinCells();
@@ -101,6 +102,7 @@ public final class Highway implements Callable<Integer> {
             if (options.live()) {
                 timeline.table(scenario.behaviours());
                 scenario.note("the run goes on, on the page; end it with Ctrl-C");
+                scenario.showPage();
                 scenario.stay();
             }
         }

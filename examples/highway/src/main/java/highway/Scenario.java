@@ -75,6 +75,8 @@ final class Scenario implements AutoCloseable {
     private final List<ChildProcess> children = new ArrayList<>();
     private FileChannel lock;
     private EventLog log;
+    /** Where the page is: its address is the last line. */
+    private final List<String> page = new ArrayList<>();
     private boolean introduced;
     private String verdict = "";
     private String failure;
@@ -184,8 +186,25 @@ final class Scenario implements AutoCloseable {
     /** Starts the page's server; where that ends, the run goes on. */
     private void startPage() throws IOException {
         // Its address has a token, which belongs to the user only: it is shown, and not recorded.
-        log.show(launch(options.watchCommand(), timeline::note,
+        log.show(launch(options.watchCommand(), this::readPage,
                 status -> warn("the page has ended with status " + status + "; the run goes on")));
+    }
+
+    private void readPage(String line) {
+        if (!line.startsWith("http://") && !line.contains("ssh -L")) {
+            timeline.note(line);
+            return;
+        }
+        page.add(line);
+        if (agentsStarted) {
+            // The server was late.
+            timeline.plain(line);
+        }
+    }
+
+    /** Shows where the page is, if there is one: behind what would scroll it away. */
+    void showPage() {
+        page.forEach(timeline::plain);
     }
 
     private void readTrace(String line) {
@@ -286,6 +305,7 @@ final class Scenario implements AutoCloseable {
     void startAgents() throws IOException, InterruptedException, BrokenOffException {
         agentsStarted = true;
         note("five agents, each in a Java virtual machine of its own");
+        showPage();
         for (Device device : Device.values()) {
             if (device != Device.BUS) {
                 startAgent(device);

@@ -25,6 +25,11 @@ final class Timeline {
         this.coloured = coloured;
     }
 
+    /** A line as it is, such as an address. */
+    void plain(String text) {
+        out.println(text);
+    }
+
     /** A line about the run itself. */
     void note(String text) {
         out.println(paint(GREY, text));

@@ -72,6 +72,12 @@ final class Server implements AutoCloseable {
         return "http://" + ADDRESS + ":" + javalin.port() + "/?token=" + token;
     }
 
+    /** What brings the page to another computer. */
+    String tunnel() {
+        return "ssh -L " + javalin.port() + ":" + ADDRESS + ":" + javalin.port() + " " + System.getProperty("user.name")
+                + "@" + Browser.host();
+    }
+
     private void configure(JavalinConfig config) {
         config.startup.showJavalinBanner = false;
         config.startup.showOldJavalinVersionWarning = false;

@@ -71,7 +71,12 @@ public final class WatchCommand implements CommandPlugin {
     private void watch() throws JavinoException, IOException, InterruptedException {
         Hub hub = new Hub();
         try (Source source = source(hub); Server server = Server.start(hub, source, httpPort)) {
-            spec.commandLine().getOut().println("watch: " + server.address());
+            if (!Browser.hasScreen()) {
+                spec.commandLine().getOut().println("watch: on the computer with the browser, first "
+                        + server.tunnel() + "; then open there");
+            }
+            // Alone on its line, and last: to be found, and selected as a whole.
+            spec.commandLine().getOut().println(server.address());
             if (!noBrowser) {
                 Browser.open(server.address());
             }

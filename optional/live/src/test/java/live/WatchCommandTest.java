@@ -5,9 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.ServiceLoader;
+import java.util.concurrent.CompletableFuture;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javino.cli.CommandPlugin;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
@@ -18,6 +26,30 @@ class WatchCommandTest {
     void javino_findsTheCommand() {
         assertTrue(ServiceLoader.load(CommandPlugin.class).stream().map(ServiceLoader.Provider::type)
                 .anyMatch(WatchCommand.class::equals));
+    }
+
+    @Test
+    @Timeout(60)
+    void address_standsAloneOnTheLastLine(@TempDir Path folder) throws Exception {
+        Path trace = Files.createFile(folder.resolve("trace"));
+        StringWriter out = new StringWriter();
+        CommandLine command = new CommandLine(new WatchCommand()).setOut(new PrintWriter(out, true));
+        CompletableFuture<Integer> status = new CompletableFuture<>();
+        Thread thread = new Thread(() -> status.complete(
+                command.execute("--trace", trace.toString(), "--no-browser")));
+        thread.start();
+        while (!out.toString().contains("token=")) {
+            Thread.sleep(2);
+        }
+        thread.interrupt();
+
+        assertEquals(0, status.get());
+        List<String> lines = out.toString().lines().toList();
+        Matcher address = Pattern.compile("http://127\\.0\\.0\\.1:(\\d+)/\\?token=\\p{XDigit}{32}")
+                .matcher(lines.get(lines.size() - 1));
+        assertTrue(address.matches(), out.toString());
+        assertEquals(!Browser.hasScreen(), out.toString()
+                .contains("ssh -L " + address.group(1) + ":127.0.0.1:" + address.group(1) + " "), out.toString());
     }
 
     @ParameterizedTest

@@ -18,7 +18,6 @@ final class LiveRun implements AutoCloseable {
 
     static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final Path HIGHWAY = ROOT.resolve("examples/highway");
-    private static final String WATCH = "watch: ";
     private static final long PATIENCE_SECONDS = 120;
 
     private final Path folder;
@@ -36,7 +35,9 @@ final class LiveRun implements AutoCloseable {
                 "-Djava.awt.headless=true", "--enable-native-access=ALL-UNNAMED", "-cp",
                 System.getProperty("java.class.path")));
         command.addAll(arguments);
-        process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
+        builder.environment().keySet().removeAll(List.of("DISPLAY", "WAYLAND_DISPLAY"));
+        process = builder.start();
         reader = new Thread(this::read, "output of " + arguments.get(0));
         reader.setDaemon(true);
         reader.start();
@@ -109,9 +110,8 @@ final class LiveRun implements AutoCloseable {
                 synchronized (lines) {
                     lines.add(line);
                 }
-                int at = line.indexOf(WATCH + "http");
-                if (at >= 0) {
-                    address.complete(line.substring(at + WATCH.length()).strip());
+                if (line.startsWith("http://")) {
+                    address.complete(line);
                 }
             }
             address.completeExceptionally(new AssertionError("it has ended:\n" + said()));
