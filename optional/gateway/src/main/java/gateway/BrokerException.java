@@ -71,7 +71,7 @@ final class BrokerException extends JavinoException {
         return failure instanceof ConnectionClosedException
                 ? "the connection was closed; is it a broker for MQTT 5, and is it mqtts://? Or it has ended, or "
                         + "another client has come by this gateway's id"
-                : failure.getClass().getSimpleName() + ": " + failure.getMessage();
+                : "the connection failed: " + failure.getMessage();
     }
 
     private static boolean has(Throwable failure, Class<? extends Throwable> kind) {
