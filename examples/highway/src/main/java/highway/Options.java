@@ -35,22 +35,29 @@ final class Options {
     @Option(names = "--radioRange", description = "How far the radio reaches, in metres; default: the scenario file's.")
     private Double radioRange;
 
+    @Option(names = "--radio", converter = SerialModule.class,
+            description = "A serial module in place of the ASK pair: hc-12 or e32.")
+    private String radio;
+
     @Option(names = "--seed", defaultValue = "1", description = "Seed of the air's errors; default ${DEFAULT-VALUE}.")
     private long seed;
 
-    @Option(names = "--live", arity = "1", converter = Given.class,
-            description = "Show the run in the browser, until Ctrl-C.")
-    private boolean live;
-
-    @Option(names = "--headless", arity = "1", converter = Given.class, description = "With live: open no browser.")
-    private boolean headless;
-
-    @Option(names = "--certificates", arity = "1", converter = Given.class,
-            description = "Give the boards no keys: the devices have certificates, and agree on keys by radio.")
-    private boolean certificates;
-
-    private String radio;
+    @Option(names = "--timeout", defaultValue = "45", converter = Seconds.class,
+            description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default "
+                    + "${DEFAULT-VALUE}.")
     private int timeout;
+
+    @Option(names = "--live", converter = Given.class,
+            description = "Show the run in the browser, until Ctrl-C.")
+    private String live;
+
+    @Option(names = "--headless", converter = Given.class, description = "With live: open no browser.")
+    private String headless;
+
+    @Option(names = "--certificates", converter = Given.class,
+            description = "Give the boards no keys: the devices have certificates, and agree on keys by radio.")
+    private String certificates;
+
     private int cells;
 
     @Spec(Spec.Target.MIXEE)
@@ -69,34 +76,34 @@ final class Options {
     private boolean inspector;
 
     /** Gradle gives an option without a value an empty one. */
-    private static final class Given implements ITypeConverter<Boolean> {
+    private static final class Given implements ITypeConverter<String> {
         @Override
-        public Boolean convert(String value) {
+        public String convert(String value) {
             if (!value.isEmpty()) {
                 throw new TypeConversionException("takes no value, not " + value);
             }
-            return true;
+            return value;
         }
     }
 
-    private void check(boolean right, String otherwise) {
-        if (!right) {
-            throw new ParameterException(command.commandLine(), otherwise);
+    private static final class SerialModule implements ITypeConverter<String> {
+        @Override
+        public String convert(String name) {
+            if (!List.of("hc-12", "e32").contains(name)) {
+                throw new TypeConversionException("hc-12 or e32 was expected, not " + name);
+            }
+            return name;
         }
     }
 
-    @Option(names = "--radio", description = "A serial module in place of the ASK pair: hc-12 or e32.")
-    private void setRadio(String module) {
-        check(module == null || List.of("hc-12", "e32").contains(module), "--radio takes hc-12 or e32, not " + module);
-        radio = module;
-    }
-
-    @Option(names = "--timeout", defaultValue = "45",
-            description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default "
-                    + "${DEFAULT-VALUE}.")
-    private void setTimeout(int seconds) {
-        check(seconds > 0, "--timeout takes 1 second or more, not " + seconds);
-        timeout = seconds;
+    private static final class Seconds implements ITypeConverter<Integer> {
+        @Override
+        public Integer convert(String text) {
+            if (!text.matches("[1-9]\\d{0,5}")) {
+                throw new TypeConversionException("1 second or more was expected, not " + text);
+            }
+            return Integer.valueOf(text);
+        }
     }
 
     /** Whether an inspector travels to the bus meanwhile. */
@@ -108,7 +115,9 @@ final class Options {
             description = "With 2: support station and hospital are 5 km away, and two gateways join the cells; needs "
                     + "mosquitto.")
     private void setCells(int count) {
-        check(count == 1 || count == 2, "--cells takes 1 or 2, not " + count);
+        if (count != 1 && count != 2) {
+            throw new ParameterException(command.commandLine(), "--cells takes 1 or 2, not " + count);
+        }
         cells = count;
     }
 
@@ -119,7 +128,7 @@ final class Options {
 
     /** Whether the devices have certificates, and no keys. */
     boolean certificates() {
-        return certificates;
+        return certificates != null;
     }
 
     /** Seconds. */
@@ -133,7 +142,7 @@ final class Options {
 
     /** Whether the run is watched in the browser, and goes on until the user ends it. */
     boolean live() {
-        return live;
+        return live != null;
     }
 
     /** Colours, unless asked for none here or by the environment (no-color.org). */
@@ -178,7 +187,7 @@ final class Options {
     /** {@code javino watch}: the page, which takes the events from its standard input. */
     List<String> watchCommand() {
         List<String> command = javino("watch", "--trace", "-", "--control", CONTROL);
-        if (headless) {
+        if (headless != null) {
             command.add("--no-browser");
         }
         return command;

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
@@ -32,8 +33,15 @@ class WrongOptionTest {
 
     /** A switch has no value; any whole number is a seed, and the emulator knows its own numbers' ranges. */
     private static boolean isRight(OptionSpec option, String value) {
-        return value.isEmpty() && option.typeInfo().isBoolean()
+        return value.isEmpty() && option.longestName().matches("--(live|headless|certificates)")
                 || value.equals("-1") && option.longestName().matches("--(seed|radio.+)");
+    }
+
+    @Test
+    void options_right_areTaken() {
+        Highway.commandLine(new Highway()).parseArgs("--emulator=none", "--live=", "--headless=", "--certificates=",
+                "--cells=2", "--radio=e32", "--timeout=1", "--seed=-1", "--radioRange=50", "--radioBitErrorRate=0.1");
+        Highway.commandLine(new Highway()).parseArgs("--emulator=none");
     }
 
     @ParameterizedTest
