@@ -16,6 +16,7 @@ final class Timeline {
     private static final int GREY = 90;
     private static final int GREEN = 32;
     private static final int RED = 31;
+    private static final String ERASE_REST = "\033[K";
 
     private final PrintStream out;
     private final boolean coloured;
@@ -32,16 +33,16 @@ final class Timeline {
 
     /** A line about the run itself. */
     void note(String text) {
-        out.println(paint(GREY, text));
+        println(paint(GREY, text));
     }
 
     /** A line about what went wrong. */
     void warn(String text) {
-        out.println(paint(RED, text));
+        println(paint(RED, text));
     }
 
     void show(Observation seen) {
-        out.println(String.format(Locale.ROOT, "%8.3f s  ", seen.seconds()) + line(seen));
+        println(String.format(Locale.ROOT, "%8.3f s  ", seen.seconds()) + line(seen));
     }
 
     private String line(Observation seen) {
@@ -80,23 +81,28 @@ final class Timeline {
 
     /** The table of the behaviours with a mark each, what is missing, and the last line. */
     void table(List<Behaviour> behaviours) {
-        out.println();
+        println("");
         for (int row = 0; row < behaviours.size(); row++) {
             Behaviour behaviour = behaviours.get(row);
             String mark = behaviour.observed() ? paint(GREEN, "✓") : paint(RED, "✗");
-            out.println(String.format(" %d  %s%s %s", row + 1, who(behaviour.device), mark, behaviour.text));
+            println(String.format(" %d  %s%s %s", row + 1, who(behaviour.device), mark, behaviour.text));
             for (String missing : behaviour.missing()) {
-                out.println(paint(RED, "                 " + missing));
+                println(paint(RED, "                 " + missing));
             }
         }
         long observed = behaviours.stream().filter(Behaviour::observed).count();
-        out.println();
-        out.println("highway: " + observed + " of " + behaviours.size() + " behaviours observed");
+        println("");
+        println("highway: " + observed + " of " + behaviours.size() + " behaviours observed");
     }
 
     /** What the model says of the run. */
     void verdict(String text, boolean good) {
-        out.println(good ? text : paint(RED, text));
+        println(good ? text : paint(RED, text));
+    }
+
+    /** Gradle counts colours as columns, and so would leave the end of its progress line behind a line with colours. */
+    private void println(String line) {
+        out.println(coloured ? line + ERASE_REST : line);
     }
 
     private String paint(int colour, String text) {
