@@ -18,7 +18,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -54,7 +53,8 @@ class WrongInputTest {
             "enroll --folder FOLDER", "enroll --request ZEROS", "capture --write ZEROS", "capture --trace EMPTY_FILE",
             "watch --trace EMPTY_FILE", "gateway --password-file WORD_IN_A_FILE");
     static final Pattern NOT_OURS = Pattern.compile("Exception|\\bat [a-z]+\\.|Invalid value|[Uu]nmatched"
-            + "|could not convert|should be|Expected|Unknown|Missing required|mutually|system error|one of \\[|case-sensitive|is not an? [a-z]+\\b|Error:|null|java\\.");
+            + "|could not convert|should be|Expected|Unknown|Missing required|mutually|system error|one of \\["
+            + "|case-sensitive|is not an? [a-z]+\\b|Error:|null|java\\.");
 
     private static CommandLines lines;
     @TempDir
