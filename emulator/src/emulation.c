@@ -390,6 +390,10 @@ void emulation_exchange(emulation *e) {
   if (e->kept) record_exchange_end(e->kept);
 }
 
+void emulation_hold(emulation *e, bool held) {
+  for (size_t i = 0; i < e->node_count; i++) pty_hold(&e->nodes[i].port, held);
+}
+
 size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors) {
   size_t count = 0;
   for (size_t i = 0; i < e->node_count; i++) {

@@ -89,6 +89,9 @@ int emulation_fault(emulation *e, const fault_config *fault);
 // millisecond or so.
 void emulation_exchange(emulation *e);
 
+// Has the hosts wait while time stands still.
+void emulation_hold(emulation *e, bool held);
+
 // Fills in what to wait on for input from hosts; `descriptors` has room for one a board.
 // Returns how many there are.
 size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors);

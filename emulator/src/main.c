@@ -64,7 +64,10 @@ static int perform(void *context, const char *line, size_t length, char *error, 
   if (result == 0) record_command(&s->kept, c.given);
   if (result == 0) result = emulation_command(&s->e, &c, error, error_size);
   command_release(&c);
-  if (s->e.speed_asked >= 0) pacing_change(&s->clock, s->e.speed_asked, s->e.now);
+  if (s->e.speed_asked >= 0) {
+    pacing_change(&s->clock, s->e.speed_asked, s->e.now);
+    emulation_hold(&s->e, s->clock.paused);
+  }
   s->e.speed_asked = -1;
   return result;
 }

@@ -91,6 +91,23 @@ static void remove_link_and_master(const pty *p) {
   close(p->master);
 }
 
+// The kernel takes the STOP out of what the host reads, and forgets it when IXON ends.
+static void control_flow(const pty *p) {
+  static const char STOP = 0x13;
+  struct termios settings;
+  if (tcgetattr(p->master, &settings) != 0) return;  // unplugged
+  settings.c_iflag = p->held ? settings.c_iflag | IXON : settings.c_iflag & ~(tcflag_t)IXON;
+  settings.c_cc[VSTOP] = STOP;
+  if (tcsetattr(p->master, TCSANOW, &settings) != 0 || !p->held) return;
+  if (write(p->master, &STOP, 1) != 1) return;  // a host that reads nothing waits for nothing
+}
+
+void pty_hold(pty *p, bool held) {
+  if (p->held == held) return;
+  p->held = held;
+  if (!p->played && (p->open || !held)) control_flow(p);
+}
+
 static void forget_host(pty *p) {
   p->open = false;
   p->dropped += p->out_length;
@@ -113,7 +130,7 @@ static void given(pty *p, size_t count) {
 
 static void write_out(pty *p, cycles_t now) {
   size_t ready = p->out_length - bridge_held(&p->usb, now);
-  if (ready == 0) return;
+  if (ready == 0 || p->held) return;
   ssize_t written = write(p->master, p->out, ready);
   if (written <= 0) return;  // the host does not read now; what does not fit the buffer is counted by pty_put
   given(p, (size_t)written);
@@ -180,6 +197,7 @@ pty_change pty_exchange(pty *p, cycles_t now) {
   }
   p->open = open;
   if (open && !was_open) bridge_start(&p->usb, now);
+  if (open && !was_open && p->held) control_flow(p);
   if (open && (state.revents & POLLIN)) read_in(p);
   if (open) write_out(p, now);
   return open && !was_open ? PTY_OPENED : PTY_SAME;

@@ -19,6 +19,7 @@ typedef struct {
   char slave[64];          // what it points to
   int master;              // -1: unplugged
   bool open;               // a host has the slave open
+  bool held;               // time stands still, and the host's writes wait
   uint8_t in[PTY_BUFFER];  // from the host, not yet taken
   size_t in_start, in_end;
   uint8_t out[PTY_BUFFER];  // for the host, not yet written
@@ -41,6 +42,10 @@ void pty_unplug(pty *p);
 // Moves bytes both ways without waiting, and tells whether a host has opened or closed the pty.
 // A close and an open between two calls are not seen.
 pty_change pty_exchange(pty *p, cycles_t now);
+
+// While time stands still the line does too: by flow control (XOFF) the host's writes wait, as for a device that is not
+// ready, instead of its patience with replies that cannot come.
+void pty_hold(pty *p, bool held);
 
 // Says what the next exchange of a played port brings: `length` bytes come, `gave` go. Returns 0, or -1 where a host could
 // not have done so.

@@ -219,7 +219,8 @@ static void interfere(const Scratch &scratch) {
     ASSERT_GE(host, 0);
     for (const std::string &line : lines) {
       EXPECT_EQ(told(control, line), "{\"ok\":true}\n");
-      EXPECT_EQ(write(host, line.data(), line.size()), ssize_t(line.size()));
+      ssize_t written = write(host, line.data(), line.size());
+      EXPECT_TRUE(written == ssize_t(line.size()) || errno == EAGAIN) << "a host waits while time stands still";
       usleep(3000);
       char bytes[64];
       ssize_t length = round == 1 ? 0 : read(host, bytes, sizeof bytes);  // in round 1 nobody reads

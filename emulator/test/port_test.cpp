@@ -25,6 +25,12 @@ struct Host {
     struct pollfd state = {fd, POLLIN, 0};
     return poll(&state, 1, 0) == 1 && (state.revents & POLLHUP);
   }
+  // Whether what it writes waits: the kernel has it do so a little later.
+  bool waits() const {
+    struct pollfd state = {fd, POLLOUT, 0};
+    for (int i = 0; i < 1000 && poll(&state, 1, 0) == 1; i++) usleep(100);
+    return poll(&state, 1, 0) == 0;
+  }
   int fd;
   std::string received;
 };
@@ -152,6 +158,38 @@ TEST(Port, is_taken_away_and_given_back) {
   std::vector<std::string> states;
   for (const Event &event : run.events("a", "port")) states.push_back(event.text("state"));
   EXPECT_EQ(states, (std::vector<std::string>{"open", "unplugged", "plugged", "open"}));
+}
+
+TEST(Port, a_host_waits_while_time_stands_still) {
+  Scratch scratch;
+  Emulation run(scratch, ECHO_BOARD);
+  const std::string FLOW = "\x11\x13x";
+  for (bool comes_late : {false, true}) {
+    emulation_hold(&run.e, comes_late);
+    Host host(scratch.path("ports/a"));
+    if (!comes_late) {
+      let_boot(run);
+      host.send(FLOW);
+      emulation_exchange(&run.e);
+      emulation_run(&run.e, run.e.now + 20 * CYCLES_PER_MS);  // the echo is on its way back
+      emulation_hold(&run.e, true);
+    }
+    emulation_exchange(&run.e);
+    EXPECT_TRUE(host.waits());
+    emulation_hold(&run.e, false);
+    EXPECT_FALSE(host.waits());
+    let_boot(run);
+    host.send(FLOW);
+    const std::string ALL = comes_late ? FLOW : FLOW + FLOW;
+    run.run_while_waiting(0.1, [&] {
+      host.receive();
+      return host.received.size() >= ALL.size();
+    });
+    EXPECT_EQ(host.received, ALL);
+    close(host.fd);
+    let_boot(run);
+    host.fd = -1;
+  }
 }
 
 TEST(Port, an_exchange_brings_nothing_when_it_is_unplugged) {
