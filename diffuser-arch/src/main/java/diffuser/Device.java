@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
@@ -67,9 +68,11 @@ final class Device implements BoardListener, KeyService.Host {
      * @param inbox    where its messages go.
      * @param warnings where its user is told what went wrong.
      * @param wake     ends its sleep.
+     * @param printed  is told what the sketch prints.
      * @param keyService   agrees on keys, if that library is there.
      */
-    record DeviceContext(String agent, Inbox inbox, Warnings warnings, Runnable wake, Optional<KeyService> keyService) {
+    record DeviceContext(String agent, Inbox inbox, Warnings warnings, Runnable wake, Consumer<String> printed,
+            Optional<KeyService> keyService) {
     }
 
     private Device(ExclusivePort link, Term term, BoardSettings settings, DeviceContext context) {
@@ -412,6 +415,13 @@ final class Device implements BoardListener, KeyService.Host {
     public void noKey(PollReply.NoKey frame) {
         if (!closed) {
             context.keyService().ifPresent(keyService -> keyService.noKey(frame));
+        }
+    }
+
+    @Override
+    public void printed(String text) {
+        if (!closed) {
+            context.printed().accept(text);
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
@@ -65,6 +66,7 @@ public class Diffuser extends AgArch {
     /** Guards {@link #ended}: whoever stops the agent may do so while its own thread opens a port. */
     private final transient Object ending = new Object();
     private transient boolean ended;
+    private transient volatile Consumer<String> printed = text -> {};
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
     @Override
@@ -137,7 +139,8 @@ public class Diffuser extends AgArch {
             }
             ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
             device = Device.open(link, portTerm(port), boardConfig(), settings,
-                    new Device.DeviceContext(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));
+                    new Device.DeviceContext(getAgName(), inbox, warnings, this::wakeAgent,
+                            text -> printed.accept(text), service(KeyService.class)));
             return device.decided().thenCompose(decided -> believed());
         }
     }
@@ -197,6 +200,14 @@ public class Diffuser extends AgArch {
      */
     public void limitSilence(Duration longest) {
         change(old -> old.withSilence(longest));
+    }
+
+    /**
+     * Says who is told what the sketch prints on the board's line (some of it at a time, perhaps several lines); on a
+     * thread of the board's.
+     */
+    public void onPrinted(Consumer<String> listener) {
+        printed = listener;
     }
 
     /** Sets the abilities that an infrastructure other than the board's radio gives from now on. */

@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Set;
 import trace.MalformedEventException;
 import trace.TraceEvent;
@@ -15,7 +16,7 @@ import trace.TraceEvent;
 final class EventLog implements AutoCloseable {
 
     /** What {@code live.ObservedMas} tells of an agent; other lines of this form are the agent's own words. */
-    private static final Set<String> OF_AGENTS = Set.of("beliefs", "intentions", "counters-of-board");
+    private static final Set<String> OF_AGENTS = Set.of("beliefs", "intentions", "counters-of-board", "printed");
     private static final Gson JSON = new Gson();
 
     private final PrintStream file;
@@ -50,21 +51,25 @@ final class EventLog implements AutoCloseable {
         line(seconds, JSON.toJson(all));
     }
 
-    /** Takes a line of an agent's process if it is an event: whether it was one. */
+    /** Takes a line of an agent's process if it is an event for the page alone: whether it was one. */
     boolean observed(double seconds, Device device, String line) {
-        if (!line.startsWith("{")) {
-            return false;
-        }
-        String event = "{\"t\":" + seconds + ",\"board\":\"" + device.id() + "\"," + line.substring(1);
+        Optional<TraceEvent> event = event(seconds, device, line).filter(seen -> OF_AGENTS.contains(seen.name()));
+        event.ifPresent(seen -> line(seconds, seen.line()));
+        return event.isPresent();
+    }
+
+    /** The warning that such a line tells, or what the Java virtual machine itself has written. */
+    static String warning(Device device, String line) {
+        return event(0, device, line).filter(seen -> seen.is("warned")).map(seen -> seen.text("text")).orElse(line);
+    }
+
+    private static Optional<TraceEvent> event(double seconds, Device device, String line) {
         try {
-            if (!OF_AGENTS.contains(TraceEvent.parse(1, event).name())) {
-                return false;
-            }
+            return line.startsWith("{") ? Optional.of(TraceEvent.parse(1,
+                    "{\"t\":" + seconds + ",\"board\":\"" + device.id() + "\"," + line.substring(1))) : Optional.empty();
         } catch (MalformedEventException noEvent) {
-            return false;
+            return Optional.empty();
         }
-        line(seconds, event);
-        return true;
     }
 
     @Override

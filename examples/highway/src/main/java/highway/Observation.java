@@ -6,8 +6,11 @@ sealed interface Observation {
     /** Emulated seconds since the boards were switched on. */
     double seconds();
 
-    /** A line that an agent (or its Java virtual machine) printed. */
+    /** A line that an agent printed. */
     record Said(double seconds, Device device, String text) implements Observation {}
+
+    /** A warning of its Java virtual machine, or of a library there. */
+    record Warned(double seconds, Device device, String text) implements Observation {}
 
     /**
      * A radio packet that was sent.

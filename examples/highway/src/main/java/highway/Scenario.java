@@ -330,15 +330,16 @@ final class Scenario implements AutoCloseable {
     private void startAgent(Device device) throws IOException {
         start(device.id(), options.agentCommand(device), line -> {
             if (!options.live() || !log.observed(seconds, device, line)) {
-                see(said(device, line));
+                see(printed(device, line));
             }
         });
     }
 
-    private Observation said(Device device, String line) {
+    /** What Jason marks with its name an agent says, but for the warnings that {@code live.ObservedMas} tells. */
+    private Observation printed(Device device, String line) {
         String tag = "[" + device.id() + "] ";
-        return new Observation.Said(seconds, device,
-                line.startsWith(tag) ? line.substring(tag.length()) : line);
+        return line.startsWith(tag) ? new Observation.Said(seconds, device, line.substring(tag.length()))
+                : new Observation.Warned(seconds, device, EventLog.warning(device, line));
     }
 
     /** Starts a process that is to run as long as the scenario does. */
@@ -380,6 +381,8 @@ final class Scenario implements AutoCloseable {
         }
         if (observation instanceof Observation.Said said) {
             tell("said", "board", said.device().id(), "text", said.text());
+        } else if (observation instanceof Observation.Warned warned) {
+            tell("warned", "board", warned.device().id(), "text", warned.text());
         }
         boolean evidence = false;
         for (Behaviour behaviour : behaviours) {

@@ -6,6 +6,7 @@ import highway.Observation.Hosts;
 import highway.Observation.Pin;
 import highway.Observation.Said;
 import highway.Observation.Spoilt;
+import highway.Observation.Warned;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
@@ -61,6 +62,9 @@ final class Timeline {
         }
         if (seen instanceof Pin pin) {
             return who(pin.device()) + paint(GREY, pin.words());
+        }
+        if (seen instanceof Warned warned) {
+            return who(warned.device()) + paint(RED, "warns  " + warned.text());
         }
         Spoilt spoilt = (Spoilt) seen;
         return who(spoilt.device()) + paint(RED, "loses  " + spoilt.why());

@@ -105,7 +105,12 @@ final class BoardSource implements Source, BoardListener {
 
     @Override
     public void warning(String what) {
-        tell("note", "text", what);
+        tell("warned", "text", what);
+    }
+
+    @Override
+    public void printed(String text) {
+        tell("printed", "text", Events.shortened(text));
     }
 
     private void tell(String event, Object... namesAndValues) {

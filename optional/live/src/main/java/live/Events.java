@@ -15,6 +15,9 @@ final class Events {
     /** Without it, a page could not read what is no JSON to it, and with it a whole batch. */
     private static final Gson STRICT = new GsonBuilder().setStrictness(Strictness.STRICT).create();
 
+    /** A line with so many, escaped too, reaches a pipe in one piece, even where another writes there too (4096 bytes). */
+    private static final int MOST_CHARACTERS = 600;
+
     private Events() {
     }
 
@@ -33,6 +36,11 @@ final class Events {
             throw new JavinoException("expected a JSON object such as {\"do\":\"reset\",\"board\":\"bus\"}", e);
         }
         throw new JavinoException("expected a JSON object, not an empty text");
+    }
+
+    /** A text of whatever length, for one line. */
+    static String shortened(String text) {
+        return text.length() <= MOST_CHARACTERS ? text : text.substring(0, MOST_CHARACTERS - 1) + "…";
     }
 
     /** JSON in one line: names, each before its value. */

@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * Jason's {@link RunLocalMAS} whose agents are observed: what they believe and intend, and what their boards count,
- * comes as events on standard output, each in a line that begins with a brace.
+ * Jason's {@link RunLocalMAS} whose agents are observed: what they believe and intend, what their boards count and
+ * print, and warnings come as events on standard output, each in a line that begins with a brace.
  */
 public final class ObservedMas extends RunLocalMAS {
 
@@ -40,6 +40,7 @@ public final class ObservedMas extends RunLocalMAS {
     void begin(String... arguments) throws JasonException {
         runner = this;
         init(arguments);
+        WarningEvents.instead(out);
         registerMBean();
         registerInRMI();
         registerWebMindInspector();
@@ -57,7 +58,9 @@ public final class ObservedMas extends RunLocalMAS {
         TransitionSystem ts = agent.getTS();
         ts.getAgArch().insertAgArch(new ObservedAgent(out));
         try {
-            CountedBoard board = new CountedBoard(Diffuser.of(ts), out);
+            Diffuser diffuser = Diffuser.of(ts);
+            diffuser.onPrinted(text -> out.accept(Events.json("event", "printed", "text", Events.shortened(text))));
+            CountedBoard board = new CountedBoard(diffuser, out);
             clock.scheduleAtFixedRate(board::count, 0, 1, TimeUnit.SECONDS);
         } catch (JasonException withoutBoard) {
             // So there is nothing to be counted.

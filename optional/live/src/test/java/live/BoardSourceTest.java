@@ -85,7 +85,8 @@ class BoardSourceTest {
         try (BoardSource source = open()) {
             assertEquals("false", await("board", event -> true).text("radio"));
             await("percepts", event -> event.json("percepts").getAsJsonArray().size() > 0);
-            assertTrue(await("note", event -> true).text("text").contains("\"t = 20.99\""));
+            assertEquals("t = 20.99", await("printed", event -> true).text("text").strip());
+            assertTrue(await("warned", event -> true).text("text").contains("\"t = 20.99\""));
             assertTrue(source.isLive());
         }
         assertEquals(List.of(), List.copyOf(fake.requests));

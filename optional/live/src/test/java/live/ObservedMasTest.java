@@ -8,6 +8,8 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import jason.util.Config;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -37,12 +39,17 @@ class ObservedMasTest {
     private String intentions = "[]";
 
     private void run(String program) throws Exception {
+        // Jason's own would open a window.
+        run(program, "");
+    }
+
+    private void run(String program, String log) throws Exception {
         Config.get().setProperty(Config.START_WEB_MI, "false");
         Files.writeString(folder.resolve("tester.asl"), program);
         Path project = Files.writeString(folder.resolve("tester.mas2j"),
-                "MAS tester { agents: tester agentArchClass diffuser.Diffuser; aslSourcePath: \"" + folder + "\"; }");
-        // Jason's own would open a window.
-        Path logging = Files.writeString(folder.resolve("logging.properties"), "");
+                "MAS tester { agents: tester agentArchClass " + PrintingBoard.class.getName()
+                        + "; aslSourcePath: \"" + folder + "\"; }");
+        Path logging = Files.writeString(folder.resolve("logging.properties"), log);
         mas.begin(project.toString(), "--log-conf", logging.toString(), "--no-net");
     }
 
@@ -97,5 +104,33 @@ class ObservedMasTest {
 
         await(Set.of(), "[\"+!go[source(self)] / .wait({ +never })\"]");
         assertEquals(ObservedAgent.MOST_BELIEFS, beliefs.size());
+    }
+
+    @Test
+    void warning_isAnEvent_andNotAmongWhatTheAgentPrints() throws Exception {
+        PrintStream console = System.err;
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));
+        try {
+            run("!go. +!go <- .print(hello); .port(x); .wait({+never}).", "handlers = java.util.logging.ConsoleHandler");
+
+            assertEquals("t = 20.99", awaitText("printed").strip());
+            assertTrue(awaitText("warned").contains("the sketch prints"));
+        } finally {
+            System.setErr(console);
+        }
+        String text = said.toString(StandardCharsets.UTF_8);
+        assertTrue(text.contains("hello") && !text.contains("prints"), text);
+    }
+
+    private String awaitText(String event) throws InterruptedException {
+        while (true) {
+            String line = told.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            assertNotNull(line, event);
+            JsonObject next = JsonParser.parseString(line).getAsJsonObject();
+            if (next.get("event").getAsString().equals(event)) {
+                return next.get("text").getAsString();
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 // The page of one board without any agent: what it perceives, what it can do, what it hears, what it counts.
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
-import { percepts, stateOf } from './cards.js';
+import { log, percepts, stateOf } from './cards.js';
 import { plain, seconds } from './text.js';
 import { REFUSALS } from './phrases.js';
 
@@ -46,6 +46,7 @@ export function boardPage(app, model, state, t) {
       }}><button data-action=${name}>${plain(name, 40)}</button> <input name="arguments" aria-label="arguments of ${name}" placeholder="arguments, such as 3, &quot;text&quot;" size="24"></form></li>`)}
       ${board.actions.length === 0 ? html`<li class="hint">this sketch has no actions</li>` : nothing}</ul>
       <p id="acted" aria-live="polite">${board.acted ? `${seconds(board.acted.t, 1)}: ${plain(board.acted.action, 60)} ${board.acted.error ? '✗ ' + plain(board.acted.error) : '✓ done'}` : nothing}</p>` : nothing}
+    ${log(board)}
   </section>
   <section class="agent hue-0">${board.radio ? radio(board, messages, t) : html`<p class="hint">this board has no radio</p>`}
     <h3>counters</h3>

@@ -108,6 +108,14 @@ const refused = (board) => {
     html`${i ? ', ' : ''}<span title=${name}>${n} × ${REFUSALS[name].short}</span>`)}</p>`;
 };
 
+/** What its sketch prints, and what the library warns of: neither is what its agent says. */
+export const log = (board) => html`
+  ${board.printed.length === 0 ? nothing : html`<h3>its sketch prints</h3>
+    <details class="printed"><summary><code>${plain(board.printed.at(-1).text, 80)}</code></summary>
+      <ul>${board.printed.slice(0, -1).reverse().map((line) => html`<li><code>${plain(line.text)}</code></li>`)}</ul></details>`}
+  ${board.warned.length === 0 ? nothing : html`<details class="warned"><summary>${board.warned.length} ${board.warned.length === 1 ? 'warning' : 'warnings'}</summary>
+    <ul>${board.warned.map((line) => html`<li>${plain(line.text, 300)}</li>`)}</ul></details>`}`;
+
 export function stateOf(board, t) {
   if (board.offUntil !== undefined && t < board.offUntil) return 'no power';
   return PORTS[board.port] ?? plain(board.port, 20);
@@ -122,6 +130,6 @@ export function card(board, t, chosen, choose) {
     ${state ? html`<p class="openness" title="openness(${state})">${plain(board.title, 30)} ${board.port === 'open' && state === 'totallyClosed' ? 'does not talk with other devices' : OPENNESS[state] ?? state}.</p>` : nothing}
     ${mind(board, t)}
     ${board.percepts.length || board.pins.size ? html`<h3>its board</h3>${percepts(board)}${lamps(board)}` : nothing}
-    ${refused(board)}
+    ${refused(board)}${log(board)}
   </section>`;
 }
