@@ -21,7 +21,7 @@ import trace.TraceEvent;
 /** The highway as its user sees it, and disturbs it, in a real browser. */
 class LivePageTest {
 
-    private static final String OBSERVED = "li.behaviour[data-observed='true']";
+    static final String OBSERVED = "li.behaviour[data-observed='true']";
     private static final long PATIENCE_MILLIS = 60_000;
 
     @TempDir
@@ -120,10 +120,10 @@ class LivePageTest {
             click(page, "remove");
             awaitEvent(run, command("obstacle").and(event -> event.has("remove")));
 
-            click(page, "speed-pause");
-            page.await("#speed-pause[aria-pressed='true']");
-            click(page, "speed-normal");
-            page.await("#speed-normal[aria-pressed='true']");
+            click(page, "play");
+            page.awaitText("#source", "paused");
+            click(page, "play");
+            page.awaitText("#source", "live");
             page.screenshot("interfered");
             assertClean(page);
         }
@@ -272,7 +272,7 @@ class LivePageTest {
         }
     }
 
-    private static void click(Page page, String id) {
+    static void click(Page page, String id) {
         page.await("#" + id).click();
     }
 
@@ -301,7 +301,7 @@ class LivePageTest {
         click(page, "move");
     }
 
-    private static void slide(Page page, String id, int value) {
+    static void slide(Page page, String id, int value) {
         page.script("arguments[0].value = arguments[1]; "
                 + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", page.await("#" + id), value);
     }
@@ -328,7 +328,7 @@ class LivePageTest {
     }
 
     /** No script has failed, and the page's own policy had nothing to keep away. */
-    private static void assertClean(Page page) {
+    static void assertClean(Page page) {
         assertEquals(List.of(), page.log().stream().filter(line -> line.contains("SEVERE")).toList());
     }
 }

@@ -41,7 +41,9 @@ export class Clock {
   seek(t, model) {
     this.t = Math.max(0, Math.min(t, model.end));
     // At either end a player has nothing more to do.
-    if (this.playing && model.end > 0 && ((this.t === 0 && this.rate < 0) || (this.t === model.end && this.rate > 0 && !this.live))) this.playing = false;
+    if (!this.playing || model.end === 0) return;
+    if (this.t === model.end && this.rate > 0 && this.live) this.follow();
+    else if (this.t === (this.rate < 0 ? 0 : model.end)) this.playing = false;
   }
 
   /** Leaves the end of the run, to look at another moment. */

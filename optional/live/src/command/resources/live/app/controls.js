@@ -9,18 +9,20 @@ export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 /** Time: back and forth, pause, speed. */
 export function player(clock, model, app) {
   const end = model.end;
+  const goes = clock.following ? model.head.speed !== 0 : clock.playing;
+  const rate = app.inRun ? model.head.pace : Math.abs(clock.rate);
   return html`<div class="bar">
     ${clock.live ? html`<button type="button" id="follow" aria-pressed=${clock.following} @click=${app.follow}
       title="Follow the run (End)"><span class="dot"></span>live</button>` : nothing}
     <button type="button" id="back" @click=${() => app.step(-1)} title="The event before (comma)" aria-label="the event before">|◂</button>
     <button type="button" id="reverse" @click=${app.reverse} aria-pressed=${!clock.following && clock.playing && clock.rate < 0} title="Play backwards (R)" aria-label="play backwards">◀</button>
-    <button type="button" id="play" @click=${app.toggle} title="Play or pause what you see (Space)"
-      aria-label=${clock.following || clock.playing ? 'pause' : 'play'}>${clock.following || clock.playing ? '❚❚' : '▶'}</button>
+    <button type="button" id="play" @click=${app.toggle} title=${(goes ? 'Pause ' : 'Go on with ') + (app.inRun ? 'the run' : 'what you see') + ' (Space)'}
+      aria-label=${goes ? 'pause' : 'play'}>${goes ? '❚❚' : '▶'}</button>
     <button type="button" id="forth" @click=${() => app.step(1)} title="The next event (full stop)" aria-label="the next event">▸|</button>
     <input id="slider" type="range" min="0" max=${Math.max(end, 0.001)} step="any" .value=${live(String(clock.t))} aria-label="time"
       aria-valuetext=${clock.t.toFixed(1) + ' seconds'} @input=${(e) => app.goTo(Number(e.target.value))}>
-    <label>speed <select id="rate" .value=${live(String(Math.abs(clock.rate)))} @change=${(e) => app.rate(Number(e.target.value))}>
-      ${RATES.map((rate) => html`<option value=${rate} ?selected=${rate === 1}>${rate} ×</option>`)}</select></label>
+    <label>speed <select id="rate" .value=${live(String(rate))} @change=${(e) => app.rate(Number(e.target.value))}>
+      ${RATES.map((each) => html`<option value=${each} ?selected=${each === 1}>${each} ×</option>`)}</select></label>
     <label class="button">open a trace <input id="file" type="file" accept=".jsonl,.json,.txt" @change=${app.opened}></label>
     ${app.ofFile ? html`<button type="button" id="close-file" @click=${app.closeFile}>back to the run</button>` : nothing}
   </div>`;
@@ -64,10 +66,6 @@ export function interfere(app, state) {
         <label>x <input id="x" type="number" step="any" .value=${live(app.typed?.x ?? rounded(at[0]))} required></label>
         <label>y <input id="y" type="number" step="any" .value=${live(app.typed?.y ?? rounded(at[1]))} required></label>
         <button id="move">move</button></form>` : nothing}
-      </fieldset>` : nothing}
-    ${can('speed') ? html`<fieldset><legend>The run itself</legend>
-      ${[[0, 'pause'], [0.1, 'slow'], [1, 'normal']].map(([value, words]) => html`<button type="button" id="speed-${words}"
-        aria-pressed=${state.speed === value} @click=${() => app.send({ do: 'speed', value })}>${words}</button>`)}
       </fieldset>` : nothing}
     ${can('obstacle') || can('jam') ? html`<fieldset><legend>Then click on the road</legend>
       ${can('obstacle') ? html`<button type="button" id="add-obstacle" aria-pressed=${mode === 'obstacle'} @click=${() => app.mode('obstacle')}>add an obstacle</button>` : nothing}

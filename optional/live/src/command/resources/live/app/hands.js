@@ -85,7 +85,7 @@ export function keys(app, shown) {
     else if (e.key === 'r') app.reverse();
     else if (e.key === 'End') clock.live ? clock.follow() : app.goTo(model.end);
     else if (e.key === 'Home') app.goTo(0);
-    else if (faster) app.rate(nextRate(Math.abs(clock.rate), faster));
+    else if (faster) app.rate(nextRate(app.inRun ? model.head.pace : Math.abs(clock.rate), faster));
     else return;
     e.preventDefault();
   });

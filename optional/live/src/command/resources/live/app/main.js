@@ -123,7 +123,15 @@ const app = {
   },
 
   follow: () => shown.clock.follow(),
-  toggle: () => shown.clock.toggle(shown.model),
+  /** Whether time is the run's own: pause and speed are then the run's too. */
+  get inRun() {
+    return shown.clock.following && app.controls.includes('speed') && !shown.ended;
+  },
+  toggle() {
+    const { clock, model } = shown;
+    if (app.inRun) app.send({ do: 'speed', value: model.head.speed === 0 ? model.head.pace : 0 });
+    else clock.toggle(model);
+  },
   reverse() {
     const { clock, model } = shown;
     if (clock.following) clock.leave(clock.t, model);
@@ -135,6 +143,7 @@ const app = {
   goTo: (t) => shown.clock.leave(t, shown.model),
   rate(rate) {
     const { clock, model } = shown;
+    if (app.inRun) return app.send({ do: 'speed', value: rate });
     if (clock.following) clock.leave(clock.t, model), (clock.playing = true);
     clock.rate = rate * Math.sign(clock.rate);
   },
@@ -206,7 +215,7 @@ function drawText() {
   const state = model.stateAt(t);
   const ofBoard = about.source === 'board';
   document.body.dataset.source = about.source;
-  $('source').textContent = { run: 'live', board: 'board' }[about.source] ?? 'trace';
+  $('source').textContent = about.source === 'run' && model.head.speed === 0 ? 'paused' : { run: 'live', board: 'board' }[about.source] ?? 'trace';
   $('what').textContent = WHAT[about.source] ?? '';
   $('clock').textContent = seconds(t);
   $('clock').dataset.t = t.toFixed(3);

@@ -29,6 +29,8 @@ export const START = {
   t: 0,
   radio: { bitRate: 2000, range: 100, bitErrorRate: 0 },
   speed: 1,
+  /** Its speed where it is not paused. */
+  pace: 1,
   light: undefined,
   boards: new Map(),
   obstacles: new Map(),
@@ -64,6 +66,8 @@ const board = (name, index) => ({
   counters: new Map(),
   counted: [],
   said: [],
+  printed: [],
+  warned: [],
   acted: undefined,
 });
 
@@ -110,6 +114,9 @@ const ofBoard = {
     const risen = { t: e.t, rises: new Map(rises.map(([name, value]) => [name, value - (b.counters.get(name) ?? 0)])) };
     return { counters, counted: [...b.counted, risen].slice(-COUNTINGS) };
   },
+  printed: (b, e) => ({ printed: [...b.printed, ...text(e.text).split(/[\r\n]+/).filter(Boolean).map((line) => ({ t: e.t, text: line }))].slice(-LINES_SAID) }),
+  uart: (b, e) => ofBoard.printed(b, { ...e, text: e.line ?? e.hex }),
+  warned: (b, e) => ({ warned: [...b.warned, { t: e.t, text: text(e.text) }].slice(-LINES_SAID) }),
   said: (b, e) => ({ said: [...b.said, { t: e.t, text: text(e.text) }].slice(-LINES_SAID) }),
   acted: (b, e) => ({ acted: { t: e.t, action: text(e.action), error: e.error === undefined ? '' : text(e.error) } }),
 };
@@ -117,7 +124,7 @@ const ofBoard = {
 /** What a command does that no other event tells. */
 const ofCommand = {
   __proto__: null,
-  speed: (s, e) => ({ speed: number(e.value, s.speed) }),
+  speed: (s, e) => ({ speed: number(e.value, s.speed), pace: number(e.value) || s.pace }),
   radio: (s, e) => ({
     radio: { ...s.radio, bitErrorRate: number(e.bitErrorRate, s.radio.bitErrorRate), range: number(e.range, s.radio.range) },
   }),
