@@ -6,6 +6,7 @@ import { boardPage, rate } from './board.js';
 import { card } from './cards.js';
 import { Clock } from './clock.js';
 import { readColours } from './colours.js';
+import { beside, forgeries, verdicts } from './forge.js';
 import { interfere, player } from './controls.js';
 import { JAM, RADIUS, hands, keys } from './hands.js';
 import { Model } from './model.js';
@@ -105,13 +106,20 @@ const app = {
   },
   shout(payload) {
     try {
-      app.send({ do: 'send', position: app.standing(shown.model.head), payload: payload() });
+      app.forge({ payload: payload() });
     } catch (error) {
       showError(error.message);
     }
   },
   replay(packet, flip) {
-    app.send({ do: 'send', position: app.standing(shown.model.head), payload: packet.payload, ...(flip === undefined ? {} : { flip }) });
+    app.forge({ payload: packet.payload, ...(flip === undefined ? {} : { flip }) });
+  },
+  forge(forgery) {
+    app.send({ do: 'send', position: app.standing(shown.model.head), ...forgery });
+  },
+  read(n) {
+    ui.read = n;
+    drawText();
   },
   choosePacket(n) {
     ui.packet = n;
@@ -229,11 +237,15 @@ function drawText() {
   render(html`${lines.length === 0 ? html`<li>${plain(state.note || 'Waiting for something to happen …', 200)}</li>` : nothing}
     ${lines.map((line) => html`<li data-n=${line.n}>${line.words}</li>`)}${more.length ? html`<li class="bad" id="losses">${more.join('; ')}</li>` : nothing}`, $('story'));
   render(player(clock, model, app), $('player'));
+  render(ofBoard ? nothing : forgeries(app, model, state, t), $('forge'));
   render(ofBoard ? nothing : interfere(app, state), $('interfere'));
   render(ofBoard ? boardPage(app, model, state, t)
     : [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name))), $('cards'));
   if (ofBoard) return;
   render(html`${LEGEND}${helpOnKeys()}`, $('legend'));
+  const forged = verdicts(app, model, state, t);
+  render(forged.shown, $('forged'));
+  beside($('forged'), [forged.board, ...state.boards.values()].map((board) => board && road.pixels({ kind: 'board', name: board.name })), $('road'));
   const tabs = Object.keys(TABS).filter((tab) => tab !== 'injector' || app.controls.includes('send') || state.injector);
   if (!tabs.includes(ui.tab)) ui.tab = 'timeline';
   render(tabs.map((tab) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === ui.tab} aria-controls="panel"

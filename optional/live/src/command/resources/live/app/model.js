@@ -280,7 +280,7 @@ export class Model {
       && p.heard.some((h) => h.board === e.board && !h.why));
     // A message's id is in the nonce of its packet (SPEC 4.3). A later one with the same id is a copy.
     const packet = fitting.find((p) => p.sealed && idIn(p) === e.id) ?? fitting.findLast((p) => !p.sealed || p.kind === 'fragment');
-    packet?.handed.push({ t, board: text(e.board) });
+    packet?.handed.push({ t, board: text(e.board), content: text(e.content) });
     return packet !== undefined;
   }
 

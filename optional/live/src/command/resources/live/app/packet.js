@@ -85,7 +85,11 @@ export function broadcast(origin, performative, term) {
   if (content.length > most) {
     throw new Error(`The term is ${content.length - most} bytes too long for one packet: use a shorter one`);
   }
-  const bits = content.length * 8;
-  const header = '////' + origin + ALPHABET[bits >> 6] + ALPHABET[bits & 63];
-  return hexOf(new TextEncoder().encode(header)) + hexOf(content);
+  return framed('////', origin, content);
+}
+
+/** A frame in hex, or its beginning, to which so many bytes are `missing`. */
+export function framed(destination, origin, message, missing = 0) {
+  const bits = (message.length + missing) * 8;
+  return hexOf(new TextEncoder().encode(destination + origin + ALPHABET[bits >> 6] + ALPHABET[bits & 63])) + hexOf(message);
 }

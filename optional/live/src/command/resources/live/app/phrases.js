@@ -100,38 +100,47 @@ export function story(model, state, t, most = 3) {
 /** Within so many seconds after a packet each board has told its counters, also in a fast run. */
 const TOLD_WITHIN = 30;
 
-/** What became of a packet, at a time: a sentence for each board. */
-export function fate(model, state, packet, t) {
+/** One of these tells of each packet that a board hears. */
+const HEARD = ['radioReceived', 'radioDamaged', 'radioMissed'];
+
+/**
+ * What a board has done by a time with a packet that it heard, as its host and its counters tell: `damaged`, `taken`,
+ * `untold` yet, `refused`, `left`, or `ignored`; with the `counters` that rose.
+ */
+export function outcome(model, packet, { board, why, t: heardAt }, t) {
+  if (why) return { what: 'damaged', counters: [] };
+  if (packet.handed.some((x) => x.board === board && x.t <= t)) return { what: 'taken', counters: [] };
+  // A board tells its counters once a second: the first time after it has heard the packet says what came of that.
+  const told = model.stateAt(Math.min(t, packet.t + TOLD_WITHIN)).boards.get(board)?.counted
+    .find((c) => c.t >= heardAt && c.t <= t && HEARD.some((name) => c.rises.has(name)));
+  if (!told) return { what: 'untold', counters: [] };
+  const risen = (names) => Object.keys(names).filter((name) => told.rises.has(name));
+  // Another packet may have come within the same second.
+  const refusals = risen(REFUSALS);
+  const left = risen(LEFT);
+  const isOurs = left.length === 0 || refusals[0] === 'radioOwn' || packet.to.includes(board) || packet.kind === 'no frame';
+  if (refusals.length > 0 && isOurs) return { what: 'refused', counters: refusals };
+  return left.length > 0 ? { what: 'left', counters: left.slice(0, 1) } : { what: 'ignored', counters: [] };
+}
+
+/** What became of a packet, at a time: a sentence for each of these boards. */
+export function fate(model, state, packet, t, boards = [...state.boards.keys()]) {
   if (t < packet.t) return ['It is on the air …'];
-  const heard = packet.heard.filter((h) => h.t <= t);
-  const told = model.stateAt(Math.min(t, packet.t + TOLD_WITHIN));
-  const sentences = [];
-  for (const h of heard) {
+  const heard = packet.heard.filter((h) => h.t <= t && boards.includes(h.board));
+  const sentences = heard.map((h) => {
     const who = titleOf(state, h.board);
-    if (h.why) {
-      sentences.push(`${who} did not hear it undamaged: ${plain(h.why, 40)}.`);
-      continue;
+    const { what, counters } = outcome(model, packet, h, t);
+    switch (what) {
+      case 'damaged': return `${who} did not hear it undamaged: ${plain(h.why, 40)}.`;
+      case 'taken':
+        return `${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.');
+      case 'refused': return `${who} refused it: ${counters.map((name) => `${REFUSALS[name].why} (${name})`).join(', or ')}.`;
+      case 'left': return `${who} ${LEFT[counters[0]]} (${counters[0]}).`;
+      case 'untold': return `${who} heard it, and has not yet told what it did …`;
+      default: return `${who} heard it, and no counter of a refusal rose.`;
     }
-    // A board tells its counters once a second: the first time after it has heard the packet says what came of that.
-    const counted = told.boards.get(h.board)?.counted.find((c) => c.t >= h.t && c.t <= t);
-    const rose = (name) => counted?.rises.has(name) ?? false;
-    const handed = packet.handed.find((x) => x.board === h.board && x.t <= t);
-    // Another packet may have come within the same second.
-    const refusals = Object.keys(REFUSALS).filter(rose);
-    const refusal = refusals[0];
-    const why = refusals.map((name) => `${REFUSALS[name].why} (${name})`).join(', or ');
-    const left = Object.keys(LEFT).find(rose);
-    if (handed) {
-      sentences.push(`${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.'));
-    } else if (refusal && (!left || refusal === 'radioOwn' || packet.to.includes(h.board) || packet.kind === 'no frame')) {
-      sentences.push(`${who} refused it: ${why}.`);
-    } else if (left) {
-      sentences.push(`${who} ${LEFT[left]} (${left}).`);
-    } else {
-      sentences.push(`${who} heard it, and ` + (counted ? 'no counter of a refusal rose.' : 'has not yet told what it did …'));
-    }
-  }
-  const others = [...state.boards.values()].filter((b) => !heard.some((h) => h.board === b.name) && b.name !== packet.board);
-  if (others.length > 0) sentences.push(`Not heard by ${listed(others.map((b) => titleOf(state, b.name)))}.`);
+  });
+  const others = boards.filter((name) => !heard.some((h) => h.board === name) && name !== packet.board);
+  if (others.length > 0) sentences.push(`Not heard by ${listed(others.map((name) => titleOf(state, name)))}.`);
   return sentences;
 }

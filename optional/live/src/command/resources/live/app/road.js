@@ -66,6 +66,12 @@ export class Road {
     return [Math.round((left + x / scale) * 10) / 10, Math.round((top - y / scale) * 10) / 10];
   }
 
+  /** Where something is drawn, in pixels. */
+  pixels({ kind, name }) {
+    const thing = this.#things().find((each) => each.kind === kind && each.name === name);
+    return thing && this.#at(thing.place);
+  }
+
   /** What is under a pixel: `{kind, name}`. */
   under(x, y) {
     let best;

@@ -1,0 +1,116 @@
+// Four ways to forge a packet without its key, each with its end foretold; and at the vehicle that it was for, what
+// really came of it.
+
+import { html, nothing } from '/lib/lit-html/lit-html.js';
+import { hueClass, letter } from './colours.js';
+import { broadcast, bytesOf, fieldsOf } from './packet.js';
+import { fate, outcome, titleOf } from './phrases.js';
+import { seal } from './seal.js';
+
+/** So many of the last packets are looked at. */
+const LAST = 500;
+/** What nobody hears in this time, in seconds, nobody will. */
+const HEARD_WITHIN = 1;
+const KEY_BYTES = 16;
+/** Pixels between a vehicle and what is said of it, and those that another takes. */
+const APART = 34;
+const TAKES = 20;
+
+/** The last sealed packet to one device that has it: what there is to forge. */
+const genuine = (packets) => packets.find((p) => p.board !== 'injector' && p.sealed && p.kind === 'unicast' && p.to.length === 1 && p.handed.length > 0);
+
+const bytesIn = (packet, name) => fieldsOf(packet).find((f) => f.name === name);
+
+/** What it said, as its addressee's host was told: an attacker may have guessed it. */
+const saidBy = (packet) => packet.handed[0].content || 'tell;help';
+
+/** The command that sends a forgery of a packet; the emulator makes its CRC right. */
+const FORGERIES = {
+  shout: (packet) => ({ payload: broadcast(packet.origin, ...saidBy(packet).split(/;(.*)/s, 2)) }),
+  replay: (packet) => ({ payload: packet.payload }),
+  flip: (packet) => ({ payload: packet.payload, flip: bytesIn(packet, 'ciphertext').at * 8 }),
+  async key(packet) {
+    const nonce = bytesIn(packet, 'nonce').bytes.slice();
+    // The next one, so that it is the tag alone that is wrong.
+    for (let i = nonce.length - 1; ++nonce[i] === 256 && i > 0; i--);
+    const key = crypto.getRandomValues(new Uint8Array(KEY_BYTES));
+    return { payload: await seal(key, packet.destination, packet.origin, nonce, new TextEncoder().encode(saidBy(packet))) };
+  },
+};
+
+/** The buttons, with what will come of it. */
+export function forgeries(app, model, state, t) {
+  if (!app.controls.includes('send')) return nothing;
+  const packet = genuine(model.heardAir(t, LAST));
+  const from = packet ? titleOf(state, packet.board) : 'somebody';
+  const able = packet && state.speed !== 0;
+  const forge = (way) => async () => {
+    app.follow();
+    app.forge(await FORGERIES[way](packet));
+  };
+  const attempt = (way, words, end) => html`<span class="attempt"><button type="button" id="forge-${way}" ?disabled=${!able}
+    aria-describedby="forge-${way}-end" @click=${forge(way)}>${words}</button><small id="forge-${way}-end">${end}</small></span>`;
+  return html`<fieldset><legend>${packet ? `Try to forge what ${from} sent to ${titleOf(state, packet.to[0])}` : 'Try to forge: wait for a sealed packet to one vehicle'}${packet && !able ? ': the run is paused' : ''}; without the key, with a right CRC</legend>
+    ${attempt('shout', `shout as ${from}`, 'heard as a shout only')}
+    ${attempt('replay', 'replay the last packet', 'refused: heard before')}
+    ${attempt('flip', 'change one bit', 'refused: wrong tag')}
+    ${attempt('key', 'make up a key', 'refused: wrong tag')}</fieldset>`;
+}
+
+const AGAIN = (packet) => (packet.kind === 'broadcast' ? 'it has heard the same shout just now, and takes it only once'
+  : 'it has had this very packet before, and its number counts only once; nobody can change the number without the key');
+
+/** Why its addressee refuses a packet, by the counters that tell it. */
+const REASONS = {
+  __proto__: null,
+  radioBadTag: () => 'its tag is wrong, because whoever has not the key cannot make the tag',
+  radioReplayed: AGAIN,
+  radioStale: AGAIN,
+  radioRepeats: AGAIN,
+};
+
+/** Whom a forgery was to deceive: a shout, who last had a sealed packet from the same sender. */
+function victim(packets, packet) {
+  const to = packet.kind === 'broadcast' ? genuine(packets.filter((p) => p.origin === packet.origin && p.t < packet.start))?.to : packet.to;
+  return to?.length === 1 ? to[0] : undefined;
+}
+
+/** What a board did with a forgery, in one sentence. */
+function verdict(model, state, packet, board, t) {
+  const who = titleOf(state, board);
+  const heard = packet.heard.find((h) => h.board === board && h.t <= t);
+  if (!heard) return t < packet.end + HEARD_WITHIN ? 'It is on the air …' : `${who} did not hear it: move the “?” nearer.`;
+  const { what, counters } = outcome(model, packet, heard, t);
+  const why = counters.filter((name) => REASONS[name]).map((name) => REASONS[name](packet)).join('; or ');
+  if (why) return `${who} refused it: ${why}.`;
+  if (what === 'taken' && !packet.sealed) return `${who} heard it as a shout only: a shout has no tag, so it proves nothing, and the agent is told that anybody can have sent it.`;
+  if (what === 'untold') return `${who} has heard it, and tells in a second what it did …`;
+  return fate(model, state, packet, t, [board])[0];
+}
+
+/** What came of the last forgery, for the vehicle that it was for. `at` is where the road shows that. */
+export function verdicts(app, model, state, t) {
+  const packets = model.heardAir(t, LAST);
+  const packet = model.onAir(t, 0).find((p) => p.board === 'injector') ?? packets.find((p) => p.board === 'injector');
+  const board = packet && state.boards.get(victim(packets, packet));
+  if (!board || app.ui.read === packet.n) return { board: undefined, shown: nothing };
+  const others = fate(model, state, packet, t, [...state.boards.keys()].filter((name) => name !== board.name));
+  return { board, shown: html`<p class=${hueClass(board)} data-n=${packet.n}><b class="letter">${letter(board)}</b> <span role="status">${verdict(model, state, packet, board.name, t)}</span>
+      <button type="button" class="link" aria-label="close" @click=${() => app.read(packet.n)}>✕</button></p>
+    <details><summary>the others</summary><ul>${others.map((line) => html`<li>${line}</li>`)}</ul></details>` };
+}
+
+/** Puts a box beside the first of some spots, inside of the road, where it hides the fewest of them. */
+export function beside(box, spots, { clientWidth, clientHeight }) {
+  box.hidden = !spots[0];
+  if (box.hidden) return;
+  const [x, y] = spots[0];
+  const [wide, tall] = [box.offsetWidth, box.offsetHeight];
+  const within = (at, most) => Math.max(0, Math.min(at, most));
+  const [best] = [[x - wide / 2, y - APART - tall], [x - APART - wide, y - tall / 2], [x + APART, y - tall / 2], [x - wide / 2, y + APART]]
+    .map(([left, top]) => [within(left, clientWidth - wide), within(top, clientHeight - tall)])
+    .map(([left, top]) => ({ left, top, hides: spots.filter((s) => s && s[0] > left - TAKES && s[0] < left + wide + TAKES && s[1] > top - TAKES && s[1] < top + tall + TAKES).length }))
+    .sort((a, b) => a.hides - b.hides);
+  box.style.left = best.left + 'px';
+  box.style.top = best.top + 'px';
+}

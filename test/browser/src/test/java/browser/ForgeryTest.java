@@ -1,0 +1,207 @@
+package browser;
+
+import static browser.LivePageTest.OBSERVED;
+import static browser.LivePageTest.assertClean;
+import static browser.LivePageTest.click;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.By;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.support.ui.Select;
+import trace.TraceEvent;
+
+/** Why a forgery fails, how time stands still, and what no agent says: as the page shows it. */
+class ForgeryTest {
+
+    private static final String VERDICT = "#forged [role='status']";
+    /** A host gives its board up after 5.2 s (BoardConfig). */
+    private static final long LONGER_THAN_PATIENCE_MILLIS = 9000;
+    private static final String IN_SIGHT = """
+            const box = arguments[0].getBoundingClientRect();
+            return scrollY === 0 && box.top >= 0 && box.bottom <= innerHeight && box.left >= 0 && box.right <= innerWidth;
+            """;
+
+    private record Forgery(String button, String foretold, String verdict) {}
+
+    private static final List<Forgery> FORGERIES = List.of(
+            new Forgery("shout", "heard as a shout only", "Bus heard it as a shout only: a shout has no tag, so it "
+                    + "proves nothing, and the agent is told that anybody can have sent it."),
+            new Forgery("replay", "refused: heard before", "Bus refused it: it has had this very packet before, and its "
+                    + "number counts only once; nobody can change the number without the key."),
+            new Forgery("flip", "refused: wrong tag",
+                    "Bus refused it: its tag is wrong, because whoever has not the key cannot make the tag."),
+            new Forgery("key", "refused: wrong tag",
+                    "Bus refused it: its tag is wrong, because whoever has not the key cannot make the tag."));
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    @Tag("verify")
+    void forgery_hasTheEndThatWasForetold_andItsAddresseeSaysWhy() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
+                    Map.of("width", 1280, "height", 720, "deviceScaleFactor", 1, "mobile", false));
+            page.await(OBSERVED, 9);
+            int sent = 0;
+            String packet = "none";
+            for (Forgery forgery : FORGERIES) {
+                String button = "#forge-" + forgery.button();
+                assertEquals(true, page.script(IN_SIGHT, page.await(button + "-end")), button);
+                assertEquals(forgery.foretold(), page.await(button + "-end").getText());
+                click(page, "forge-" + forgery.button());
+                sent++;
+                awaitAnother(page, packet);
+                packet = page.await("#forged p").getDomAttribute("data-n");
+                page.await("an end", driver -> page.await(VERDICT).getText().matches("Bus .*[.]"));
+                assertEquals(forgery.verdict(), page.await(VERDICT).getText());
+                assertEquals(true, page.script(IN_SIGHT, page.await("#forged")));
+                assertEquals(sent, run.events(is("rf-tx", "injector")).size());
+                page.screenshot("forge-" + forgery.button());
+            }
+            assertNull(page.await("#forged details").getDomAttribute("open"));
+            click(page, "forged summary");
+            page.awaitText("#forged li", "Hospital ignored it: it is for another device or group");
+
+            assertEquals("", page.script(GENUINE, lastToTheBus(run), keyOf("ROMA SUPO")));
+            page.awaitText(VERDICT, "Bus took it: its tag is right.");
+            page.await("#forged [aria-label='close']").click();
+            page.await("nothing", driver -> !page.await("#forged").isDisplayed());
+            assertClean(page);
+        }
+    }
+
+    private static void awaitAnother(Page page, String packet) {
+        page.await("another packet", driver -> !page.await("#forged p").getDomAttribute("data-n").equals(packet));
+    }
+
+    /** Sends what the police could send next. */
+    private static final String GENUINE = """
+            const [payload, key] = arguments;
+            return Promise.all([import('/app/seal.js'), import('/app/packet.js'), import('/app/source.js')])
+              .then(async ([{ seal }, { bytesOf }, { command }]) => {
+                const nonce = bytesOf(payload).slice(10, 16);
+                nonce[5] += 99;
+                const content = new TextEncoder().encode('tell;helpComing');
+                return command({ do: 'send', position: [0, 9], payload: await seal(bytesOf(key), 'ROMA', 'SUPO', nonce, content) });
+              });
+            """;
+
+    private static String lastToTheBus(LiveRun run) throws Exception {
+        List<TraceEvent> all = run.events(is("rf-tx", "police")
+                .and(event -> event.textOrEmpty("kind").equals("unicast") && event.text("destination").equals("ROMA")));
+        return all.get(all.size() - 1).text("payload");
+    }
+
+    private String keyOf(String pair) throws Exception {
+        return Files.readAllLines(folder.resolve("build/keyring")).stream().filter(line -> line.startsWith(pair + " = "))
+                .findFirst().orElseThrow().substring(pair.length() + 3);
+    }
+
+    private static Predicate<TraceEvent> is(String event, String board) {
+        return seen -> seen.is(event) && seen.board().equals(board);
+    }
+
+    @Test
+    @Tag("verify")
+    void pause_isOne_andCostsNoAgentItsBoard() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.await(OBSERVED, 9);
+            page.driver().findElement(By.tagName("body")).sendKeys(Keys.SPACE);
+            page.awaitText("#source", "paused");
+            page.awaitText("#story", "The run is paused.");
+            String time = page.await("#clock").getText();
+            Thread.sleep(LONGER_THAN_PATIENCE_MILLIS);
+            assertEquals(time, page.await("#clock").getText());
+            assertFalse(page.await("#forge-key").isEnabled());
+            assertEquals(1, page.all("button[aria-label='play']").size() + page.all("button[id*='pause']").size());
+
+            click(page, "back");
+            click(page, "play");
+            page.await("it is again where the run is", driver -> page.await("#clock").getText().equals(time)
+                    && page.await("#follow").getDomAttribute("aria-pressed").equals("true"));
+            click(page, "play");
+            page.awaitText("#source", "live");
+            LivePageTest.slide(page, "light", 100);
+            page.awaitText("section.agent[data-board='bus'] .belief", "light(100)");
+            page.await("five agents at their boards",
+                    driver -> page.all(".state").stream().allMatch(each -> each.getText().equals("agent connected")));
+            assertEquals(List.of(), run.events(event -> event.is("said") && event.text("text").endsWith(" is off")));
+            assertClean(page);
+        }
+    }
+
+    @Test
+    @Tag("verify")
+    void speed_isThatOfTheRun_whileThePageFollowsIt() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.awaitText("section.agent[data-board='bus'] .said", "is on");
+            new Select(page.await("#rate")).selectByValue("2");
+            page.awaitText("#story", "The run goes at 2 times the speed of life.");
+            click(page, "play");
+            page.awaitText("#source", "paused");
+            assertEquals("2", page.await("#rate").getDomProperty("value"));
+            click(page, "play");
+            page.awaitText("#story", "The run goes at 2 times the speed of life.");
+            page.await(OBSERVED, 9);
+            assertClean(page);
+        }
+    }
+
+    @Test
+    @Tag("verify")
+    void printsAndWarnings_areShown_butNotAsWhatTheAgentSays() throws Exception {
+        Files.writeString(folder.resolve("trace.jsonl"), """
+                {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"}]}
+                {"t":1,"board":"a","event":"said","text":"hello"}
+                {"t":1,"board":"a","event":"printed","text":"first\\r\\nt = 20.99\\r\\n"}
+                {"t":1,"board":"a","event":"warned","text":"the sketch on a is slow, loop(): up to 94 ms <b>"}
+                {"t":1,"board":"a","event":"uart","line":"from its other line"}
+                """);
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
+            page.awaitText("section.agent .said", "hello");
+            assertEquals(1, page.all(".said li").size());
+            page.awaitText("section.agent .printed summary", "from its other line");
+            click(page, "cards .printed summary");
+            page.awaitText("section.agent .printed", "t = 20.99");
+            page.awaitText("section.agent .warned", "1 warning");
+            assertFalse(page.await("section.agent").getText().contains("slow"));
+            click(page, "cards .warned summary");
+            page.awaitText("section.agent .warned", "up to 94 ms <b>");
+            assertTrue(page.await("#story").getText().contains("hello"));
+            assertClean(page);
+        }
+    }
+
+    /** Each is a sentence about its addressee, by what the trace tells. */
+    @Test
+    @Tag("verify")
+    void forgery_thatIsLost_isSaidToBeLost() throws Exception {
+        String sent = "{\"t\":%s,\"board\":\"injector\",\"event\":\"rf-tx\",\"payload\":\"524f4d415355504f446f" + "00".repeat(29)
+                + "\",\"destination\":\"ROMA\",\"origin\":\"SUPO\",\"kind\":\"unicast\",\"sealed\":true,\"start\":%s,\"end\":%1$s}\n";
+        Files.writeString(folder.resolve("trace.jsonl"), """
+                {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"},{"name":"b"}]}
+                {"t":0,"event":"device","board":"a","address":"ROMA","title":"Bus"}
+                """ + sent.formatted("1.3", "1") + "{\"t\":3,\"event\":\"note\",\"text\":\"\"}\n" + sent.formatted("4.3", "4") + """
+                {"t":4.3,"board":"a","event":"rf-damaged","from":"injector","why":"wrong CRC","start":4,"end":4.3}
+                """);
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
+            page.awaitText(VERDICT, "Bus did not hear it undamaged: wrong CRC.");
+            page.script("const slider = document.getElementById('slider'); slider.value = 3; "
+                    + "slider.dispatchEvent(new Event('input', {bubbles: true}))");
+            page.awaitText(VERDICT, "Bus did not hear it: move the “?” nearer.");
+            assertClean(page);
+        }
+    }
+}
