@@ -66,7 +66,8 @@ final class EventLog implements AutoCloseable {
     private static Optional<TraceEvent> event(double seconds, Device device, String line) {
         try {
             return line.startsWith("{") ? Optional.of(TraceEvent.parse(1,
-                    "{\"t\":" + seconds + ",\"board\":\"" + device.id() + "\"," + line.substring(1))) : Optional.empty();
+                    "{\"t\":" + seconds + ",\"board\":\"" + device.id() + "\"," + line.substring(1)))
+                    : Optional.empty();
         } catch (MalformedEventException noEvent) {
             return Optional.empty();
         }

@@ -15,7 +15,7 @@ final class Events {
     /** Without it, a page could not read what is no JSON to it, and with it a whole batch. */
     private static final Gson STRICT = new GsonBuilder().setStrictness(Strictness.STRICT).create();
 
-    /** A line with so many, escaped too, reaches a pipe in one piece, even where another writes there too (4096 bytes). */
+    /** A line with so many, escaped too, reaches a pipe in one piece, even where another writes there (4096 bytes). */
     private static final int MOST_CHARACTERS = 600;
 
     private Events() {

@@ -112,7 +112,8 @@ class ObservedMasTest {
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));
         try {
-            run("!go. +!go <- .print(hello); .port(x); .wait({+never}).", "handlers = java.util.logging.ConsoleHandler");
+            run("!go. +!go <- .print(hello); .port(x); .wait({+never}).",
+                    "handlers = java.util.logging.ConsoleHandler");
 
             assertEquals("t = 20.99", awaitText("printed").strip());
             assertTrue(awaitText("warned").contains("the sketch prints"));

@@ -29,7 +29,8 @@ class ForgeryTest {
     private static final long LONGER_THAN_PATIENCE_MILLIS = 9000;
     private static final String IN_SIGHT = """
             const box = arguments[0].getBoundingClientRect();
-            return scrollY === 0 && box.top >= 0 && box.bottom <= innerHeight && box.left >= 0 && box.right <= innerWidth;
+            return scrollY === 0 && box.top >= 0 && box.bottom <= innerHeight
+              && box.left >= 0 && box.right <= innerWidth;
             """;
 
     private record Forgery(String button, String foretold, String verdict) {}
@@ -37,8 +38,9 @@ class ForgeryTest {
     private static final List<Forgery> FORGERIES = List.of(
             new Forgery("shout", "heard as a shout only", "Bus heard it as a shout only: a shout has no tag, so it "
                     + "proves nothing, and the agent is told that anybody can have sent it."),
-            new Forgery("replay", "refused: heard before", "Bus refused it: it has had this very packet before, and its "
-                    + "number counts only once; nobody can change the number without the key."),
+            new Forgery("replay", "refused: heard before",
+                    "Bus refused it: it has had this very packet before, and its "
+                            + "number counts only once; nobody can change the number without the key."),
             new Forgery("flip", "refused: wrong tag",
                     "Bus refused it: its tag is wrong, because whoever has not the key cannot make the tag."),
             new Forgery("key", "refused: wrong tag",
@@ -88,13 +90,14 @@ class ForgeryTest {
 
     /** Sends what the police could send next. */
     private static final String GENUINE = """
-            const [payload, key] = arguments;
+            const [last, key] = arguments;
             return Promise.all([import('/app/seal.js'), import('/app/packet.js'), import('/app/source.js')])
               .then(async ([{ seal }, { bytesOf }, { command }]) => {
-                const nonce = bytesOf(payload).slice(10, 16);
+                const nonce = bytesOf(last).slice(10, 16);
                 nonce[5] += 99;
                 const content = new TextEncoder().encode('tell;helpComing');
-                return command({ do: 'send', position: [0, 9], payload: await seal(bytesOf(key), 'ROMA', 'SUPO', nonce, content) });
+                const next = await seal(bytesOf(key), 'ROMA', 'SUPO', nonce, content);
+                return command({ do: 'send', position: [0, 9], payload: next });
               });
             """;
 
@@ -105,7 +108,8 @@ class ForgeryTest {
     }
 
     private String keyOf(String pair) throws Exception {
-        return Files.readAllLines(folder.resolve("build/keyring")).stream().filter(line -> line.startsWith(pair + " = "))
+        return Files.readAllLines(folder.resolve("build/keyring")).stream()
+                .filter(line -> line.startsWith(pair + " = "))
                 .findFirst().orElseThrow().substring(pair.length() + 3);
     }
 
@@ -188,12 +192,16 @@ class ForgeryTest {
     @Test
     @Tag("verify")
     void forgery_thatIsLost_isSaidToBeLost() throws Exception {
-        String sent = "{\"t\":%s,\"board\":\"injector\",\"event\":\"rf-tx\",\"payload\":\"524f4d415355504f446f" + "00".repeat(29)
-                + "\",\"destination\":\"ROMA\",\"origin\":\"SUPO\",\"kind\":\"unicast\",\"sealed\":true,\"start\":%s,\"end\":%1$s}\n";
+        String sent = """
+                {"t":%1$d.3,"board":"injector","event":"rf-tx","payload":"524f4d415355504f446f%2$s",\
+                "destination":"ROMA","origin":"SUPO","kind":"unicast","sealed":true,"start":%1$d,"end":%1$d.3}
+                """;
+        String rest = "00".repeat(29);
         Files.writeString(folder.resolve("trace.jsonl"), """
                 {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"},{"name":"b"}]}
                 {"t":0,"event":"device","board":"a","address":"ROMA","title":"Bus"}
-                """ + sent.formatted("1.3", "1") + "{\"t\":3,\"event\":\"note\",\"text\":\"\"}\n" + sent.formatted("4.3", "4") + """
+                """ + sent.formatted(1, rest) + "{\"t\":3,\"event\":\"note\",\"text\":\"\"}\n"
+                + sent.formatted(4, rest) + """
                 {"t":4.3,"board":"a","event":"rf-damaged","from":"injector","why":"wrong CRC","start":4,"end":4.3}
                 """);
         try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
