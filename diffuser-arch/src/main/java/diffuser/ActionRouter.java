@@ -43,7 +43,11 @@ final class ActionRouter {
         boolean other = device == null || isOfAnArtifact(term);
         if (!other && somethingIsBehind() && !device.decided().isDone()) {
             postpone(action, device);
-        } else if (other || somethingIsBehind() && !isBoards(term, device)) {
+        } else if (other) {
+            behind.accept(action);
+        } else if (somethingIsBehind() && !device.isKnown()) {
+            behind.accept(withoutBoard(action, device.port()));
+        } else if (somethingIsBehind() && !isBoards(term, device)) {
             behind.accept(action);
         } else if (device.isLegacy()) {
             String text = term.toString();
@@ -68,12 +72,24 @@ final class ActionRouter {
         }));
     }
 
-    /** Whether the sketch has the action, as far as is known, and the board can be asked for it. */
-    private boolean isBoards(Structure action, Device device) {
-        if (!device.isKnown()) {
-            warnings.once("no board has answered on " + device.port() + " yet: plain actions go to the environment"
-                    + " until one has");
-        }
+    /** The action; its failure, whoever reports it, names the port on which the board is missing. */
+    private ActionExec withoutBoard(ActionExec action, String port) {
+        String missing = "no board has answered on " + port + " yet";
+        warnings.once(missing + ": plain actions go to the environment until one has");
+        return new ActionExec(action.getActionTerm(), action.getIntention()) {
+
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public String getFailureMsg() {
+                String reason = super.getFailureMsg();
+                return reason == null ? missing : reason + "; " + missing;
+            }
+        };
+    }
+
+    /** Whether the sketch has the action, and the board can be asked for it. */
+    private static boolean isBoards(Structure action, Device device) {
         return device.hasAction(action.getFunctor()) && action.isGround() && !action.negated()
                 && action.getNS().equals(Literal.DefaultNS);
     }

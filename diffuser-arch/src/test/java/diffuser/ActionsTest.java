@@ -18,7 +18,7 @@ class ActionsTest {
                 !start.
                 +!start <- .port(body); !do.
                 +!do <- %s; diffuser.note(done).
-                -!do[error(port_off)] <- diffuser.note(port_off).
+                -!do[error(port_off),error_msg(M)] <- diffuser.note(port_off,M).
                 -!do[error(unknown_action),error_msg(M)] <- diffuser.note(unknown_action,M).
                 -!do[error(action_failed),error_msg(M)] <- diffuser.note(action_failed,M).
                 -!do[error(outcome_unknown)] <- diffuser.note(outcome_unknown).
@@ -59,7 +59,7 @@ class ActionsTest {
     @Test
     void act_boardIsAway_failsWithPortOff() {
         RunningAgent agent = RunningAgent.run(program(".act(stop)"), new FakeBoard("body").unplug());
-        agent.notes("port_off");
+        agent.notes("port_off act stop was not performed: body: there is no such port");
     }
 
     @Test
@@ -96,7 +96,7 @@ class ActionsTest {
     @Test
     void act_plainActionWhileBoardIsAwayAndNothingElse_failsWithPortOff() {
         RunningAgent agent = RunningAgent.run(program("stop"), new FakeBoard("body").unplug());
-        agent.notes("port_off");
+        agent.notes("port_off act stop was not performed: body: there is no such port");
     }
 
     @Test
@@ -139,6 +139,13 @@ class ActionsTest {
                 List.of(ScriptedDiffuser.class.getName()));
         agent.notesAll("environment paint(red)", "done");
         agent.warns("no board has answered on body yet");
+    }
+
+    @Test
+    void act_plainActionWhereNoBoardIsAndTheEnvironmentFails_failureNamesThePort() throws Exception {
+        RunningAgent agent = RunningAgent.run(program("stop"), RunningAgent.environment(),
+                List.of(ScriptedDiffuser.class.getName()));
+        agent.notes("action_failed no board has answered on body yet");
     }
 
     @Test
