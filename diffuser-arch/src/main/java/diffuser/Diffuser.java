@@ -385,7 +385,10 @@ public class Diffuser extends AgArch {
         return super.canSleep() && inbox.isEmpty() && percepts.knows(perceivedHere());
     }
 
-    /** {@inheritDoc} Waits until the port is free, so that the agent can be started anew. */
+    /**
+     * {@inheritDoc} Waits until the port is free, so that the agent can be started anew. Jason stops the architectures
+     * behind by itself.
+     */
     @Override
     public void stop() {
         services.forEach(BoardService::stop);
@@ -395,7 +398,6 @@ public class Diffuser extends AgArch {
             closed = closeDevice();
         }
         ExclusivePort.await(closed);
-        super.stop();
     }
 
     /** {@inheritDoc} Adds what came from the board, and what was dropped. */

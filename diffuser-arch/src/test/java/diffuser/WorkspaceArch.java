@@ -15,7 +15,7 @@ import jason.asSyntax.Structure;
  * Takes actions as JaCaMo's architecture does: the workspace is that of the intention that is selected when
  * {@link #act} is called, which is the one that said {@code join(W)}; without one it throws. Workspace {@code a} has
  * the operations {@code a1, a2, …} and {@code b} its own; an operation that its workspace has not fails. Operations end
- * on another thread.
+ * on another thread. Its session can be closed once.
  */
 public class WorkspaceArch extends AgArch {
 
@@ -55,7 +55,9 @@ public class WorkspaceArch extends AgArch {
 
     @Override
     public void stop() {
+        if (artifacts.isShutdown()) {
+            throw new IllegalStateException(getAgName() + " is stopped again");
+        }
         artifacts.shutdown();
-        super.stop();
     }
 }

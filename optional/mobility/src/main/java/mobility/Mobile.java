@@ -250,10 +250,12 @@ public class Mobile extends AgArch {
         super.broadcast(message);
     }
 
-    /** {@inheritDoc} One that ends while its MAS goes on does not live here again when the MAS starts again. */
+    /**
+     * {@inheritDoc} One that ends while its MAS goes on does not live here again when the MAS starts again. Jason stops
+     * the architectures behind by itself.
+     */
     @Override
     public void stop() {
-        super.stop();
         if (!isAsleep()) {
             Inhabitants.ended(getAgName());
         }
