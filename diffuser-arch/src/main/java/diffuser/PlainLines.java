@@ -52,7 +52,7 @@ final class PlainLines extends Formatter {
      */
     private static String printable(String message, LogRecord line) {
         boolean isJasons = String.valueOf(line.getSourceClassName()).startsWith("jason.asSemantics.");
-        return isJasons ? INDENTED.splitAsStream(message).map(Printable::of).collect(Collectors.joining("\n"))
+        return isJasons ? INDENTED.splitAsStream(message.strip()).map(Printable::of).collect(Collectors.joining("\n"))
                 : Printable.of(message);
     }
 

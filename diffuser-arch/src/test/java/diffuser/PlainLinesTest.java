@@ -59,11 +59,11 @@ class PlainLinesTest {
 
     @Test
     void format_failureThatJasonTells_keepsIndentedLines() {
-        LogRecord line = line("failed\n    " + WITH_COMMANDS);
+        LogRecord line = line("\nfailed\n    " + WITH_COMMANDS + "\n");
         line.setSourceClassName("jason.asSemantics.TransitionSystem");
 
         String written = written(new SimpleFormatter(), line);
-        assertTrue(written.contains("failed\n    " + PLAIN), written);
+        assertTrue(written.contains(" failed\n    " + PLAIN + "\n"), written);
     }
 
     @Test
