@@ -30,16 +30,17 @@ public final class AgentProcess implements AutoCloseable {
 
     /** Starts the {@code .mas2j} of that name in a folder, to which a copy of it and of its agent of that name goes. */
     public static AgentProcess start(String name, Path folder) throws IOException {
-        return start(name, List.of(name), folder);
+        return start(Platform.USUAL, name, List.of(name), folder);
     }
 
-    /** The same with agents of other names. */
-    public static AgentProcess start(String name, List<String> agents, Path folder) throws IOException {
-        copy(name + ".mas2j", folder);
+    /** The same on another platform, which takes the program of that name, with agents of other names. */
+    public static AgentProcess start(Platform platform, String name, List<String> agents, Path folder)
+            throws IOException {
+        copy(name + platform.suffix(), folder);
         for (String agent : agents) {
             copy(agent + ".asl", folder);
         }
-        return run(name, folder, line -> {});
+        return run(platform, name, folder, line -> {});
     }
 
     /**
@@ -110,7 +111,15 @@ public final class AgentProcess implements AutoCloseable {
     /** Ends it as it stands, with SIGKILL. All that it has printed has been read when this returns. */
     public void kill() throws InterruptedException {
         process.destroyForcibly().waitFor();
+        awaitEnd();
+    }
+
+    /** Waits until it has ended by itself, and all that it has printed has been read. */
+    public void awaitEnd() throws InterruptedException {
         reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+        if (reader.isAlive()) {
+            throw new AssertionError("it goes on:\n" + String.join("\n", lines()));
+        }
     }
 
     @Override

@@ -5,14 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import capture.TraceCheck;
+import harness.AgentProcess;
 import harness.Platform;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -130,7 +133,7 @@ class HighwayTest {
     void newerJavaAndJason_showAllBehaviours() throws Exception {
         Platform newer = NewerJava.withNewerJason();
         copyScenario();
-        Run run = follow(start(newer.java(), newer.classPath(), EMULATOR));
+        Run run = follow(launcher(newer.java(), newer.classPath(), EMULATOR).start());
 
         run.assertAllObserved();
         assertFalse(run.says("WARNING"), run::toString);
@@ -234,6 +237,24 @@ class HighwayTest {
         assertEquals(2, run.status);
     }
 
+    @JaCaMo.EachVersion
+    void agentsStartedByHandUnderJaCaMo_busLearnsThatHelpIsComing(String version) throws Exception {
+        Platform jacamo = JaCaMo.platform(version);
+        copyScenario();
+        Map<String, AgentProcess> agents = new HashMap<>();
+        try (AgentProcess boards = AgentProcess.start(launcher(JAVA, CLASS_PATH, EMULATOR, "--boards-only"))) {
+            boards.await("end with Ctrl-C");
+            for (String name : List.of("police", "support", "hospital", "ambulance", "bus")) {
+                agents.put(name, AgentProcess.run(jacamo, name, folder, line -> {}));
+                agents.get(name).await("[" + name + "] Ready");
+            }
+            agents.get("ambulance").await("[ambulance] I am going!!!");
+            agents.get("bus").await("[bus] Help is coming, says SUPO");
+        } finally {
+            agents.values().forEach(AgentProcess::close);
+        }
+    }
+
     @Test
     void launcherThatIsTerminated_endsEverything() throws Exception {
         copyScenario();
@@ -289,22 +310,23 @@ class HighwayTest {
     }
 
     private Process start(String emulator, String... options) throws IOException {
-        return start(JAVA, CLASS_PATH, emulator, options);
+        return launcher(JAVA, CLASS_PATH, emulator, options).start();
     }
 
     /** The launcher starts all others with the Java and the class path that it has. */
-    private Process start(Path javaHome, String classPath, String emulator, String... options) throws IOException {
+    private ProcessBuilder launcher(Path javaHome, String classPath, String emulator, String... options) {
         List<String> command = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(),
                 "--enable-native-access=ALL-UNNAMED", "-cp", classPath, "highway.Highway", "--plain", "--emulator",
                 emulator));
         command.addAll(List.of(options));
-        return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+        return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
     }
 
     /** The scenario in a folder of its own, so that nobody's run is disturbed; it uses the real sketches. */
     private void copyScenario() throws IOException {
         try (Stream<Path> files = Files.walk(HIGHWAY, 2)) {
-            for (Path file : files.filter(each -> each.toString().matches(".*\\.(asl|mas2j|properties)")).toList()) {
+            for (Path file : files.filter(each -> each.toString().matches(".*\\.(asl|jcm|mas2j|properties)"))
+                    .toList()) {
                 Path copy = folder.resolve(HIGHWAY.relativize(file).toString());
                 Files.createDirectories(copy.getParent());
                 Files.copy(file, copy);

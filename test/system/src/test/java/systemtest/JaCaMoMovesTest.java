@@ -2,7 +2,6 @@ package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import harness.Emulator;
 import harness.Platform;
@@ -12,13 +11,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import javino.protocol.Address;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** An agent that moves by emulated radio between a MAS of JaCaMo and one of Jason. */
-@Tag("verify")
 class JaCaMoMovesTest {
 
     private static final List<Address> IDS = List.of(Address.parse("SUSS"), Address.parse("SUBB"));
@@ -66,18 +61,6 @@ class JaCaMoMovesTest {
     @TempDir
     private Path folder;
 
-    private static Platform jacamo(String version) throws Exception {
-        String libraries = System.getProperty("javino." + version);
-        String skipped = "skipped: moves under JaCaMo need -Pjacamo=URL of JaCaMo's Maven repository";
-        if (libraries == null) {
-            System.out.println(skipped);
-        }
-        assumeTrue(libraries != null, skipped);
-        Platform platform = version.startsWith("newer") ? NewerJava.with(libraries, "JaCaMo 1.3")
-                : Platform.USUAL.with(Platform.USUAL.java(), libraries);
-        return platform.launchedBy("jacamo.infra.JaCaMoLauncher", ".jcm");
-    }
-
     /** What the agent says that begins as the walker of one of the two, until it says that it is done. */
     private List<String> said(Platform home, Platform away, String agent, String program) throws Exception {
         try (Emulator emulator =
@@ -107,10 +90,9 @@ class JaCaMoMovesTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"jacamo", "newerJacamo"})
+    @JaCaMo.EachVersion
     void moveOut_toJasonAndBack_focusesAtHomeAgainOnWhatItsProgramSays(String version) throws Exception {
-        List<String> said = said(jacamo(version), Platform.USUAL, "focus: room.board", """
+        List<String> said = said(JaCaMo.platform(version), Platform.USUAL, "focus: room.board", """
                 +!begin : not begun <- +begun; .wait(focused(_, board[artifact_type(_)], _)); !visit;
                     .print("I am done").
                 +!begin.
@@ -130,13 +112,12 @@ class JaCaMoMovesTest {
                 "I read 3", "I am done"), said.subList(1, said.size()));
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"jacamo", "newerJacamo"})
+    @JaCaMo.EachVersion
     void moveOut_playsARole_staysBeforeAnythingIsSent(String version) throws Exception {
         assertEquals(List.of(
                 "I stay: cannot_travel walker cannot travel: it plays the role watcher in the group family of an "
                         + "organisation; let it call leaveRole first",
-                "I am done"), said(jacamo(version), Platform.USUAL, "roles: watcher in family", """
+                "I am done"), said(JaCaMo.platform(version), Platform.USUAL, "roles: watcher in family", """
                         +!begin : not begun <- +begun; .wait(play(_, watcher, family)); !try; .print("I am done").
                         +!begin.
                         +!try <- .moveOut("@THERE@", mutualism); .print("I came there").
@@ -145,11 +126,10 @@ class JaCaMoMovesTest {
     }
 
     /** As the receiver's list says: and a guest has no artifacts, whatever the list says. */
-    @ParameterizedTest
-    @ValueSource(strings = {"jacamo", "newerJacamo"})
+    @JaCaMo.EachVersion
     void moveIn_newcomersAndGuests_haveArtifactsAsTheReceiverSays(String version) throws Exception {
         assertEquals(List.of("I came", "I joined", "I came home", "I came again", "I could not join: action_failed",
-                "I am done"), said(Platform.USUAL, jacamo(version), "", """
+                "I am done"), said(Platform.USUAL, JaCaMo.platform(version), "", """
                         +!begin : not begun <- +begun; .moveOut("@THERE@", mutualism); .print("I came"); !join;
                             .moveOut("@HERE@", mutualism); .print("I came home");
                             .moveOut("@THERE@", inquilinism); .print("I came again"); !join; .print("I am done").

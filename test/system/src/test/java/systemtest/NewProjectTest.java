@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.AgentProcess;
+import harness.Platform;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -95,15 +96,53 @@ class NewProjectTest {
         assertTrue(Files.size(bundle.resolve("Robot.ino.hex")) > 0);
         Files.createSymbolicLink(bundle.resolve("ports"), project.resolve("ports"));
 
-        try (AgentProcess board = AgentProcess
-                .start(new ProcessBuilder(home.resolve("bin/javino-emulator").toString(), "board.json", "--trace", "-")
-                        .directory(project.toFile()));
-                AgentProcess agent = AgentProcess.start(new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", "lib/*",
-                        "jason.infra.local.RunLocalMAS", "robot.mas2j", "--log-conf", "logging.properties", "--no-net")
-                        .directory(bundle.toFile()))) {
+        try (AgentProcess board = board(project); AgentProcess agent = agents(bundle, Platform.USUAL, "robot.mas2j")) {
             board.await("\"name\":\"lamp\",\"level\":1}");
             agent.await("[robot] my lamp is off");
         }
+    }
+
+    @Test
+    void bundle_ofJaCaMo_runsItsOrganisationUnderBothVersions(@TempDir Path folder) throws Exception {
+        Platform jacamo = JaCaMo.platform("jacamo");
+        Platform newer = JaCaMo.platform("newerJacamo");
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project, "--jacamo").waitFor());
+        Files.writeString(project.resolve(".jcm-deps.gradle"), "");
+        runByJaCaMo(project, "buildJCMDeps");
+        runByJaCaMo(project, "bundle");
+        assertNightIsTold(project, jacamo);
+
+        Path build = project.resolve("build.gradle");
+        Files.writeString(build, Files.readString(build).replaceAll("(org.jacamo:jacamo:)[0-9.]+",
+                "$1" + System.getProperty("javino.newerJacamoVersion")));
+        runByJaCaMo(project, "bundle");
+        assertNightIsTold(project, newer);
+    }
+
+    private static void runByJaCaMo(Path project, String task) throws Exception {
+        ProcessBuilder gradle = gradle("-Pjacamo=" + System.getProperty("javino.jacamoRepository"), task);
+        assertEquals(0, gradle.directory(project.toFile()).inheritIO().start().waitFor());
+    }
+
+    private static void assertNightIsTold(Path project, Platform jacamo) throws Exception {
+        Path bundle = project.resolve("build/bundle");
+        Files.createSymbolicLink(bundle.resolve("ports"), project.resolve("ports"));
+        try (AgentProcess board = board(project); AgentProcess agents = agents(bundle, jacamo, "robot.jcm")) {
+            board.await("\"name\":\"lamp\",\"level\":1}");
+            agents.await("[teller] the night has 2 entries");
+        }
+    }
+
+    private static AgentProcess board(Path project) throws IOException {
+        return AgentProcess.start(new ProcessBuilder(home.resolve("bin/javino-emulator").toString(), "board.json",
+                "--trace", "-").directory(project.toFile()));
+    }
+
+    /** By Java alone. */
+    private static AgentProcess agents(Path bundle, Platform platform, String mas) throws IOException {
+        return AgentProcess.start(new ProcessBuilder(platform.java().resolve("bin/java").toString(), "-cp", "lib/*",
+                platform.launcher(), mas, "--log-conf", "logging.properties", "--no-net").directory(bundle.toFile()));
     }
 
     private static void assertBetween(double least, double value, double most) {

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
+import harness.Platform;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -83,9 +84,19 @@ class OlderBoardTest {
     @Test
     @Tag("verify")
     void argoAgent_drivesItAndSeesItGoAndCome(@TempDir Path folder) throws Exception {
+        runArgo(Platform.USUAL, folder);
+    }
+
+    @JaCaMo.EachVersion
+    void argoAgent_underJaCaMo_doesTheSame(String version, @TempDir Path folder) throws Exception {
+        runArgo(JaCaMo.platform(version), folder);
+    }
+
+    private static void runArgo(Platform platform, Path folder) throws Exception {
         Emulator.Scenario scenario = scenario()
                 .fault(UNPLUGGED_SECONDS, "lamp", "unplug").fault(UNPLUGGED_SECONDS + 2, "lamp", "plug");
-        try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("argo", folder)) {
+        try (Emulator emulator = scenario.start(folder);
+                AgentProcess agent = AgentProcess.start(platform, "argo", List.of("argo"), folder)) {
             agent.await("lamp is on");
             agent.await("led is off");
             agent.await("led is then on");

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
+import harness.Platform;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,8 +20,20 @@ class SeveralBoardsTest {
 
     private static final Map<String, Integer> HEADLIGHTS = Map.of("pin", 30);
 
+    @TempDir
+    private Path folder;
+
     @Test
-    void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards(@TempDir Path folder) throws Exception {
+    void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards() throws Exception {
+        run(Platform.USUAL);
+    }
+
+    @JaCaMo.EachVersion
+    void twoAgentsOfOneMas_underJaCaMo_doTheSame(String version) throws Exception {
+        run(JaCaMo.platform(version));
+    }
+
+    private void run(Platform platform) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario()
                 .board("scout", "Vehicle", light(List.of(List.of(0, 100))))
                 .board("base", "Vehicle", light(List.of(List.of(0, 900), List.of(3, 900), List.of(3.00001, 950))))
@@ -28,7 +41,7 @@ class SeveralBoardsTest {
         try (Emulator emulator = scenario.start(folder)) {
             Host.of(emulator, "scout").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).close();
             Host.of(emulator, "base").as("SUPO", Map.of("ROMA", TestKeys.PAIR)).close();
-            try (AgentProcess agents = AgentProcess.start("pair", List.of("scout", "base"), folder)) {
+            try (AgentProcess agents = AgentProcess.start(platform, "pair", List.of("scout", "base"), folder)) {
                 for (String line : List.of("[base] dark by radio from ROMA", "[scout] delivered",
                         "[scout] understood, says base",
                         "[scout] thanks by radio from SUPO", "[scout] port off", "[base] light 950")) {
