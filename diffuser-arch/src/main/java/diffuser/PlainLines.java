@@ -16,7 +16,7 @@ import javino.Printable;
  */
 final class PlainLines extends Formatter {
 
-    private static final Pattern INDENTED = Pattern.compile("\n(?= {4})");
+    private static final Pattern OF_JASON = Pattern.compile("\n(?= {4}|intention \\d+:)");
 
     private final Formatter inner;
 
@@ -47,12 +47,12 @@ final class PlainLines extends Formatter {
     }
 
     /**
-     * Jason tells the stack of an intention that failed in further lines, which are indented. What came from the air
+     * Jason tells an intention that failed, and its stack, indented, in further lines. What came from the air
      * may add another such line, but none that looks like another message.
      */
     private static String printable(String message, LogRecord line) {
         boolean isJasons = String.valueOf(line.getSourceClassName()).startsWith("jason.asSemantics.");
-        return isJasons ? INDENTED.splitAsStream(message.strip()).map(Printable::of).collect(Collectors.joining("\n"))
+        return isJasons ? OF_JASON.splitAsStream(message.strip()).map(Printable::of).collect(Collectors.joining("\n"))
                 : Printable.of(message);
     }
 

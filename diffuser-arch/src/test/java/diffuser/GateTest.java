@@ -594,7 +594,7 @@ class GateTest {
 
     private static void assertPlain(LogRecord line) {
         // Jason's own further lines.
-        String text = line.getMessage().replace("\n    ", " ") + line.getThrown();
+        String text = line.getMessage().replaceAll("\n(?= {4}|intention \\d+:)", " ") + line.getThrown();
         assertTrue(text.codePoints().noneMatch(c -> Character.isISOControl(c) || c == 0x202E), text);
     }
 

@@ -59,11 +59,11 @@ class PlainLinesTest {
 
     @Test
     void format_failureThatJasonTells_keepsIndentedLines() {
-        LogRecord line = line("\nfailed\n    " + WITH_COMMANDS + "\n");
+        LogRecord line = line("\nfailed\nintention 6: \n    " + WITH_COMMANDS + "\n");
         line.setSourceClassName("jason.asSemantics.TransitionSystem");
 
         String written = written(new SimpleFormatter(), line);
-        assertTrue(written.contains(" failed\n    " + PLAIN + "\n"), written);
+        assertTrue(written.contains(" failed\nintention 6: \n    " + PLAIN + "\n"), written);
     }
 
     @Test
