@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import jason.asSyntax.Literal;
 
 import javino.protocol.Address;
+import javino.protocol.HostMessage;
 import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
@@ -59,6 +60,12 @@ final class BoardKeys {
     /** What a device is from which something came sealed; as long as that is not known, certified only. */
     TrustLevel peer(Address device) {
         return known && !certified.contains(device) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
+    }
+
+    /** The same of a host message: keys are agreed on with nobody for whom one is stored, or may be. */
+    TrustLevel peer(Address device, HostMessage.Use use) {
+        return use == HostMessage.Use.MOVE ? peer(device)
+                : lacks(device) ? TrustLevel.CERTIFIED : TrustLevel.PROVISIONED;
     }
 
     /** A belief for each device with a key. */

@@ -25,6 +25,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply.StoredKey;
@@ -66,13 +67,14 @@ final class Device implements BoardListener, KeyService.Host {
      *
      * @param agent    its name.
      * @param inbox    where its messages go.
+     * @param hosts    where messages of hosts go.
      * @param warnings where its user is told what went wrong.
      * @param wake     ends its sleep.
      * @param printed  is told what the sketch prints.
      * @param keyService   agrees on keys, if that library is there.
      */
-    record DeviceContext(String agent, Inbox inbox, Warnings warnings, Runnable wake, Consumer<String> printed,
-            Optional<KeyService> keyService) {
+    record DeviceContext(String agent, Inbox inbox, HostChannel hosts, Warnings warnings, Runnable wake,
+            Consumer<String> printed, Optional<KeyService> keyService) {
     }
 
     private Device(ExclusivePort link, Term term, BoardSettings settings, DeviceContext context) {
@@ -197,18 +199,14 @@ final class Device implements BoardListener, KeyService.Host {
     }
 
     /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
-    Transmission transmit(Address to, Content content) {
+    Transmission transmit(Address to, Message message) {
         return context.keyService().filter(keyService -> hasRadio && keys.lacks(to))
-                .map(keyService -> heard(keyService.transmit(this, to, content)))
-                .orElseGet(() -> transmitAsIs(to, content));
+                .map(keyService -> keyService.transmit(this, to, message)).orElseGet(() -> transmitAsIs(to, message));
     }
 
     @Override
-    public Transmission transmitAsIs(Address to, Content content) {
-        return heard(session.join().transmit(to, content));
-    }
-
-    private Transmission heard(Transmission begun) {
+    public Transmission transmitAsIs(Address to, Message message) {
+        Transmission begun = session.join().transmit(to, message);
         return new Transmission(begun.taken(), begun.end().thenApply(this::ended));
     }
 
@@ -257,11 +255,6 @@ final class Device implements BoardListener, KeyService.Host {
     }
 
     // What key agreement wants of the board.
-
-    @Override
-    public Transmission transmit(Address to, HostMessage message) {
-        return session.join().transmit(to, message);
-    }
 
     @Override
     public CompletableFuture<?> setSessionKey(Address device, Key key) {
@@ -407,7 +400,7 @@ final class Device implements BoardListener, KeyService.Host {
     public void hostMessage(Address from, Address to, HostMessage message) {
         if (!closed) {
             communicability.heard();
-            context.keyService().ifPresent(keyService -> keyService.hostMessage(from, to, message));
+            context.hosts().receive(from, to, keys.peer(from, message.kind().use()), message);
         }
     }
 

@@ -33,7 +33,6 @@ import javino.keyring.KeyringNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
-import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 
@@ -60,6 +59,7 @@ public class Diffuser extends AgArch {
     private transient CombinedPercepts percepts;
     private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
+    private transient HostChannel hosts;
     private transient BoardSettings settings = BoardSettings.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
@@ -78,7 +78,8 @@ public class Diffuser extends AgArch {
         questions = new Questions(intentions, outbox);
         services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
         moves = service(MoveService.class);
-        inbox = new Inbox(new Gate(this::getTS, warnings), questions, intentions, warnings, moves);
+        hosts = new HostChannel(services, warnings::once);
+        inbox = new Inbox(new Gate(this::getTS, warnings), questions, intentions, warnings);
         infrastructures = new Infrastructures();
         percepts = new CombinedPercepts();
         router = new ActionRouter(this, super::act, warnings);
@@ -139,7 +140,7 @@ public class Diffuser extends AgArch {
             }
             ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
             device = Device.open(link, portTerm(port), boardConfig(), settings,
-                    new Device.DeviceContext(getAgName(), inbox, warnings, this::wakeAgent,
+                    new Device.DeviceContext(getAgName(), inbox, hosts, warnings, this::wakeAgent,
                             text -> printed.accept(text), service(KeyService.class)));
             return device.decided().thenCompose(decided -> believed());
         }
@@ -285,12 +286,12 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Makes the board transmit a content as it is. For any thread.
+     * Makes the board transmit a message as it is. For any thread.
      *
      * @return fails with what {@link Failure#of} reads, also where no port was opened.
      */
-    public Transmission transmit(Address to, Content content) {
-        return device().map(board -> board.transmit(to, content)).orElseGet(() -> {
+    public Transmission transmit(Address to, javino.protocol.Message message) {
+        return device().map(board -> board.transmit(to, message)).orElseGet(() -> {
             JasonException none = noPort();
             return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
         });
@@ -408,6 +409,7 @@ public class Diffuser extends AgArch {
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfMessagesRefused", inbox.refused());
+        status.put("hostMessagesRefused", hosts.refused());
         services.forEach(service -> status.putAll(service.status()));
         status.put("rfDelivered", outbox.ended(Outcome.DELIVERED));
         status.put("rfUndelivered", outbox.ended(Outcome.UNDELIVERED));

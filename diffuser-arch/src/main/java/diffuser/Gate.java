@@ -156,7 +156,7 @@ public final class Gate implements CircumstanceListener {
             case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW ->
                 adopt(message, received(message, clean, of), decision);
             // The intention that waits is told, or the user.
-            case SORRY, MOVE -> {}
+            case SORRY -> {}
         }
     }
 

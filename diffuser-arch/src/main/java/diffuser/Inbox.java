@@ -26,7 +26,6 @@ final class Inbox {
     private final Questions questions;
     private final Intentions intentions;
     private final Warnings warnings;
-    private final Optional<MoveService> moves;
 
     /** The last message that Jason was given. */
     private Optional<Message> handedOn = Optional.empty();
@@ -56,21 +55,16 @@ final class Inbox {
         }
     }
 
-    Inbox(Gate gate, Questions questions, Intentions intentions, Warnings warnings, Optional<MoveService> moves) {
+    Inbox(Gate gate, Questions questions, Intentions intentions, Warnings warnings) {
         this.gate = gate;
         this.questions = questions;
         this.intentions = intentions;
         this.warnings = warnings;
-        this.moves = moves;
     }
 
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
     void put(ReceivedMessage message, TrustLevel peer, String receiver) {
         Provenance of = Provenance.of(message.from(), Cast.of(message.to()), peer);
-        if (message.content().performative() == Performative.MOVE) {
-            putMove(message, of);
-            return;
-        }
         try {
             Term term = Texts.readContent(message.content());
             apart(term, message.content())
@@ -78,16 +72,6 @@ final class Inbox {
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
-        }
-    }
-
-    private void putMove(ReceivedMessage message, Provenance of) {
-        try {
-            Gate.permit(Policy.Act.MOVE, of);
-            moves.orElseThrow(() -> new Gate.RefusedException("no agent can move in: the library for it is not there"))
-                    .received(message.from(), message.content().body());
-        } catch (Gate.RefusedException e) {
-            refuse(message, e.kind(), e.getMessage());
         }
     }
 

@@ -10,22 +10,19 @@ import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
-import javino.protocol.HostMessage;
+import javino.protocol.Message;
 
 /**
  * What finds keys for devices with which the board has none (SPEC 11). Without one, a message to such a device fails
  * with {@code no_key}. All methods are called on any thread, and return at once.
  */
-public interface KeyService extends BoardService {
+public interface KeyService extends HostService {
 
     /** The board, and the agent behind it. For any thread; no method waits, and futures fail as a board's. */
     interface Host {
 
-        /** Has the board transmit a message to other hosts, or a content, as it is. */
-        Transmission transmit(Address to, HostMessage message);
-
-        /** As the other. */
-        Transmission transmitAsIs(Address to, Content content);
+        /** Has the board transmit a message as it is. */
+        Transmission transmitAsIs(Address to, Message message);
 
         /** Gives the board the session key of a pair. The device counts as certified from now on. */
         CompletableFuture<?> setSessionKey(Address device, Key key);
@@ -54,9 +51,6 @@ public interface KeyService extends BoardService {
      */
     void online(Host host, Address self, int bootEpoch, List<Reply.StoredKey> keys);
 
-    /** A host message has come; to this device if it came sealed, else to all. */
-    void hostMessage(Address from, Address to, HostMessage message);
-
     /** A sealed frame has come for which the board has no key. */
     void noKey(PollReply.NoKey frame);
 
@@ -65,7 +59,7 @@ public interface KeyService extends BoardService {
      *
      * @return both fail with what {@link Failure#of} reads.
      */
-    Transmission transmit(Host host, Address to, Content content);
+    Transmission transmit(Host host, Address to, Message message);
 
     /** Whether certified devices can get the key of the own group. */
     boolean sharesGroup();

@@ -15,6 +15,7 @@ import jason.asSyntax.Plan;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 
+import javino.protocol.HostMessage;
 import javino.protocol.Performative;
 
 /**
@@ -54,7 +55,7 @@ public final class Policy {
             | move out as a guest | local | none | nothing | any | any | allowed |
             | move out | local | none | nothing | destination, proven | any | allowed |
             | handshake | broadcast | certified | nothing | nobody | any | allowed |
-            | host message | unicast | certified | nothing | nobody | any | allowed |
+            | key agreement | unicast | certified | nothing | nobody | any | allowed |
             """;
 
     /** The annotation of a goal for which plans had to ask. */
@@ -67,8 +68,6 @@ public final class Policy {
         TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY,
         /** To answer something, whatever that is. */
         ANSWER,
-        /** A message of a move, which goes to no agent. */
-        MOVE,
         /** An agent is to come, by whatever protocol. */
         OFFER,
         /** The agent with the board itself is to come back, as what it was. */
@@ -77,14 +76,17 @@ public final class Policy {
         MOVE_OUT,
         /** A guest leaves, and is a guest where it comes. */
         MOVE_OUT_AS_A_GUEST,
-        /** A plain message of a host, by which it comes to a key. */
-        HANDSHAKE,
-        /** A sealed message of a host. */
-        HOST_MESSAGE;
+        /** A message of a host, for a {@link HostMessage.Use}. */
+        HANDSHAKE, KEY_AGREEMENT, MOVE;
 
         /** To say something of that performative. */
         public static Act of(Performative performative) {
             return valueOf(performative.name());
+        }
+
+        /** To send a host message for that use. */
+        static Act of(HostMessage.Use use) {
+            return valueOf(use.name());
         }
     }
 

@@ -166,7 +166,6 @@ public final class Texts {
                 each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
             case ASK_HOW -> each(read(text), term -> term.isString() ? trigger(((StringTerm) term).getString()) : term);
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, SORRY -> read(text);
-            case MOVE -> throw new MalformedTextException(text, "it belongs to a move");
         };
     }
 
@@ -208,7 +207,6 @@ public final class Texts {
             case TELL_HOW -> all(term, each -> each.isString() || each instanceof Plan plan && !plan.hasSubPlans()
                     && plan.getGoalCondition() == null);
             case SORRY -> term.isString();
-            case MOVE -> false;
         };
         expect(fits, text, expected(performative, conversing));
     }
@@ -223,7 +221,6 @@ public final class Texts {
             case TELL_HOW -> "a plan such as { +!go <- run }, or a list of such, was expected";
             case UNTELL_HOW -> "a plan's label or a list of such was expected";
             case SORRY -> "a string was expected";
-            case MOVE -> "no term was expected";
         };
     }
 

@@ -50,16 +50,18 @@ local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialR
   "relayAnswers", "relayRefused", "memoryDamaged", "loopMillis", "perceptsMillis", "actionMillis", "radioLateMicros"}
 -- How a performative goes with a conversation.
 local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
-  askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always", move = "never"}
-local MOVES = {O = "offer", W = "want", D = "data", R = "ready", G = "go", A = "awake", C = "cancelled", X = "refused"}
+  askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always"}
 local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "predation"}
 local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
--- Host messages (SPEC 11.3) by their kinds.
-local KINDS = {[0] = "MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
-  "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY"}
-local FIRST_SEALED = 8
+-- Host messages (SPEC 3.1) by their first bytes.
+local KINDS = {}
+for i, name in ipairs({"MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
+  "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY", "MOVE_OFFER", "MOVE_WANT", "MOVE_DATA", "MOVE_READY", "MOVE_GO", "MOVE_AWAKE",
+  "MOVE_CANCELLED", "MOVE_REFUSED"}) do KINDS[0x7F + i] = name end
+local FIRST_SEALED = 0x88
 -- The lengths of their bodies, of the fragments from 0 on; of the others any.
-local BODIES = {[0] = {37}, {63, 25}, {63}, {16}, {16}, {8}, {1}, {0}, [11] = {16}}
+local BODIES = {MESSAGE_1 = {37}, MESSAGE_2 = {62, 26}, MESSAGE_3 = {63}, RENEWAL_1 = {16}, RENEWAL_2 = {16}, RENEWAL_3 = {8},
+  WANT = {2}, GROUP = {0}, GROUP_KEY = {16}, MOVE_READY = {4}, MOVE_GO = {4}, MOVE_CANCELLED = {4}}
 
 -- ---------------------------------------------------------------------------------------------------------------------
 -- Fields
@@ -102,11 +104,9 @@ field(air, "message", "bytes", "Message")
 field(air, "repeat_of", "framenum", "Sent again; first in", base.NONE, frametype.RETRANS_PREV)
 
 field(air, "content", "string", "Content")
-field(air, "content.bytes", "bytes", "Content")
 field(air, "performative", "string", "Performative")
 field(air, "conversation", "uint24", "Conversation")
 field(air, "term", "string", "Term")
-field(air, "move.type", "string", "Type of move")
 field(air, "move", "uint32", "Move", base.HEX)
 field(air, "move.protocol", "string", "Protocol")
 field(air, "move.parts", "uint8", "Count of parts")
@@ -122,12 +122,12 @@ field(air, "move.packed", "bytes", "Packed bytes")
 field(air, "move.reason", "string", "Error and reason")
 
 field(air, "host_message", "string", "Host message")
-field(air, "host_message.kind", "uint8", "Kind", base.DEC, KINDS, 0x3C)
-field(air, "host_message.fragment", "uint8", "Fragment", base.DEC, nil, 0x03)
+field(air, "host_message.kind", "uint8", "Kind", base.HEX, KINDS)
+field(air, "host_message.fragment", "uint8", "Fragment")
 field(air, "host_message.to", "string", "To")
 field(air, "host_message.body", "bytes", "Body")
-field(air, "host_message.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
-field(air, "host_message.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
+field(air, "host_message.wanted", "uint8", "Kind that is wanted", base.HEX, KINDS)
+field(air, "host_message.wanted.fragment", "uint8", "Fragment that is wanted")
 field(air, "host_message.id", "uint24", "Id of the content")
 field(air, "revocation_list.authority", "bytes", "Authority")
 field(air, "revocation_list.sequence", "uint16", "Sequence")
@@ -554,25 +554,24 @@ local function address(tree, name, range)
   return item
 end
 
-local function show_move(tree, range)
+-- Shows the body of a message of a move (SPEC 9.1), or returns false where it is none.
+local function show_move(tree, name, range)
   local bytes = range:raw()
-  local type = bytes:sub(1, 1)
-  tree:add(f["move.type"], range(0, 1), MOVES[type] or "unknown")
-  if not MOVES[type] or #bytes < 5 then return complain(tree, e_error, range, "BAD_CONTENT", "no message of a move") end
-  tree:add(f["move"], range(1, 4))
-  local at = 5
+  if #bytes < 4 then return false end
+  tree:add(f["move"], range(0, 4))
+  local at = 4
   local function has(count) return at + count <= #bytes end
   local function take(name, length)
     tree:add(f[name], range(at, length))
     at = at + length
   end
-  if type == "O" and has(2) then
+  if name == "MOVE_OFFER" and has(2) then
     tree:add(f["move.protocol"], range(at, 1), PROTOCOLS[bytes:sub(at + 1, at + 1)] or "unknown")
     at = at + 1
     local parts = bytes:byte(at + 1)
     take("move.parts", 1)
     for _ = 1, parts do
-      if not has(14) then return end
+      if not has(14) then return true end
       take("move.hash", 8)
       take("move.packed_length", 3)
       take("move.text_length", 3)
@@ -582,17 +581,18 @@ local function show_move(tree, range)
       address(tree, "move.home", range(at, 4))
       text(tree, "move.name", range(at + 4))
     end
-  elseif type == "W" then
+  elseif name == "MOVE_WANT" then
     while has(3) do take("move.offset", 3) end
-  elseif type == "D" and has(5) then
+  elseif name == "MOVE_DATA" and has(5) then
     take("move.part", 1)
     take("move.offset", 3)
     take("move.packed", #bytes - at)
-  elseif type == "A" and has(1) then
+  elseif name == "MOVE_AWAKE" and has(1) then
     text(tree, "move.name", range(at))
-  elseif type == "X" and has(1) then
+  elseif name == "MOVE_REFUSED" and has(1) then
     text(tree, "move.reason", range(at))
   end
+  return true
 end
 
 -- Shows `performative;term` or `performative#conversation;term` (SPEC 3), and returns it for the list.
@@ -607,22 +607,17 @@ local function show_content(tree, range)
     return ""
   end
   local performative, mark, term = bytes:match("^(%a+)(#?[%w+/]*);(.+)$")
-  local item = performative == "move" and tree:add(f["content.bytes"], range) or text(tree, "content", range)
+  local item = text(tree, "content", range)
   if #bytes > MAX_CONTENT_LENGTH then return bad("TOO_LONG", #bytes .. " bytes") end
   local rule = PERFORMATIVES[performative]
   if not rule or #mark ~= 0 and #mark ~= 4 or #mark == 4 and mark:sub(1, 1) ~= "#" then return bad("BAD_CONTENT", "not performative;term") end
   if rule == "always" and mark == "" or rule == "never" and mark ~= "" then
     return bad("BAD_CONTENT", performative .. (mark == "" and " without a conversation" or " with a conversation"))
   end
-  if performative ~= "move" and not is_utf8(bytes) then return bad("BAD_TEXT", "no UTF-8") end
+  if not is_utf8(bytes) then return bad("BAD_TEXT", "no UTF-8") end
   text(item, "performative", range(0, #performative))
   if mark ~= "" then item:add(f["conversation"], range(#performative + 1, 3), digits(mark, 2, 4)) end
-  local rest = range(#performative + #mark + 1)
-  if performative == "move" then
-    show_move(item, rest)
-    return "move: " .. (MOVES[term:sub(1, 1)] or "unknown")
-  end
-  text(item, "term", rest)
+  text(item, "term", range(#performative + #mark + 1))
   return plain(bytes)
 end
 
@@ -637,19 +632,18 @@ local function show_revocation_list(tree, range)
   return true
 end
 
--- Shows a host message (SPEC 11.3), and returns its name for the list.
+-- Shows a host message (SPEC 3.1), and returns its name for the list.
 local function show_host_message(tree, range, is_plain)
   local bytes = range:raw()
-  local kind, fragment = bit.rshift(bit.band(bytes:byte(), 0x3C), 2), bit.band(bytes:byte(), 0x03)
+  local kind, fragment = bytes:byte(), 0
   local name = KINDS[kind]
   local item = tree:add(f["host_message"], range, name or "unknown")
   item:add(f["host_message.kind"], range(0, 1))
-  item:add(f["host_message.fragment"], range(0, 1))
   local function bad(why)
     complain(item, e_error, range, "BAD_HOST_MESSAGE", why)
     return "host message: " .. (name or "unknown")
   end
-  if not name then return bad("kind " .. kind) end
+  if not name then return bad(string.format("kind 0x%02X", kind)) end
   if is_plain ~= (kind < FIRST_SEALED) then return bad(name .. (is_plain and " in a broadcast" or " in a sealed message")) end
   local line, head = "host message: " .. name, 1
   if is_plain then
@@ -664,15 +658,22 @@ local function show_host_message(tree, range, is_plain)
     item:add(f["address"], range(1, 3), to):set_hidden()
     line = line .. " to " .. to
   end
+  local lengths = BODIES[name]
+  if lengths and #lengths > 1 and #bytes > head then
+    fragment = bytes:byte(head + 1)
+    item:add(f["host_message.fragment"], range(head, 1))
+    head = head + 1
+  end
   local body = #bytes > head and range(head) or nil
-  local length, lengths = #bytes - head, BODIES[kind] or {#bytes - head}
+  local length = #bytes - head
+  lengths = lengths or {length}
   if length ~= lengths[fragment + 1] then return bad(string.format("fragment %d of %d bytes", fragment, length)) end
   if #lengths > 1 then line = line .. ", fragment " .. fragment end
   if not body then return line end
   local shown = item:add(f["host_message.body"], body)
   if name == "WANT" then
-    shown:add(f["host_message.wanted"], body)
-    shown:add(f["host_message.wanted.fragment"], body)
+    shown:add(f["host_message.wanted"], body(0, 1))
+    shown:add(f["host_message.wanted.fragment"], body(1, 1))
   elseif name == "CONTENT" then
     if length < 4 then return bad("no content") end
     shown:add(f["host_message.id"], body(0, 3))
@@ -685,6 +686,8 @@ local function show_host_message(tree, range, is_plain)
     end
   elseif name == "REVOCATION_LIST" and not show_revocation_list(shown, body) then
     return bad("no revocation list")
+  elseif name:find("^MOVE_") and not show_move(shown, name, body) then
+    return bad("no move")
   end
   return line
 end

@@ -7,17 +7,16 @@ import highway.Observation.Pin;
 import highway.Observation.Spoilt;
 import java.util.List;
 import java.util.Optional;
-import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import javino.protocol.HostMessage;
+import javino.protocol.ProtocolException;
 import trace.TraceEvent;
 
 /** What the emulator's trace shows (emulator/README.md). */
 final class Trace {
 
-    /** Of a word: its kind and addressee (SPEC 11.3). */
-    private static final int HEAD = 4;
+    /** Kinds of host messages in broadcasts, in the order of their numbers. */
     private static final List<String> WORDS = List.of("handshake 1", "handshake 2", "handshake 3", "renewal 1",
             "renewal 2", "renewal 3", "asks for a part", "asks for the key of the group");
 
@@ -43,15 +42,17 @@ final class Trace {
     /** What one host says to another in a broadcast. */
     private static Optional<Hosts> word(TraceEvent event) {
         Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
-        Bytes word = payload.message();
-        if (payload.kind() != Payload.Kind.BROADCAST || word.length() < HEAD || !HostMessage.isHostMessage(word)) {
+        if (payload.kind() != Payload.Kind.BROADCAST) {
             return Optional.empty();
         }
-        Address to = new Address((int) word.number(1, 4));
-        int kind = word.at(0) - 0x80 >> 2;
-        String part = kind == 1 ? ", part " + (1 + word.at(0) % 4) : "";
-        return Optional.of(new Hosts(event.seconds(), event.textOrEmpty("origin"), to.toString(),
-                (kind < WORDS.size() ? WORDS.get(kind) : "unknown") + part));
+        try {
+            HostMessage word = HostMessage.decode(payload.message());
+            String part = word.kind().fragments() > 1 ? ", part " + (1 + word.fragment()) : "";
+            return word.to().map(to -> new Hosts(event.seconds(), event.textOrEmpty("origin"), to.toString(),
+                    WORDS.get(word.kind().ordinal()) + part));
+        } catch (ProtocolException e) {
+            return Optional.empty();
+        }
     }
 
     private static Aired aired(TraceEvent event) {

@@ -19,7 +19,6 @@ import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
-import javino.protocol.HostMessage;
 
 /** A board in memory that performs requests as SPEC 4.2 and 4.3 want it, or as its script says, and logs them. */
 public final class FakeBoard {
@@ -349,9 +348,9 @@ public final class FakeBoard {
         mail.receive(destination, origin, id, Bytes.ofText(content));
     }
 
-    /** Receives a plain host message of ROMA. */
-    public void receive(HostMessage message) {
-        mail.receive("////", "ROMA", 0, message.bytes());
+    /** Receives the bytes of a plain host message of ROMA. */
+    public void receiveHostMessage(Bytes message) {
+        mail.receive("////", "ROMA", 0, message);
     }
 
     /** Boots anew: it must be greeted, and offers again the messages that were not taken. */

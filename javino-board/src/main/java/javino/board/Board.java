@@ -8,12 +8,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Function;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
@@ -22,7 +20,7 @@ import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
 import javino.protocol.Request;
 import javino.protocol.Status;
-import javino.protocol.HostMessage;
+import javino.protocol.Message;
 
 /**
  * A session with one board. A daemon thread says hello to the board, polls it, and finds it again when it was lost.
@@ -81,32 +79,19 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Sends a content by radio from the board's own address. It waits here until the board has room for it.
+     * Sends a message by radio from the board's own address. It waits here until the board has room for it.
      *
      * @throws IllegalArgumentException if the destination is the serial line.
      */
-    public Transmission transmit(Address to, Content content) {
-        return transmit(to, content.toString(), origin -> Request.transmit(to, origin, content));
-    }
-
-    /**
-     * Sends a host message by radio from the board's own address.
-     *
-     * @throws IllegalArgumentException if the destination is the serial line.
-     */
-    public Transmission transmit(Address to, HostMessage message) {
-        return transmit(to, "a host message", origin -> Request.transmit(to, origin, message));
-    }
-
-    private Transmission transmit(Address to, String what, Function<Address, Request> request) {
+    public Transmission transmit(Address to, Message message) {
         if (to.equals(Address.SERIAL)) {
             throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
         }
-        String description = "transmit to " + to + ": " + what;
+        String description = "transmit to " + to + ": " + message;
         return transmission(description, true, board -> {
-            return request.apply(
-                    board.rfId().orElseThrow(() -> new RequestFailedException(description,
-                            board.hasRadio() ? Status.NO_RF_ID : Status.NO_RADIO)));
+            Address self = board.rfId().orElseThrow(() -> new RequestFailedException(description,
+                    board.hasRadio() ? Status.NO_RF_ID : Status.NO_RADIO));
+            return Request.transmit(to, self, message);
         });
     }
 

@@ -44,7 +44,7 @@ public interface BoardListener {
     }
 
     /**
-     * A host message came by radio (SPEC 3, 11.3), under the same rules as a message.
+     * A host message came by radio (SPEC 3.1), under the same rules as a message.
      *
      * @param from the device that sent it.
      * @param to   this device, if it was sealed, or all.

@@ -187,7 +187,7 @@ final class Polling {
         context.counters().count(SessionCounter.MESSAGES);
         try {
             if (HostMessage.isHostMessage(message.content())) {
-                HostMessage hostMessage = new HostMessage(message.content());
+                HostMessage hostMessage = HostMessage.decode(message.content());
                 context.listener()
                         .tell(listener -> listener.hostMessage(message.origin(), message.destination(), hostMessage));
                 return;

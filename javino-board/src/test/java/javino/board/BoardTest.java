@@ -26,7 +26,6 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Capability;
-import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
@@ -306,23 +305,17 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
-    void word_ofAnotherHost_isNoMessageAndCanBeAnswered() throws Exception {
+    void hostMessage_ofAnotherHost_isNoMessageAndCanBeAnswered() throws Exception {
         openAndAwaitOnline();
         board.setRfId(Address.parse("SUPO")).get();
-        fake.receive(new HostMessage(Bytes.of(0x80, 0)));
-        fake.receive(new HostMessage(Bytes.of(0xBF)));
-        assertEquals("host message ROMA //// 8000", listener.next());
-        assertEquals("host message ROMA //// bf", listener.next());
-        board.transmit(Address.BROADCAST, new HostMessage(Bytes.of(0x81, 2, 3))).taken().get();
-        assertEquals(List.of("id SUPO", "//// 810203"), List.copyOf(fake.requests));
-    }
-
-    @Test
-    void word_anotherFirstByteOrTooLong_isNone() {
-        for (Bytes bytes : List.of(Bytes.EMPTY, Bytes.of(0x7F), Bytes.of(0xC0),
-                Bytes.join(Bytes.of(0x80), Bytes.copyOf(new byte[Content.MAX_LENGTH])))) {
-            assertThrows(IllegalArgumentException.class, () -> new HostMessage(bytes), bytes::hex);
-        }
+        fake.receiveHostMessage(Bytes.of(0x87, 1, 2, 3));
+        fake.receiveHostMessage(Bytes.of(0xBF));
+        assertEquals("host message ROMA //// 87010203", listener.next());
+        assertEquals("warning a message from ROMA was skipped: BAD_HOST_MESSAGE: it is of no known kind of host"
+                + " message, 0xBF", listener.next());
+        board.transmit(Address.BROADCAST, new HostMessage(HostMessage.Kind.GROUP, Address.parse("//SU"), Bytes.EMPTY))
+                .taken().get();
+        assertEquals(List.of("id SUPO", "//// 87fff494"), List.copyOf(fake.requests));
     }
 
     @Test

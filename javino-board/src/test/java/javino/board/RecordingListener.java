@@ -36,7 +36,7 @@ final class RecordingListener implements BoardListener {
 
     @Override
     public void hostMessage(Address from, Address to, HostMessage message) {
-        lines.add("host message " + from + " " + to + " " + message.bytes());
+        lines.add("host message " + from + " " + to + " " + message.encode());
     }
 
     @Override

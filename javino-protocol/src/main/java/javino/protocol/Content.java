@@ -8,61 +8,38 @@ import java.util.Optional;
  *
  * @param performative what the message is meant to do.
  * @param conversation the number that joins a question and its answer; else empty.
- * @param body         an AgentSpeak term in UTF-8, or of {@link Performative#MOVE} any bytes; at least one byte. The
- *                     whole content has at most 494 bytes.
+ * @param term         an AgentSpeak term; the whole content has at most 494 bytes.
  */
-public record Content(Performative performative, Optional<Conversation> conversation, Bytes body) {
+public record Content(Performative performative, Optional<Conversation> conversation, String term) implements Message {
 
     /** The most bytes of a content: the sealed content fits a frame, and the opened one a poll reply. */
     public static final int MAX_LENGTH = 494;
 
     private static final char DIVIDER = ';';
     private static final char CONVERSATION_MARK = '#';
-    private static final Bytes MOVE_HEAD = Bytes.ofText(Performative.MOVE.toString() + DIVIDER);
 
     /**
-     * @throws IllegalArgumentException if the body is empty, is no UTF-8 where it must be, or is too long; if a
-     *         question or {@code sorry} has no conversation, or a content that is no question and no answer has one.
+     * @throws IllegalArgumentException if the term is empty, has a lone surrogate, or is too long; if a question or
+     *         {@code sorry} has no conversation, or a content that is no question and no answer has one.
      */
     public Content {
         if (!fits(performative, conversation.isPresent())) {
             throw new IllegalArgumentException("a " + performative + (conversation.isEmpty() ? " needs a conversation"
                     : " belongs to no conversation"));
         }
-        if (body.length() == 0) {
+        if (term.isEmpty()) {
             throw new IllegalArgumentException("a content needs a term after \"" + performative + ";\"");
         }
-        if (performative != Performative.MOVE) {
-            expectText(body);
-        }
-        int length = head(performative, conversation).length() + body.length();
+        int length = Bytes.ofText(head(performative, conversation) + term).length();
         if (length > MAX_LENGTH) {
             throw new IllegalArgumentException(
                     "a content has at most " + MAX_LENGTH + " bytes of UTF-8, not " + length);
         }
     }
 
-    /** A content of text. */
-    public Content(Performative performative, Optional<Conversation> conversation, String term) {
-        this(performative, conversation, Bytes.ofText(term));
-    }
-
     /** A content that is no question and no answer. */
     public Content(Performative performative, String term) {
         this(performative, Optional.empty(), term);
-    }
-
-    /** What a host says to another host about an agent that travels. */
-    public static Content move(Bytes body) {
-        return new Content(Performative.MOVE, Optional.empty(), body);
-    }
-
-    private static void expectText(Bytes body) {
-        try {
-            body.text();
-        } catch (ProtocolException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
-        }
     }
 
     /**
@@ -74,9 +51,6 @@ public record Content(Performative performative, Optional<Conversation> conversa
         if (bytes.length() > MAX_LENGTH) {
             throw new ProtocolException(ProtocolError.TOO_LONG,
                     "a content has at most " + MAX_LENGTH + " bytes, not " + bytes.length());
-        }
-        if (bytes.length() > MOVE_HEAD.length() && bytes.slice(0, MOVE_HEAD.length()).equals(MOVE_HEAD)) {
-            return move(bytes.from(MOVE_HEAD.length()));
         }
         String text = bytes.text();
         int divider = text.indexOf(DIVIDER);
@@ -122,32 +96,18 @@ public record Content(Performative performative, Optional<Conversation> conversa
         }
     }
 
-    /** The term; of a move, whose term is bytes, their hexadecimal digits. */
-    public String term() {
-        try {
-            return performative == Performative.MOVE ? body.hex() : body.text();
-        } catch (ProtocolException e) {
-            throw new IllegalStateException("the constructor has read it", e);
-        }
-    }
-
-    /** The content's bytes. */
+    @Override
     public Bytes encode() {
-        return Bytes.join(head(performative, conversation), body);
+        return Bytes.ofText(toString());
     }
 
-    /** As on the line, {@code performative;term} or {@code performative#conversation;term}; but a move in hexadecimal
-     * digits. */
+    /** As on the line, {@code performative;term} or {@code performative#conversation;term}. */
     @Override
     public String toString() {
-        return headText(performative, conversation) + term();
+        return head(performative, conversation) + term;
     }
 
-    private static Bytes head(Performative performative, Optional<Conversation> conversation) {
-        return Bytes.ofText(headText(performative, conversation));
-    }
-
-    private static String headText(Performative performative, Optional<Conversation> conversation) {
+    private static String head(Performative performative, Optional<Conversation> conversation) {
         return performative + conversation.map(known -> CONVERSATION_MARK + known.toString()).orElse("") + DIVIDER;
     }
 }

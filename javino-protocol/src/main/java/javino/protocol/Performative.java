@@ -29,9 +29,7 @@ public enum Performative {
     /** The receiver drops the plans that it had from the sender. */
     UNTELL_HOW("untellHow"),
     /** The receiver's question has no answer that can be sent (KQML's term). */
-    SORRY("sorry"),
-    /** A step of an agent's move from one MAS to another; its term is bytes (SPEC 9). */
-    MOVE("move");
+    SORRY("sorry");
 
     private final String text;
 
@@ -48,7 +46,7 @@ public enum Performative {
     public boolean isQuestion() {
         return switch (this) {
             case ASK_ONE, ASK_ALL, ASK_HOW -> true;
-            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, TELL_HOW, UNTELL_HOW, SORRY, MOVE -> false;
+            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, TELL_HOW, UNTELL_HOW, SORRY -> false;
         };
     }
 
@@ -56,24 +54,24 @@ public enum Performative {
     public boolean canAnswer() {
         return switch (this) {
             case TELL, UNTELL, TELL_HOW, SORRY -> true;
-            case ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, UNTELL_HOW, MOVE -> false;
+            case ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, UNTELL_HOW -> false;
         };
     }
 
     /**
      * Whether it is accepted only by unicast or multicast: no attacker may make an agent answer, see its plans or
-     * change them, or move in.
+     * change them.
      */
     public boolean requiresSeal() {
         return switch (this) {
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> false;
-            case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY, MOVE -> true;
+            case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY -> true;
         };
     }
 
-    /** Whether an agent's program may say it; Javino says the others by itself. */
+    /** Whether an agent's program may say it; Javino says {@link #SORRY} by itself. */
     public boolean isSaid() {
-        return this != SORRY && this != MOVE;
+        return this != SORRY;
     }
 
     /** The AgentSpeak name, such as {@code tell} or {@code askOne}. */

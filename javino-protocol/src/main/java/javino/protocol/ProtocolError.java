@@ -22,6 +22,8 @@ public enum ProtocolError {
     BAD_TEXT,
     /** A content is not {@code performative;term} (SPEC 3). */
     BAD_CONTENT,
+    /** A host message is of no known kind, or has not the form of its kind (SPEC 3.1). */
+    BAD_HOST_MESSAGE,
     /** A board's reply does not have the form of SPEC 4.3. */
     BAD_REPLY
 }

@@ -322,22 +322,13 @@ public record Request(Command command, Frame frame, String description) {
      *
      * @param destination the receiver; the board checks whether anything can be sent to it.
      * @param origin      the board's RF id.
-     * @param content     plain; the board seals it.
+     * @param message     plain; the board seals it.
      * @throws IllegalArgumentException if the destination is the serial line, which would be a command.
      */
-    public static Request transmit(Address destination, Address origin, Content content) {
-        return transmit(destination, origin, content.encode(), content.toString());
-    }
-
-    /** {@link Command#TRANSMIT} of a host message, as of a content. */
-    public static Request transmit(Address destination, Address origin, HostMessage message) {
-        return transmit(destination, origin, message.bytes(), "a host message");
-    }
-
-    private static Request transmit(Address destination, Address origin, Bytes message, String what) {
+    public static Request transmit(Address destination, Address origin, Message message) {
         check(!destination.equals(Address.SERIAL), "a transmission goes to an RF address", destination);
-        return new Request(Command.TRANSMIT, new Frame(destination, origin, message),
-                "transmit to " + destination + ": " + what);
+        return new Request(Command.TRANSMIT, new Frame(destination, origin, message.encode()),
+                "transmit to " + destination + ": " + message);
     }
 
     @Override

@@ -35,9 +35,9 @@ class ContentTest {
         assertEquals(VectorFile.text(vector, "performative"), content.performative().toString());
         assertEquals(vector.get("conversation").isJsonNull() ? Optional.empty()
                 : Optional.of(new Conversation(vector.get("conversation").getAsInt())), content.conversation());
-        assertEquals(VectorFile.text(vector, "term"), content.body().text());
+        assertEquals(VectorFile.text(vector, "term"), content.term());
         assertEquals(bytes, content.encode());
-        assertEquals(bytes, new Content(content.performative(), content.conversation(), content.body()).encode());
+        assertEquals(bytes, new Content(content.performative(), content.conversation(), content.term()).encode());
     }
 
     @ParameterizedTest
@@ -77,7 +77,7 @@ class ContentTest {
         assertEquals(
                 EnumSet.of(Performative.ASK_ONE, Performative.ASK_ALL, Performative.ASK_HOW, Performative.TELL_HOW,
                         Performative.UNTELL_HOW,
-                        Performative.SORRY, Performative.MOVE),
+                        Performative.SORRY),
                 Stream.of(Performative.values()).filter(Performative::requiresSeal).collect(Collectors.toSet()));
     }
 
@@ -91,16 +91,6 @@ class ContentTest {
     @ValueSource(ints = {-1, 1 << 18})
     void conversation_outOfRange_throws(int id) {
         assertThrows(IllegalArgumentException.class, () -> new Conversation(id));
-    }
-
-    @Test
-    void move_anyBytes_readsBackAndShowsThemInHex() throws ProtocolException {
-        Content content = Content.move(Bytes.of(0xFF, 0, ';'));
-        assertEquals(content, Content.decode(content.encode()));
-        assertEquals("move;ff003b", content.toString());
-        assertThrows(ProtocolException.class, () -> Content.decode(Bytes.ofText("move;")));
-        assertThrows(IllegalArgumentException.class,
-                () -> new Content(Performative.TELL, Optional.empty(), Bytes.of(0xFF)));
     }
 
     @Test

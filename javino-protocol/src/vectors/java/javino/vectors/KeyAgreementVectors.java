@@ -9,13 +9,12 @@ import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.time.LocalDate;
 import java.util.Arrays;
-import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
-/** SPEC 11: certificates, revocation lists, renewals and host messages, by textbook formulas of the curve. */
+/** SPEC 11: certificates, revocation lists and renewals, by textbook formulas of the curve. */
 final class KeyAgreementVectors {
 
     private static final BigInteger P = number("ffffffff00000001000000000000000000000000ffffffffffffffffffffffff");
@@ -23,8 +22,6 @@ final class KeyAgreementVectors {
     private static final BigInteger THREE = BigInteger.valueOf(3);
     private static final Point G = new Point(number("6b17d1f2e12c4247f8bce6e563a440f277037d812deb33a0f4a13945d898c296"),
             number("4fe342e2fe1a7f9b8ee7eb4a7c0f9e162bce33576b315ececbb6406837bf51f5"));
-    private static final String[] KINDS = {"MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3",
-            "WANT", "GROUP", "CONTENT", "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY"};
     private static final int KEY_LABEL = 32768;
     private static final int PROOF_LABEL = 32769;
 
@@ -40,14 +37,6 @@ final class KeyAgreementVectors {
                 revocationList(4, 0, "2026-11-24", "2026-11-24"),
                 revocationList(5, 0x0102, "2149-06-06", "1970-01-01", 0, 7, 0xffff)));
         lists.put("renewals", List.of(renewal(6, "SUPO", "ROMA"), renewal(7, "ROMA", "SUPO")));
-        lists.put("hostMessages", List.of(
-                hostMessage(0, 0, "SUPO", 37), hostMessage(1, 0, "SUPO", 63), hostMessage(1, 1, "SUPO", 25),
-                hostMessage(2, 0, "ROMA", 63),
-                hostMessage(3, 0, "ROMA", 16), hostMessage(4, 0, "ROMA", 16), hostMessage(5, 0, "ROMA", 8),
-                hostMessage(6, 0, "ROMA", 1),
-                hostMessage(7, 0, "//SU", 0), hostMessage(8, 0, null, 3 + 490), hostMessage(9, 0, null, 3),
-                hostMessage(10, 0, null, 71),
-                hostMessage(11, 0, null, 16)));
         return lists;
     }
 
@@ -58,7 +47,7 @@ final class KeyAgreementVectors {
         BigInteger c = secret(seed, "contribution");
         byte[] authority = authority(seed);
         byte[] point = G.times(k).plus(G.times(c)).compressed();
-        byte[] certificate = Wire.join(address(address), two(serial), new byte[] {(byte) (groupKeyServer ? 1 : 0)},
+        byte[] certificate = Wire.join(Wire.address(address), two(serial), new byte[] {(byte) (groupKeyServer ? 1 : 0)},
                 day(until), new byte[] {hash(authority)[0]}, point);
         BigInteger e = new BigInteger(1, hash(ascii("javino-cert-1"), certificate)).mod(N);
         BigInteger r = e.multiply(c).add(q).mod(N);
@@ -71,7 +60,7 @@ final class KeyAgreementVectors {
                 Wire.unhex("225820"), bytes(key.y));
         return vector("address", address, "serial", serial, "groupKeyServer", groupKeyServer, "until", until,
                 "authority", Wire.hex(authority), "requestSecret", Wire.hex(bytes(k)),
-                "request", Wire.hex(Wire.join(address(address), G.times(k).compressed())),
+                "request", Wire.hex(Wire.join(Wire.address(address), G.times(k).compressed())),
                 "certificate", Wire.hex(certificate), "contribution", Wire.hex(bytes(r)),
                 "secret", Wire.hex(bytes(d)), "publicKey", Wire.hex(key.compressed()),
                 "cred", Wire.hex(Wire.join(Wire.unhex("a20264"), ascii(address), Wire.unhex("08a101"), coseKey)));
@@ -94,7 +83,7 @@ final class KeyAgreementVectors {
 
     private static Map<String, Object> renewal(int seed, String initiator, String responder) {
         byte[] kept = hash(ascii("kept " + seed));
-        byte[] pair = Wire.join(address(initiator), address(responder));
+        byte[] pair = Wire.join(Wire.address(initiator), Wire.address(responder));
         byte[] first = Wire.unhex("0001020304050607");
         byte[] second = Wire.unhex("08090a0b0c0d0e0f");
         byte[] updated = derive(kept, 11, Wire.join(first, second), 32);
@@ -106,17 +95,6 @@ final class KeyAgreementVectors {
                 Wire.hex(Wire.join(second, export(updated, PROOF_LABEL, Wire.join(new byte[] {2}, pair), 8))),
                 "message3", Wire.hex(export(updated, PROOF_LABEL, Wire.join(new byte[] {3}, pair), 8)),
                 "updated", Wire.hex(updated), "updatedKey", Wire.hex(export(updated, KEY_LABEL, pair, 16)));
-    }
-
-    /** @param to null of a sealed one. */
-    private static Map<String, Object> hostMessage(int kind, int fragment, String to, int length) {
-        byte[] body = new byte[length];
-        for (int i = 0; i < length; i++) {
-            body[i] = (byte) (7 * i + kind);
-        }
-        byte[] first = {(byte) (0x80 + 4 * kind + fragment)};
-        return vector("kind", KINDS[kind], "fragment", fragment, "to", to, "body", Wire.hex(body),
-                "hostMessage", Wire.hex(to == null ? Wire.join(first, body) : Wire.join(first, address(to), body)));
     }
 
     private static byte[] authority(int seed) {
@@ -156,11 +134,6 @@ final class KeyAgreementVectors {
         } catch (GeneralSecurityException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    /** SPEC 1: the 24 bits of its four digits, which are those of Base64. */
-    private static byte[] address(String text) {
-        return Base64.getDecoder().decode(text);
     }
 
     private static byte[] day(String date) {

@@ -33,6 +33,7 @@ public final class Vectors {
         files.put("addresses.json", format(AddressVectors.all()));
         files.put("frames.json", format(FrameVectors.all()));
         files.put("contents.json", format(ContentVectors.all()));
+        files.put("host-messages.json", format(HostMessageVectors.all()));
         files.put("packets.json", format(PacketVectors.all()));
         files.put("commands.json", format(CommandVectors.all()));
         files.put("radio.json", format(RadioVectors.all()));

@@ -41,6 +41,11 @@ final class Wire {
         return joined.toByteArray();
     }
 
+    /** SPEC 1: the 24 bits of an address's four digits, which are those of Base64. */
+    static byte[] address(String text) {
+        return Base64.getDecoder().decode(text);
+    }
+
     /** So many bytes that count up from a first one. */
     static byte[] counting(int first, int length) {
         byte[] bytes = new byte[length];

@@ -144,8 +144,7 @@ public final class TraceCheck {
     private void opened(TraceEvent event) {
         Set<String> said = packets.stream()
                 .filter(packet -> packet.shown("javino.board").equals(List.of(event.board())))
-                .flatMap(packet -> Stream.concat(packet.shown("javino.content").stream(),
-                        packet.hex("javino.content.bytes").stream()))
+                .flatMap(packet -> packet.shown("javino.content").stream())
                 .collect(Collectors.toSet());
         boolean wasSent = event.has("content") && events("rf-tx").anyMatch(packet -> packet.board()
                 .equals(event.board()) && packet.real("start") > event.seconds() - 1);

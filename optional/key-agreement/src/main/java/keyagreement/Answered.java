@@ -4,6 +4,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
 import keyagreement.edhoc.Answering;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Responder;
@@ -36,7 +37,7 @@ final class Answered extends Talk {
         shared.count(Event.ANSWERED);
     }
 
-    boolean answers(KeyAgreementMessage first) {
+    boolean answers(HostMessage first) {
         return first.kind() == round().first && first.body().equals(message1);
     }
 
@@ -57,7 +58,7 @@ final class Answered extends Talk {
     }
 
     @Override
-    void wasSaid(KeyAgreementMessage word, long now) {
+    void wasSaid(HostMessage word, long now) {
         if (word.kind() == round().second) {
             end = now + LIFE_MILLIS;
         }
@@ -73,8 +74,8 @@ final class Answered extends Talk {
     @Override
     void late(long now) {
         if (!due.isEmpty()) {
-            due.forEach(i -> say(KeyAgreementMessage.of(round().second, i, answering.message2()), round().thirdMillis,
-                    now));
+            due.forEach(i -> say(HostMessage.fragments(round().second, peer().address(), answering.message2()).get(i),
+                    round().thirdMillis, now));
             due.clear();
         } else if (end == NEVER || now >= end) {
             shared().count(Event.EXPIRED);
@@ -89,9 +90,9 @@ final class Answered extends Talk {
     }
 
     @Override
-    boolean wanted(int first, long now) {
+    boolean wanted(int part, long now) {
         for (int i = 0; i < round().second.fragments(); i++) {
-            if (first == round().second.first(i)) {
+            if (part == part(round().second, i)) {
                 again(i, now);
                 return true;
             }
@@ -100,7 +101,7 @@ final class Answered extends Talk {
     }
 
     @Override
-    void heard(KeyAgreementMessage word, long now) {
+    void heard(HostMessage word, long now) {
         try {
             Secret secret = answering.finish(word.body());
             Certificate certificate = answering instanceof Responder responder

@@ -3,6 +3,7 @@ package keyagreement;
 import java.util.OptionalInt;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
 import keyagreement.edhoc.Asking;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Initiator;
@@ -99,7 +100,7 @@ final class Begun extends Talk {
     }
 
     @Override
-    void heard(KeyAgreementMessage word, long now) {
+    void heard(HostMessage word, long now) {
         if (!isOpen()) {
             shared().count(Event.STRAY);
             return;
@@ -134,7 +135,7 @@ final class Begun extends Talk {
     }
 
     @Override
-    void wasSaid(KeyAgreementMessage word, long now) {
+    void wasSaid(HostMessage word, long now) {
         if (word.kind() == round().third) {
             thirdSaid = true;
             setDeadline(now + THIRD_KEPT_MILLIS);
@@ -143,8 +144,8 @@ final class Begun extends Talk {
     }
 
     @Override
-    boolean wanted(int first, long now) {
-        if (isOpen() || first != round().third.first(0)) {
+    boolean wanted(int part, long now) {
+        if (isOpen() || part != part(round().third, 0)) {
             return false;
         }
         sayAll(round().third, message3, THIRD_KEPT_MILLIS, now);

@@ -23,12 +23,9 @@ import java.util.stream.Stream;
 import jason.JasonException;
 
 import diffuser.BoardService;
-import diffuser.Cast;
 import diffuser.Diffuser;
 import diffuser.Failure;
 import diffuser.KeyService;
-import diffuser.Policy;
-import diffuser.Provenance;
 
 import javino.JavinoException;
 import javino.board.RequestFailedException;
@@ -38,6 +35,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
@@ -164,8 +162,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     @Override
-    public Transmission transmit(Host board, Address to, Content content) {
-        Errand errand = new Errand(to, content);
+    public Transmission transmit(Host board, Address to, Message message) {
+        Errand errand = new Errand(to, message);
         execute(() -> begin(board, errand));
         return errand.transmission();
     }
@@ -177,18 +175,18 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         } else if (isMet && errand.to().equals(group()) && !stored.contains(group())) {
             awaitGroupKey(errand);
         } else {
-            errand.follow(board.transmitAsIs(errand.to(), errand.content()));
+            errand.follow(board.transmitAsIs(errand.to(), errand.message()));
         }
     }
 
     private void meet(Errand errand) {
         try {
-            Optional<Long> ticket = meetings.send(errand.to(), errand.content(), millis());
+            Optional<Long> ticket = meetings.send(errand.to(), errand.message(), millis());
             ticket.ifPresentOrElse(number -> errands.put(number, errand), () -> errand.fail("queue_full",
                     "too many messages wait for a key with " + errand.to() + " or with others"));
         } catch (IllegalArgumentException e) {
             errand.fail("too_long", "a message to a device without a stored key has at most 490 bytes; this one has "
-                    + errand.content().encode().length());
+                    + errand.message().encode().length());
         }
     }
 
@@ -291,16 +289,17 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     @Override
-    public void hostMessage(Address from, Address to, HostMessage word) {
+    public Set<HostMessage.Use> uses() {
+        return Set.of(HostMessage.Use.HANDSHAKE, HostMessage.Use.KEY_AGREEMENT);
+    }
+
+    @Override
+    public void received(Address from, HostMessage word) {
         execute(() -> {
-            Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.TrustLevel.PROVISIONED
-                    : diffuser.TrustLevel.CERTIFIED);
-            if (meetings != null && Policy.decide(Policy.Act.HOST_MESSAGE, of).isAllowed()) {
-                meetings.received(from, word, millis());
-            } else if (meetings != null && Policy.decide(Policy.Act.HANDSHAKE, of).isAllowed()) {
-                meetings.heard(from, word, millis());
-            } else {
+            if (meetings == null) {
                 ignored++;
+            } else {
+                meetings.received(from, word, millis());
             }
         });
     }
@@ -347,15 +346,14 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     @Override
     public void broadcast(HostMessage word) {
-        host.transmit(Address.BROADCAST, word).end()
+        host.transmitAsIs(Address.BROADCAST, word).end()
                 .whenComplete((outcome, thrown) -> execute(() -> inMeetings(all -> all.said(millis()))));
     }
 
     @Override
     public void unicast(Address to, HostMessage word) {
-        Transmission transmission = host.transmit(to, word);
-        boolean ofAgent = KeyAgreementMessage.opened(word)
-                .filter(read -> read.kind() == KeyAgreementMessage.Kind.CONTENT).isPresent();
+        Transmission transmission = host.transmitAsIs(to, word);
+        boolean ofAgent = word.kind() == HostMessage.Kind.CONTENT || word.kind().use() == HostMessage.Use.MOVE;
         // Messages to one device go one after the other.
         Optional<Errand> errand = ofAgent
                 ? errands.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();
@@ -419,7 +417,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         host.setGroupKey(group, key).whenComplete((done, thrown) -> execute(() -> {
             if (thrown == null) {
                 stored.add(group);
-                forGroup.forEach(errand -> errand.follow(host.transmitAsIs(errand.to(), errand.content())));
+                forGroup.forEach(errand -> errand.follow(host.transmitAsIs(errand.to(), errand.message())));
                 forGroup.clear();
             } else {
                 host.warn(Failure.of(thrown).message());

@@ -6,21 +6,21 @@ import diffuser.Failure;
 
 import javino.board.Transmission;
 import javino.protocol.Address;
-import javino.protocol.Content;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 
 /**
- * A message of the agent's that waits for a key, or is under way with it.
+ * A message that waits for a key, or is under way with it.
  *
  * @param to      whom it is for.
- * @param content what travels.
+ * @param message what travels.
  * @param taken   completes when the board has it.
  * @param end     completes with what became of it.
  */
-record Errand(Address to, Content content, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
+record Errand(Address to, Message message, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
 
-    Errand(Address to, Content content) {
-        this(to, content, new CompletableFuture<>(), new CompletableFuture<>());
+    Errand(Address to, Message message) {
+        this(to, message, new CompletableFuture<>(), new CompletableFuture<>());
     }
 
     Transmission transmission() {

@@ -13,6 +13,8 @@ import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.HostMessage;
+import javino.protocol.HostMessage.Kind;
+import javino.protocol.Message;
 import keyagreement.edhoc.HandshakeException;
 
 /**
@@ -26,8 +28,8 @@ import keyagreement.edhoc.HandshakeException;
  * milliseconds), with the same clock in ms, which never goes back;
  * <li>deletes at its start the session keys that the board still has ({@link javino.protocol.Reply.Role#SESSION}): they
  * are of an earlier run;
- * <li>passes on {@link javino.board.BoardListener#hostMessage} to {@link #heard} or {@link #received}, {@code noKey} to
- * {@link #noKey}, and {@code online} with another boot epoch than before to {@link #booted};
+ * <li>passes on {@link javino.board.BoardListener#hostMessage} to {@link #received}, {@code noKey} to {@link #noKey},
+ * and {@code online} with another boot epoch than before to {@link #booted};
  * <li>calls {@link #tick} when {@link #next} has come.
  * </ul>
  * It makes no object of this class for a board whose RF id is not that of the certificate.
@@ -118,20 +120,20 @@ public final class Meetings {
     // What the agent wants.
 
     /**
-     * Sends a content to a device with which there is no stored key; where there is no session key, hosts agree on one
+     * Sends a message to a device with which there is no stored key; where there is no session key, hosts agree on one
      * first. A message ends within {@value Peer#MOST_MILLIS} ms, as {@link Outside#ended} tells, whatever happens.
      *
-     * @param content up to 490 bytes.
+     * @param message of a content, up to 490 bytes.
      * @return the ticket, by which its end is told; nothing if there are too many messages, which is told nowhere else.
      * @throws IllegalArgumentException if the address is no other device's, or the content is too long.
      */
-    public Optional<Long> send(Address to, Content content, long now) {
+    public Optional<Long> send(Address to, Message message, long now) {
         if (to.kind() != Address.Kind.DEVICE || to.equals(self)) {
             throw new IllegalArgumentException("a message goes to another device, not to " + to);
         }
         long ticket = lastTicket + 1;
         Optional<Peer> peer = peer(to);
-        if (peer.isEmpty() || !peer.get().send(ticket, content, now)) {
+        if (peer.isEmpty() || !peer.get().send(ticket, message, now)) {
             return Optional.empty();
         }
         lastTicket = ticket;
@@ -143,8 +145,7 @@ public final class Meetings {
      * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
      */
     public void wantGroupKey(long now) {
-        shared.speech().say(new KeyAgreementMessage(KeyAgreementMessage.Kind.GROUP, 0, Bytes.EMPTY),
-                Address.multicast(self.group()), now,
+        shared.speech().say(new HostMessage(Kind.GROUP, Address.multicast(self.group()), Bytes.EMPTY), now,
                 (then, took) -> {
                 });
     }
@@ -156,35 +157,34 @@ public final class Meetings {
 
     // What the board tells.
 
-    /** A plain word came. */
-    public void heard(Address from, HostMessage word, long now) {
-        Optional<KeyAgreementMessage> read = KeyAgreementMessage.plain(word);
-        Optional<Address> to = KeyAgreementMessage.addressee(word);
-        if (from.equals(self) || read.isEmpty()) {
+    /** A host message came: a broadcast, or sealed by a session key. */
+    public void received(Address from, HostMessage word, long now) {
+        if (from.equals(self)) {
             shared.count(Event.MALFORMED);
-        } else if (read.get().kind() == KeyAgreementMessage.Kind.GROUP) {
-            groupWanted(from, to.orElseThrow(), now);
-        } else if (!to.get().equals(self)) {
+        } else if (word.to().isEmpty()) {
+            opened(from, word, now);
+        } else if (word.kind() == Kind.GROUP) {
+            groupWanted(from, word.to().get(), now);
+        } else if (!word.to().get().equals(self)) {
             shared.count(Event.OVERHEARD);
             peers.values().forEach(peer -> peer.giveWay(now));
         } else {
-            heard(from, read.get(), now);
+            heard(from, word, now);
         }
     }
 
-    private void heard(Address from, KeyAgreementMessage word, long now) {
+    private void heard(Address from, HostMessage word, long now) {
         switch (word.kind()) {
             case MESSAGE_1 -> first(from, word, Talk.Round.FULL, now);
             case RENEWAL_1 -> first(from, word, Talk.Round.RENEWAL, now);
             case MESSAGE_2, RENEWAL_2 -> known(from).ifPresent(peer -> peer.second(word, now));
             case MESSAGE_3, RENEWAL_3 -> known(from).ifPresent(peer -> peer.third(word, now));
-            case WANT -> known(from).ifPresent(peer -> peer.wanted(word.body().at(0), now));
-            case GROUP, CONTENT, SEQUENCES, REVOCATION_LIST, GROUP_KEY ->
-                throw new IllegalArgumentException("not without a session key: " + word);
+            case WANT -> known(from).ifPresent(peer -> peer.wanted((int) word.body().number(0, 2), now));
+            default -> throw new IllegalArgumentException("of no handshake: " + word);
         }
     }
 
-    private void first(Address from, KeyAgreementMessage word, Talk.Round round, long now) {
+    private void first(Address from, HostMessage word, Talk.Round round, long now) {
         if (!open) {
             shared.count(Event.LIMITED);
             return;
@@ -240,22 +240,16 @@ public final class Meetings {
         });
     }
 
-    /** A word came sealed, in a unicast. */
-    public void received(Address from, HostMessage word, long now) {
-        Optional<KeyAgreementMessage> read = KeyAgreementMessage.opened(word);
-        if (read.isEmpty()) {
-            shared.count(Event.MALFORMED);
-            return;
-        }
+    private void opened(Address from, HostMessage word, long now) {
         Optional<Peer> peer = Optional.ofNullable(peers.get(from)).filter(Peer::isMet);
         if (peer.isEmpty()) {
             shared.count(Event.STRAY);
             return;
         }
-        switch (read.get().kind()) {
-            case REVOCATION_LIST -> revocationList(read.get().body(), now);
-            case GROUP_KEY -> groupKey(peer.get(), read.get().body());
-            default -> peer.get().opened(read.get(), now);
+        switch (word.kind()) {
+            case REVOCATION_LIST -> revocationList(word.body(), now);
+            case GROUP_KEY -> groupKey(peer.get(), word.body());
+            default -> peer.get().opened(word, now);
         }
     }
 

@@ -13,7 +13,10 @@ import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
+import javino.protocol.HostMessage;
+import javino.protocol.HostMessage.Kind;
 import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.ProtocolException;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Secret;
@@ -75,12 +78,12 @@ final class Peer {
         private static final long NO_TICKET = -1;
 
         private final long ticket;
-        private final KeyAgreementMessage word;
+        private final HostMessage word;
         private final long end;
         private int agreements;
         private boolean over;
 
-        Mail(long ticket, KeyAgreementMessage word, long now) {
+        Mail(long ticket, HostMessage word, long now) {
             this.ticket = ticket;
             this.word = word;
             end = now + MOST_MILLIS;
@@ -167,13 +170,14 @@ final class Peer {
     // What the agent wants.
 
     /** Takes a message, unless too many wait. */
-    boolean send(long ticket, Content content, long now) {
+    boolean send(long ticket, Message message, long now) {
         if (waiting.size() >= MOST_WAITING) {
             return false;
         }
-        Bytes id = Bytes.ofNumber(shared.nextId(), ID_LENGTH);
-        waiting.add(new Mail(ticket,
-                KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.CONTENT, Bytes.join(id, content.encode())), now));
+        // A host knows repeats of its own messages; an agent must not hear a content twice.
+        HostMessage word = message instanceof HostMessage ofHost ? ofHost : new HostMessage(Kind.CONTENT,
+                Bytes.join(Bytes.ofNumber(shared.nextId(), ID_LENGTH), message.encode()));
+        waiting.add(new Mail(ticket, word, now));
         advance(now);
         return true;
     }
@@ -189,7 +193,7 @@ final class Peer {
         if (session != Session.NONE) {
             underWay = waiting.poll();
             keysThen = keysSet;
-            shared.outside().unicast(address, underWay.word.sealed());
+            shared.outside().unicast(address, underWay.word);
         } else if (begun == null) {
             begin(now);
         }
@@ -227,7 +231,7 @@ final class Peer {
     }
 
     /** A message 1. */
-    void first(KeyAgreementMessage word, Talk.Round round, long now) {
+    void first(HostMessage word, Talk.Round round, long now) {
         Optional<Answered> same = answered().filter(run -> run.answers(word)).findAny();
         if (same.isPresent()) {
             same.get().answer(now);
@@ -254,11 +258,9 @@ final class Peer {
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
             if (round == Talk.Round.RENEWAL && shared.hints().take(now)) {
-                shared.speech()
-                        .say(new KeyAgreementMessage(KeyAgreementMessage.Kind.WANT, 0,
-                                Bytes.of(KeyAgreementMessage.Kind.MESSAGE_1.first(0))),
-                                address, now, (then, took) -> {
-                                });
+                shared.speech().say(new HostMessage(Kind.WANT, address, Bytes.of(Kind.MESSAGE_1.first(), 0)), now,
+                        (then, took) -> {
+                        });
             }
         }
     }
@@ -268,16 +270,16 @@ final class Peer {
     }
 
     /** A part of a message 2. */
-    void second(KeyAgreementMessage word, long now) {
+    void second(HostMessage word, long now) {
         pass(Stream.ofNullable(begun), word, now);
     }
 
     /** A message 3. */
-    void third(KeyAgreementMessage word, long now) {
+    void third(HostMessage word, long now) {
         pass(answered(), word, now);
     }
 
-    private void pass(Stream<? extends Talk> runs, KeyAgreementMessage word, long now) {
+    private void pass(Stream<? extends Talk> runs, HostMessage word, long now) {
         List<? extends Talk> fitting = runs.filter(talk -> setting == null
                 && (word.kind() == talk.round().second || word.kind() == talk.round().third)).toList();
         if (fitting.isEmpty()) {
@@ -288,11 +290,11 @@ final class Peer {
     }
 
     /** The other side lacks a fragment; or it lacks what it would need for a renewal. */
-    void wanted(int first, long now) {
-        if (first == KeyAgreementMessage.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
+    void wanted(int part, long now) {
+        if (part == Talk.part(Kind.MESSAGE_1, 0) && begun != null && begun.isOpen()
                 && begun.round() == Talk.Round.RENEWAL) {
             beginFull(now);
-        } else if (talks().stream().filter(talk -> talk.wanted(first, now)).toList().isEmpty()) {
+        } else if (talks().stream().filter(talk -> talk.wanted(part, now)).toList().isEmpty()) {
             shared.count(Event.STRAY);
         }
     }
@@ -408,7 +410,7 @@ final class Peer {
                 } else {
                     // Perhaps the other side lacks message 3.
                     if (sameKey && (mail.agreements > 0 || begun == null
-                            || !begun.wanted(begun.round().third.first(0), now))) {
+                            || !begun.wanted(Talk.part(begun.round().third, 0), now))) {
                         session = Session.NONE;
                         kept = null;
                         begun = null;
@@ -462,7 +464,7 @@ final class Peer {
     }
 
     /** A sealed word of the peer. */
-    void opened(KeyAgreementMessage word, long now) {
+    void opened(HostMessage word, long now) {
         if (session != Session.NONE) {
             prove();
         }
@@ -507,7 +509,7 @@ final class Peer {
         }
     }
 
-    private void hand(KeyAgreementMessage word, long now) {
+    private void hand(HostMessage word, long now) {
         if (waiting.size() < 2 * MOST_WAITING) {
             waiting.add(new Mail(Mail.NO_TICKET, word, now));
             advance(now);
@@ -523,7 +525,7 @@ final class Peer {
         if (own.groupKeyServer() && key.isPresent() && !key.get().equals(groupKeyGiven)
                 && address.group().equals(own.address().group()) && session != Session.NONE) {
             groupKeyGiven = key.get();
-            hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.GROUP_KEY, key.get().bytes()), now);
+            hand(new HostMessage(Kind.GROUP_KEY, key.get().bytes()), now);
         }
     }
 
@@ -553,7 +555,7 @@ final class Peer {
                     .map(entry -> Bytes.join(Bytes.of(entry.getKey()),
                             Bytes.ofNumber(entry.getValue(), SEQUENCE_LENGTH)))
                     .reduce(Bytes.EMPTY, Bytes::join);
-            hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.SEQUENCES, body), now);
+            hand(new HostMessage(Kind.SEQUENCES, body), now);
         }
     }
 
@@ -572,7 +574,7 @@ final class Peer {
         for (RevocationList revocationList : shared.identity().revocationLists()) {
             if (revocationList.sequence() > sequences.getOrDefault(revocationList.authority(), 0)) {
                 sequences.put(revocationList.authority(), revocationList.sequence());
-                hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.REVOCATION_LIST, revocationList.toBytes()),
+                hand(new HostMessage(Kind.REVOCATION_LIST, revocationList.toBytes()),
                         now);
             }
         }

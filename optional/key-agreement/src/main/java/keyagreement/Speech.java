@@ -2,7 +2,6 @@ package keyagreement;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import javino.protocol.Address;
 import javino.protocol.HostMessage;
 
 /** What waits to be broadcast: the board gets one at a time, so that it is known how long each took. */
@@ -29,8 +28,8 @@ final class Speech {
     }
 
     /** Says it, unless it waits already or too many do; tells whether. */
-    boolean say(KeyAgreementMessage word, Address to, long now, Sent sent) {
-        Line line = new Line(word.to(to), now, sent);
+    boolean say(HostMessage word, long now, Sent sent) {
+        Line line = new Line(word, now, sent);
         if (waiting.size() == MOST || waiting.stream().anyMatch(other -> other.word.equals(line.word))) {
             shared.count(Event.LIMITED);
             return false;

@@ -2,7 +2,11 @@ package keyagreement;
 
 import java.util.HashMap;
 import java.util.Map;
+import javino.protocol.Airtime;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
+import javino.protocol.HostMessage.Kind;
+import javino.protocol.Frame;
 import keyagreement.edhoc.HandshakeException;
 
 /** A handshake that is under way with a peer, on either side. */
@@ -25,19 +29,19 @@ abstract class Talk {
     /** The two ways to agree on a key. */
     enum Round {
         /** By certificates. */
-        FULL(KeyAgreementMessage.Kind.MESSAGE_1, KeyAgreementMessage.Kind.MESSAGE_2, KeyAgreementMessage.Kind.MESSAGE_3,
+        FULL(Kind.MESSAGE_1, Kind.MESSAGE_2, Kind.MESSAGE_3,
                 1200, 1400),
         /** By what both have kept. */
-        RENEWAL(KeyAgreementMessage.Kind.RENEWAL_1, KeyAgreementMessage.Kind.RENEWAL_2,
-                KeyAgreementMessage.Kind.RENEWAL_3, 800, 1000);
+        RENEWAL(Kind.RENEWAL_1, Kind.RENEWAL_2,
+                Kind.RENEWAL_3, 800, 1000);
 
-        final KeyAgreementMessage.Kind first;
-        final KeyAgreementMessage.Kind second;
-        final KeyAgreementMessage.Kind third;
+        final Kind first;
+        final Kind second;
+        final Kind third;
         final long secondMillis;
         final long thirdMillis;
 
-        Round(KeyAgreementMessage.Kind first, KeyAgreementMessage.Kind second, KeyAgreementMessage.Kind third,
+        Round(Kind first, Kind second, Kind third,
                 long secondMillis, long thirdMillis) {
             this.first = first;
             this.second = second;
@@ -96,27 +100,28 @@ abstract class Talk {
      * Says a word, and waits for an answer: so long from the end on, with a random part so that two do not collide
      * again, and longer where it had to wait for the air itself.
      */
-    void say(KeyAgreementMessage word, long wait, long now) {
-        if (!mayBeSaid(word.first(), now)) {
+    void say(HostMessage word, long wait, long now) {
+        int part = part(word.kind(), word.fragment());
+        if (!mayBeSaid(part, now)) {
             shared.count(Event.LIMITED);
             deadline = Math.max(deadline, now + AGAIN_MILLIS);
             return;
         }
-        boolean taken = shared.speech().say(word, peer.address(), now, (then, took) -> {
-            said.put(word.first(), then);
+        boolean taken = shared.speech().say(word, now, (then, took) -> {
+            said.put(part, then);
             latest = then + PUT_OFF_MILLIS;
             deadline = then + wait + shared.random().nextInt((int) wait / 3)
-                    + WAITED_TIMES * Math.max(0, took - word.airMillis());
+                    + WAITED_TIMES * Math.max(0, took - airMillis(word));
             wasSaid(word, then);
         });
         if (taken) {
-            said.put(word.first(), NEVER);
+            said.put(part, NEVER);
         }
         deadline = now + (taken ? AIR_MILLIS : AGAIN_MILLIS);
     }
 
-    private boolean mayBeSaid(int first, long now) {
-        Long before = said.get(first);
+    private boolean mayBeSaid(int part, long now) {
+        Long before = said.get(part);
         if (before == null) {
             return true;
         }
@@ -129,26 +134,34 @@ abstract class Talk {
     }
 
     /** The word has been on the air. */
-    void wasSaid(KeyAgreementMessage word, long now) {
+    void wasSaid(HostMessage word, long now) {
     }
 
     /** Says all fragments of a message. */
-    void sayAll(KeyAgreementMessage.Kind kind, Bytes message, long wait, long now) {
-        for (int i = 0; i < kind.fragments(); i++) {
-            say(KeyAgreementMessage.of(kind, i, message), wait, now);
-        }
+    void sayAll(Kind kind, Bytes message, long wait, long now) {
+        HostMessage.fragments(kind, peer.address(), message).forEach(word -> say(word, wait, now));
     }
 
     /** Asks for a fragment. */
-    void want(KeyAgreementMessage.Kind kind, int fragment, long wait, long now) {
-        say(new KeyAgreementMessage(KeyAgreementMessage.Kind.WANT, 0, Bytes.of(kind.first(fragment))), wait, now);
+    void want(Kind kind, int fragment, long wait, long now) {
+        say(new HostMessage(Kind.WANT, peer.address(), Bytes.of(kind.first(), fragment)), wait, now);
+    }
+
+    /** A fragment as a {@code WANT} names it. */
+    static int part(Kind kind, int fragment) {
+        return kind.first() << Byte.SIZE | fragment;
+    }
+
+    /** What it takes of the air at 2000 bit/s, in ms. */
+    private static long airMillis(HostMessage word) {
+        return Airtime.millis(Frame.HEADER_LENGTH + word.encode().length());
     }
 
     /** The other side lacks a fragment. Tells whether there is one. */
-    abstract boolean wanted(int first, long now);
+    abstract boolean wanted(int part, long now);
 
     /** The next message of the other side, or a part of it; of the right round. */
-    abstract void heard(KeyAgreementMessage word, long now);
+    abstract void heard(HostMessage word, long now);
 
     /** The deadline is over. */
     abstract void late(long now);

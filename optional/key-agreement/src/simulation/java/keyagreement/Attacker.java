@@ -10,6 +10,8 @@ import java.util.stream.IntStream;
 import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
+import javino.protocol.HostMessage.Kind;
 import javino.protocol.Key;
 
 /** Hears all, and says what he likes in whosoever name: forged, replayed, reflected, mixed. He has no certificate. */
@@ -124,16 +126,12 @@ public final class Attacker {
     }
 
     private void forge(Address name, Address victim) {
-        KeyAgreementMessage.Kind[] plain = {KeyAgreementMessage.Kind.MESSAGE_1, KeyAgreementMessage.Kind.MESSAGE_2,
-                KeyAgreementMessage.Kind.MESSAGE_3,
-                KeyAgreementMessage.Kind.RENEWAL_1, KeyAgreementMessage.Kind.RENEWAL_2,
-                KeyAgreementMessage.Kind.RENEWAL_3, KeyAgreementMessage.Kind.WANT};
-        KeyAgreementMessage.Kind kind = plain[random.nextInt(plain.length)];
-        int fragment = random.nextInt(kind.fragments());
-        Bytes body = kind == KeyAgreementMessage.Kind.WANT
-                ? Bytes.of(plain[random.nextInt(plain.length)].first(random.nextInt(2)))
-                : KeyAgreementMessage.of(kind, fragment, noise(100)).body();
-        voice.broadcast(name, new KeyAgreementMessage(kind, fragment, body).to(victim).bytes());
+        Kind[] plain = {Kind.MESSAGE_1, Kind.MESSAGE_2, Kind.MESSAGE_3, Kind.RENEWAL_1, Kind.RENEWAL_2,
+                Kind.RENEWAL_3, Kind.WANT};
+        Kind kind = plain[random.nextInt(plain.length)];
+        Bytes body = kind == Kind.WANT ? Bytes.of(plain[random.nextInt(plain.length)].first(), random.nextInt(2))
+                : noise(kind.length());
+        voice.broadcast(name, pick(HostMessage.fragments(kind, victim, body)).encode());
     }
 
     private void replay(Said said) {

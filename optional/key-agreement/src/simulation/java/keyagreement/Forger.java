@@ -3,9 +3,10 @@ package keyagreement;
 import java.security.SecureRandom;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
+import javino.protocol.HostMessage.Kind;
 import keyagreement.edhoc.Initiator;
 
 /** An attacker with a radio in a {@link Simulation}: he says in the name of devices, to others, what proves nothing. */
@@ -63,18 +64,17 @@ final class Forger {
             return List.of(new SimulatedChannel.Packet(name, to, Bytes.copyOf(noise).slice(0, 16),
                     Simulation.anyKey(simulation.random), 0));
         }
-        KeyAgreementMessage.Kind forged =
-                others ? KeyAgreementMessage.Kind.WANT : KeyAgreementMessage.Kind.valueOf(kind);
-        if (forged == KeyAgreementMessage.Kind.WANT) {
+        Kind forged = others ? Kind.WANT : Kind.valueOf(kind);
+        if (forged == Kind.WANT) {
             // Only messages 1 to 3 are wanted, each of two fragments at most.
-            noise[0] = (byte) KeyAgreementMessage.Kind.values()[simulation.random
-                    .nextInt(KeyAgreementMessage.Kind.RENEWAL_3.ordinal() + 1)]
-                    .first(simulation.random.nextInt(2));
+            noise[0] = (byte) Kind.values()[simulation.random.nextInt(Kind.RENEWAL_3.ordinal() + 1)].first();
+            noise[1] = (byte) simulation.random.nextInt(2);
         }
         // A message 1 proves nothing, so a forged one is like any other.
-        Bytes message = forged == KeyAgreementMessage.Kind.MESSAGE_1
-                ? new Initiator(any.with(to), new SecureRandom()).message1() : Bytes.copyOf(noise);
-        return IntStream.range(0, forged.fragments()).mapToObj(i -> new SimulatedChannel.Packet(name, Address.BROADCAST,
-                KeyAgreementMessage.of(forged, i, message).to(to).bytes(), null, 0)).toList();
+        Bytes message = forged == Kind.MESSAGE_1
+                ? new Initiator(any.with(to), new SecureRandom()).message1()
+                : Bytes.copyOf(noise).slice(0, forged.length());
+        return HostMessage.fragments(forged, to, message).stream()
+                .map(word -> new SimulatedChannel.Packet(name, Address.BROADCAST, word.encode(), null, 0)).toList();
     }
 }

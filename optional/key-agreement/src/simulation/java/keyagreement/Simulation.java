@@ -24,6 +24,7 @@ import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.HostMessage;
+import javino.protocol.ProtocolException;
 
 /**
  * Hosts with boards and certificates, and the air between them, in memory and in a time of its own. Packets are
@@ -247,8 +248,7 @@ final class Simulation {
                 listener.accept(packet);
                 for (int i = random.nextDouble() < twice ? 2 : 1; i > 0; i--) {
                     long wait = random.nextDouble() < late ? random.nextLong(LATE_MILLIS) : 0;
-                    after(wait, () -> host.told(
-                            () -> host.meetings.heard(packet.from, new HostMessage(packet.message), now)));
+                    after(wait, () -> host.told(() -> host.read(packet)));
                 }
                 return false;
             }
@@ -265,7 +265,7 @@ final class Simulation {
             }
             if (packet.nonce > newest.getOrDefault(packet.from, -1L)) {
                 newest.put(packet.from, packet.nonce);
-                host.told(() -> host.meetings.received(packet.from, new HostMessage(packet.message), now));
+                host.told(() -> host.read(packet));
                 return true;
             }
             return packet.nonce == newest.get(packet.from);
@@ -461,6 +461,14 @@ final class Simulation {
             }
         }
 
+        void read(SimulatedChannel.Packet packet) {
+            try {
+                meetings.received(packet.from, HostMessage.decode(packet.message), now);
+            } catch (ProtocolException e) {
+                // A session skips it.
+            }
+        }
+
         @Override
         public void broadcast(HostMessage word) {
             maybeFault("broadcast");
@@ -468,7 +476,7 @@ final class Simulation {
                 wrong.add("a second broadcast at once");
             }
             broadcasts = true;
-            later(() -> board.send(new SimulatedChannel.Packet(address, Address.BROADCAST, word.bytes(), null, 0)));
+            later(() -> board.send(new SimulatedChannel.Packet(address, Address.BROADCAST, word.encode(), null, 0)));
         }
 
         @Override
@@ -483,7 +491,7 @@ final class Simulation {
                     unicasts.remove(to);
                     meetings.sent(to, Meetings.Sent.NO_KEY, now);
                 } else {
-                    board.send(new SimulatedChannel.Packet(address, to, word.bytes(), key, nonces++));
+                    board.send(new SimulatedChannel.Packet(address, to, word.encode(), key, nonces++));
                 }
             });
         }

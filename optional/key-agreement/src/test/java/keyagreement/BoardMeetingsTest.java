@@ -20,9 +20,9 @@ import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
-import javino.protocol.HostMessage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -85,21 +85,12 @@ class BoardMeetingsTest {
         private Supplier<CompletableFuture<?>> groupKeys = CompletableFuture::new;
         private final List<Address> asked = new ArrayList<>();
 
-        private Transmission transmission(Address to) {
+        @Override
+        public Transmission transmitAsIs(Address to, Message message) {
             asked.add(to);
             BoardOfflineException gone = new BoardOfflineException("transmit", "it is off");
             return off ? new Transmission(CompletableFuture.failedFuture(gone), CompletableFuture.failedFuture(gone))
                     : new Transmission(CompletableFuture.completedFuture(null), new CompletableFuture<>());
-        }
-
-        @Override
-        public Transmission transmit(Address to, HostMessage word) {
-            return transmission(to);
-        }
-
-        @Override
-        public Transmission transmitAsIs(Address to, Content content) {
-            return transmission(to);
         }
 
         @Override

@@ -109,7 +109,7 @@ class MeetingsTest {
 
     /** Twins' boards draw the same waits. If their hosts answered at once each time, all answers would collide. */
     @Test
-    void answer_saidAgain_waitsForARandomTime() {
+    void answer_saidAgain_waitsForARandomTime() throws Exception {
         Set<Long> waits = new HashSet<>();
         for (int seed = 0; seed < 20; seed++) {
             simulation = new Simulation(seed);
@@ -122,10 +122,10 @@ class MeetingsTest {
                 simulation.run(MINUTE / 600);
             }
             roma.on = false;
-            HostMessage message1 = new HostMessage(packets.get(0).message);
+            HostMessage message1 = HostMessage.decode(packets.get(0).message);
             simulation.run(MINUTE / 40);
             long answers = packets.stream().filter(packet -> packet.from.equals(supo.address)).count();
-            supo.meetings.heard(roma.address, message1, simulation.millis());
+            supo.meetings.received(roma.address, message1, simulation.millis());
             long wait = supo.meetings.next() - simulation.millis();
             assertTrue(wait >= 0 && wait < Answered.SPREAD_MILLIS, () -> "it waits for " + wait + " ms");
             waits.add(wait);
@@ -283,9 +283,7 @@ class MeetingsTest {
         Simulation.Host busb = simulation.add(authority.certified("BUSB"));
         assertEquals(Optional.of(Ending.DELIVERED), end(busa, busb));
         busa.meetings.received(busb.address,
-                KeyAgreementMessage
-                        .sealed(KeyAgreementMessage.Kind.GROUP_KEY, Simulation.anyKey(simulation.random).bytes())
-                        .sealed(),
+                new HostMessage(HostMessage.Kind.GROUP_KEY, Simulation.anyKey(simulation.random).bytes()),
                 simulation.millis());
         assertEquals(Optional.empty(), busa.groupKey());
         assertEquals(1, count(busa, Event.REFUSED));

@@ -15,7 +15,6 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.HostMessage;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import keyagreement.edhoc.HandshakeException;
@@ -36,10 +35,6 @@ class VectorsTest {
 
     static List<JsonObject> renewals() throws IOException {
         return vectors("renewals");
-    }
-
-    static List<JsonObject> hostMessages() throws IOException {
-        return vectors("hostMessages");
     }
 
     private static List<JsonObject> vectors(String list) throws IOException {
@@ -126,21 +121,5 @@ class VectorsTest {
 
     private static String key(Secret secret, Address initiator, Address responder) {
         return Identity.key(secret, initiator, responder).bytes().hex();
-    }
-
-    @ParameterizedTest
-    @MethodSource("hostMessages")
-    void word_isReadAndWritten(JsonObject vector) {
-        HostMessage word = new HostMessage(bytes(vector, "hostMessage"));
-        boolean isPlain = !vector.get("to").isJsonNull();
-        KeyAgreementMessage read =
-                (isPlain ? KeyAgreementMessage.plain(word) : KeyAgreementMessage.opened(word)).orElseThrow();
-        assertEquals(new KeyAgreementMessage(KeyAgreementMessage.Kind.valueOf(text(vector, "kind")),
-                vector.get("fragment").getAsInt(),
-                bytes(vector, "body")), read);
-        assertEquals(word, isPlain ? read.to(address(vector, "to")) : read.sealed());
-        assertTrue((isPlain ? KeyAgreementMessage.opened(word) : KeyAgreementMessage.plain(word)).isEmpty());
-        Bytes cut = word.bytes().slice(0, word.bytes().length() - 1);
-        assertTrue(!isPlain || cut.length() == 0 || KeyAgreementMessage.plain(new HostMessage(cut)).isEmpty());
     }
 }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
@@ -33,7 +34,7 @@ import diffuser.Provenance;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Content;
+import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /** The moves by one agent's board: what {@link Moves} decides, this does in the MAS around it. */
@@ -163,8 +164,13 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     // What the board asks
 
     @Override
-    public void received(Address from, Bytes bytes) {
-        execute(() -> opened().received(from, bytes));
+    public Set<HostMessage.Use> uses() {
+        return Set.of(HostMessage.Use.MOVE);
+    }
+
+    @Override
+    public void received(Address from, HostMessage message) {
+        execute(() -> opened().received(from, message));
     }
 
     @Override
@@ -233,8 +239,8 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     // Air
 
     @Override
-    public CompletableFuture<Outcome> send(Address to, Bytes bytes) {
-        return diffuser.transmit(to, Content.move(bytes)).end();
+    public CompletableFuture<Outcome> send(Address to, HostMessage message) {
+        return diffuser.transmit(to, message).end();
     }
 
     // MAS

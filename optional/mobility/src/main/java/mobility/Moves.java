@@ -25,6 +25,7 @@ import diffuser.Texts;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 
@@ -66,11 +67,11 @@ final class Moves {
         void after(long millis, Runnable step);
     }
 
-    /** Sends the bytes of one message to a device. */
+    /** Sends one message to a device. */
     interface Air {
 
         /** @return the outcome; fails if the board does not take the message. On any thread. */
-        CompletableFuture<Outcome> send(Address to, Bytes bytes);
+        CompletableFuture<Outcome> send(Address to, HostMessage message);
     }
 
     /**
@@ -244,11 +245,11 @@ final class Moves {
     }
 
     /** What another device has said of a move. For any thread. */
-    void received(Address from, Bytes bytes) {
+    void received(Address from, HostMessage message) {
         clock.execute(guarded(() -> {
             try {
-                Mail mail = Mail.decode(bytes);
-                hear(from, mail.move(), mail.said());
+                MoveMessage read = MoveMessage.decode(message);
+                hear(from, read.move(), read.said());
             } catch (ProtocolException e) {
                 drop(from, e.getMessage());
             }
@@ -260,7 +261,7 @@ final class Moves {
         mas.warn("dropped a message of a move from " + from + ": " + why);
     }
 
-    private void hear(Address from, int number, Mail.Said said) {
+    private void hear(Address from, int number, MoveMessage.Said said) {
         Departure departure = departures.get(new Move.Key(true, from, number));
         Move.Key in = new Move.Key(false, from, number);
         Arrival arrival = arrivals.get(in);
@@ -268,29 +269,29 @@ final class Moves {
         if (unknown && (folder.hasRecord(in) || folder.hasRecord(new Move.Key(true, from, number)))) {
             // It is damaged or over: whatever is answered could be wrong.
             counts.get(Count.DROPPED).incrementAndGet();
-        } else if (said instanceof Mail.Offer offer) {
+        } else if (said instanceof MoveMessage.Offer offer) {
             offered(in, arrival, offer);
-        } else if (said instanceof Mail.Data data) {
+        } else if (said instanceof MoveMessage.Data data) {
             whereThere(arrival, known -> known.data(data));
-        } else if (said instanceof Mail.Go) {
+        } else if (said instanceof MoveMessage.Go) {
             if (arrival == null) {
-                say(from, number, new Mail.Awake(""));
+                say(from, number, new MoveMessage.Awake(""));
             } else {
                 arrival.go();
             }
-        } else if (said instanceof Mail.Cancelled) {
+        } else if (said instanceof MoveMessage.Cancelled) {
             whereThere(arrival, Arrival::cancelled);
-        } else if (said instanceof Mail.Want want) {
+        } else if (said instanceof MoveMessage.Want want) {
             whereThere(departure, known -> known.wanted(want));
-        } else if (said instanceof Mail.Ready) {
+        } else if (said instanceof MoveMessage.Ready) {
             if (departure == null) {
-                say(from, number, new Mail.Cancelled());
+                say(from, number, new MoveMessage.Cancelled());
             } else {
                 departure.ready();
             }
-        } else if (said instanceof Mail.Awake awake) {
+        } else if (said instanceof MoveMessage.Awake awake) {
             whereThere(departure, known -> known.awake(awake.agent()));
-        } else if (said instanceof Mail.Refused refused) {
+        } else if (said instanceof MoveMessage.Refused refused) {
             whereThere(departure, known -> known.refused(refused));
         }
     }
@@ -304,8 +305,8 @@ final class Moves {
         }
     }
 
-    private CompletableFuture<Outcome> say(Address to, int number, Mail.Said said) {
-        return air.send(to, new Mail(number, said).encode());
+    private CompletableFuture<Outcome> say(Address to, int number, MoveMessage.Said said) {
+        return air.send(to, new MoveMessage(number, said).encode());
     }
 
     private Runnable guarded(Runnable step) {
@@ -329,7 +330,7 @@ final class Moves {
     private final class Call {
 
         private final Move.Key key;
-        private Mail.Said what;
+        private MoveMessage.Said what;
         private long pause;
         private boolean speaking;
         /** What was begun for an earlier message says no more. */
@@ -342,14 +343,14 @@ final class Moves {
             this.failed = failed;
         }
 
-        void say(Mail.Said said) {
+        void say(MoveMessage.Said said) {
             what = said;
             pause = LEAST_PAUSE_MILLIS;
             speak();
         }
 
         /** As {@link #say}, unless an answer comes first. */
-        void sayLater(Mail.Said said) {
+        void sayLater(MoveMessage.Said said) {
             what = said;
             pause = LEAST_PAUSE_MILLIS;
             again(ANSWER_MILLIS);
@@ -406,7 +407,7 @@ final class Moves {
         private Move move;
         private final List<Bytes> texts;
         private final List<Bytes> packed;
-        private final Mail.Offer offer;
+        private final MoveMessage.Offer offer;
         private final CompletableFuture<String> end;
         private final boolean restarted;
         private final Call call;
@@ -433,7 +434,7 @@ final class Moves {
             for (int i = 0; i < texts.size(); i++) {
                 parts.add(new Part(Part.hash(texts.get(i)), packed.get(i).length(), texts.get(i).length()));
             }
-            this.offer = new Mail.Offer(move.protocol(), parts, move.identity());
+            this.offer = new MoveMessage.Offer(move.protocol(), parts, move.identity());
             this.begun = clock.millis();
             this.lastWord = begun;
             this.lastProgress = begun;
@@ -442,7 +443,7 @@ final class Moves {
 
         void begin() {
             if (move.state() == Move.State.GONE) {
-                call.say(new Mail.Go());
+                call.say(new MoveMessage.Go());
             } else {
                 call.say(offer);
                 watch();
@@ -477,7 +478,7 @@ final class Moves {
             }
         }
 
-        void wanted(Mail.Want want) {
+        void wanted(MoveMessage.Want want) {
             if (!isOpen() || want.offsets().size() != packed.size()) {
                 counts.get(Count.DROPPED).incrementAndGet();
                 return;
@@ -503,13 +504,13 @@ final class Moves {
                     return;
                 }
                 int from = next[part];
-                int to = Math.min(packed.get(part).length(), from + Mail.MOST_DATA);
+                int to = Math.min(packed.get(part).length(), from + MoveMessage.MOST_DATA);
                 next[part] = to;
                 sending++;
                 int mine = round;
                 long delivered = IntStream.of(next).asLongStream().sum();
                 afterwards(say(move.key().peer(), move.key().number(),
-                        new Mail.Data(part, from, packed.get(part).slice(from, to))),
+                        new MoveMessage.Data(part, from, packed.get(part).slice(from, to))),
                         (outcome, thrown) -> {
                             if (thrown != null) {
                                 unsent(Failure.of(thrown));
@@ -560,13 +561,13 @@ final class Moves {
                 write(move.in(Move.State.GONE));
                 move = move.in(Move.State.GONE);
                 round++;
-                call.say(new Mail.Go());
+                call.say(new MoveMessage.Go());
                 leaveBefore();
             } else if (move.protocol() == Protocol.CLONING && !went) {
                 round++;
                 went = true;
                 lastWord = clock.millis();
-                call.say(new Mail.Go());
+                call.say(new MoveMessage.Go());
             } else {
                 call.hurry();
             }
@@ -600,7 +601,7 @@ final class Moves {
             folder.tidy();
         }
 
-        void refused(Mail.Refused refused) {
+        void refused(MoveMessage.Refused refused) {
             if (!isOpen() || went) {
                 counts.get(Count.DROPPED).incrementAndGet();
                 return;
@@ -626,7 +627,7 @@ final class Moves {
         }
     }
 
-    private void offered(Move.Key key, Arrival arrival, Mail.Offer offer) {
+    private void offered(Move.Key key, Arrival arrival, MoveMessage.Offer offer) {
         if (arrival != null) {
             arrival.offeredAgain(offer);
             return;
@@ -654,7 +655,7 @@ final class Moves {
         return mas.here().filter(move.identity()::isAt).isPresent();
     }
 
-    private void check(Mail.Offer offer) throws RefusedException {
+    private void check(MoveMessage.Offer offer) throws RefusedException {
         if (offer.length() > limits.length()) {
             throw new RefusedException("too_large", "it has " + offer.length() + " bytes of text; at most "
                     + limits.length() + " are taken");
@@ -672,21 +673,21 @@ final class Moves {
 
     /** Of an agent that may travel: messages to a device and what a source says must not be mistaken. */
     static boolean isName(String agent) {
-        return agent.matches("[a-z]\\w*") && agent.length() != Address.LENGTH && agent.length() <= Mail.MOST_NAME
+        return agent.matches("[a-z]\\w*") && agent.length() != Address.LENGTH && agent.length() <= MoveMessage.MOST_NAME
                 && !RESERVED.contains(agent);
     }
 
     private void refuse(Move.Key key, RefusedException why) {
         counts.get(Count.REFUSED).incrementAndGet();
         mas.warn("an agent from " + key.peer() + " was not taken in: " + why.getMessage());
-        say(key.peer(), key.number(), new Mail.Refused(why.error(), why.getMessage()));
+        say(key.peer(), key.number(), new MoveMessage.Refused(why.error(), why.getMessage()));
     }
 
     /** A move of an agent that comes. Its record is written when it is here as a whole. */
     private final class Arrival {
 
         private Move move;
-        private Mail.Offer offer;
+        private MoveMessage.Offer offer;
         private final Call call;
         private boolean admitted;
         private boolean recorded;
@@ -715,7 +716,7 @@ final class Moves {
             isKnown();
             // What cannot be read must not be called ready.
             texts(move);
-            call.say(new Mail.Ready());
+            call.say(new MoveMessage.Ready());
         }
 
         void ask() {
@@ -754,7 +755,7 @@ final class Moves {
             });
         }
 
-        void offeredAgain(Mail.Offer again) {
+        void offeredAgain(MoveMessage.Offer again) {
             lastWord = clock.millis();
             if (wasAwake()) {
                 live(false);
@@ -789,15 +790,15 @@ final class Moves {
                 for (int i = 0; i < offer.parts().size(); i++) {
                     offsets.add(here(i));
                 }
-                say(new Mail.Want(offsets));
+                say(new MoveMessage.Want(offsets));
             }
         }
 
-        private void say(Mail.Said said) {
+        private void say(MoveMessage.Said said) {
             Moves.this.say(move.key().peer(), move.key().number(), said);
         }
 
-        void data(Mail.Data data) {
+        void data(MoveMessage.Data data) {
             lastWord = clock.millis();
             if (!admitted || recorded || data.part() >= offer.parts().size()) {
                 counts.get(Count.DROPPED).incrementAndGet();
@@ -856,7 +857,7 @@ final class Moves {
             }
             folder.write(move);
             recorded = true;
-            call.say(new Mail.Ready());
+            call.say(new MoveMessage.Ready());
         }
 
         /** It is not taken in, and nothing of it stays here. */
@@ -975,7 +976,7 @@ final class Moves {
         }
 
         private void awake() {
-            say(new Mail.Awake(move.name()));
+            say(new MoveMessage.Awake(move.name()));
         }
 
         void cancelled() {

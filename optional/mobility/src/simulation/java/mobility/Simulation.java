@@ -25,6 +25,7 @@ import diffuser.Policy;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /**
@@ -132,7 +133,7 @@ final class Simulation {
 
     /** All messages that a device could say of a move of its own, whatever is answered. */
     void forge(Side at, Address from, Protocol protocol, Move.Identity who) {
-        deliver(at, from, forgeOffer(at, from, protocol, who), new Mail.Go());
+        deliver(at, from, forgeOffer(at, from, protocol, who), new MoveMessage.Go());
     }
 
     /** All of them but the last. @return the number of the move. */
@@ -141,14 +142,14 @@ final class Simulation {
         List<Part> parts = List.of(0, 1).stream().map(i -> new Part(Part.hash(FORGED.get(i)), packed.get(i).length(),
                 FORGED.get(i).length())).toList();
         int number = ++forgeries;
-        deliver(at, from, number, new Mail.Offer(protocol, parts, who));
-        deliver(at, from, number, new Mail.Data(0, 0, packed.get(0)));
-        deliver(at, from, number, new Mail.Data(1, 0, packed.get(1)));
+        deliver(at, from, number, new MoveMessage.Offer(protocol, parts, who));
+        deliver(at, from, number, new MoveMessage.Data(0, 0, packed.get(0)));
+        deliver(at, from, number, new MoveMessage.Data(1, 0, packed.get(1)));
         return number;
     }
 
-    void deliver(Side at, Address from, int number, Mail.Said said) {
-        at.moves.received(from, new Mail(number, said).encode());
+    void deliver(Side at, Address from, int number, MoveMessage.Said said) {
+        at.moves.received(from, new MoveMessage(number, said).encode());
         runUntil(now);
     }
 
@@ -323,8 +324,9 @@ final class Simulation {
         }
 
         @Override
-        public CompletableFuture<Outcome> send(Address to, Bytes bytes) {
-            String type = String.valueOf((char) bytes.at(0));
+        public CompletableFuture<Outcome> send(Address to, HostMessage message) {
+            HostMessage.Kind type = message.kind();
+            Bytes bytes = message.encode();
             maybeKilled("before the message " + type);
             CompletableFuture<Outcome> end = new CompletableFuture<>();
             if (unsent.isPresent()) {
@@ -345,7 +347,7 @@ final class Simulation {
                 Simulation.this.after(takes, () -> {
                     Side other = side(to);
                     if (other.on) {
-                        other.last = () -> other.moves.received(address, bytes);
+                        other.last = () -> other.moves.received(address, message);
                         other.last.run();
                     }
                 });

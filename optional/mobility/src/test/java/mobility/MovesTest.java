@@ -397,8 +397,8 @@ class MovesTest {
         simulation.contact = false;
         bus.kill();
         bus.start();
-        deliver(number, new Mail.Go());
-        deliver(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
+        deliver(number, new MoveMessage.Go());
+        deliver(number, new MoveMessage.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
                 identity()));
         assertEquals(0, simulation.awake(AGENT));
     }
@@ -422,11 +422,11 @@ class MovesTest {
             byte[] hash = new byte[Part.HASH_LENGTH];
             random.nextBytes(hash);
             Part part = new Part(Bytes.copyOf(hash), 900, 900);
-            deliver(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), identity()));
+            deliver(i, new MoveMessage.Offer(Protocol.MUTUALISM, List.of(part), identity()));
             // Each second one is whole, and wrong, also when it is asked for again.
             for (int wrong = 0; wrong < 2; wrong++) {
-                deliver(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
-                deliver(i, new Mail.Data(0, 480, Bytes.copyOf(new byte[420])));
+                deliver(i, new MoveMessage.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
+                deliver(i, new MoveMessage.Data(0, 480, Bytes.copyOf(new byte[420])));
             }
             simulation.runUntil(simulation.millis() + 20_000);
         }
@@ -442,8 +442,8 @@ class MovesTest {
         assertOnlyAt(bus, station);
     }
 
-    private void deliver(int number, Mail.Said said) {
-        bus.moves.received(Simulation.STATION, new Mail(number, said).encode());
+    private void deliver(int number, MoveMessage.Said said) {
+        bus.moves.received(Simulation.STATION, new MoveMessage(number, said).encode());
         simulation.runUntil(simulation.millis());
     }
 
@@ -453,14 +453,15 @@ class MovesTest {
         CompletableFuture<String> end = move();
         until(() -> isIn(station, Move.State.OFFERED));
         int number = station.open().get(0).key().number();
-        station.moves.received(Simulation.BUS, new Mail(number, new Mail.Refused("oops", "a\u001b[2J\nb")).encode());
+        station.moves.received(Simulation.BUS,
+                new MoveMessage(number, new MoveMessage.Refused("oops", "a\u001b[2J\nb")).encode());
         simulation.runUntil(1_000);
         assertTrue(Failure.of(assertThrows(CompletionException.class, end::join)).message().endsWith(": a [2J b"));
     }
 
     @Test
     void offer_packedLongerThanAnyPacker_isRefused() {
-        deliver(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
+        deliver(1, new MoveMessage.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
                 identity()));
         assertTrue(bus.told.get(0).contains("become longer"), () -> "" + bus.told);
     }

@@ -119,13 +119,13 @@ class ReturnsTest {
         bus.kill();
         int first = simulation.forgeOffer(station, Simulation.BUS, Protocol.MUTUALISM, who);
         int second = simulation.forgeOffer(station, Simulation.BUS, Protocol.MUTUALISM, who);
-        simulation.deliver(station, Simulation.BUS, first, new Mail.Go());
+        simulation.deliver(station, Simulation.BUS, first, new MoveMessage.Go());
         assertEquals(1, simulation.awake(AGENT));
-        simulation.deliver(station, Simulation.BUS, second, new Mail.Go());
+        simulation.deliver(station, Simulation.BUS, second, new MoveMessage.Go());
         assertEquals(1, simulation.awake(AGENT));
         station.kill();
         station.start();
-        simulation.deliver(station, Simulation.BUS, second, new Mail.Go());
+        simulation.deliver(station, Simulation.BUS, second, new MoveMessage.Go());
         assertEquals(1, simulation.awake(AGENT));
     }
 

@@ -126,7 +126,7 @@ final class CertifiedPair implements AutoCloseable {
         return came.keySet().stream().filter(content -> !said.contains(content)).count();
     }
 
-    /** Nothing is under way, and a host answers the other one again: it does so once in 5 s (SPEC 11.4). */
+    /** Nothing is under way, and a host answers the other one again: it does so once in 5 s (SPEC 11.3). */
     void rest() throws InterruptedException {
         time.await(time.now() + REST, field.emulator().process());
         first.awaitQuiet();

@@ -26,8 +26,6 @@ final class MovePair implements AutoCloseable {
     private static final double CUT_SECONDS = 0.3;
     private static final long UNPLUGGED_MILLIS = 500;
     private static final int KINDS = 5;
-    private static final Map<String, String> STEPS = Map.of("O", "offer", "W", "want", "D", "data", "R", "ready", "G",
-            "go", "A", "awake", "C", "cancelled", "X", "refused");
 
     private final Field field;
     private final int cell;
@@ -86,7 +84,7 @@ final class MovePair implements AutoCloseable {
         }
         String type = MovingAgents.said(event);
         if (!type.isEmpty()) {
-            said = STEPS.getOrDefault(type, type);
+            said = type;
         }
         if (event.name().equals("rf-tx")) {
             packets.add(event.text("payload"));

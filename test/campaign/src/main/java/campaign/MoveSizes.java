@@ -12,8 +12,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import javino.protocol.Bytes;
 import javino.protocol.Content;
+import javino.protocol.Performative;
 
 /** How long moves of agents of several sizes take, and what of the air: one pair, where nothing else is sent. */
 final class MoveSizes {
@@ -117,7 +117,7 @@ final class MoveSizes {
             sender.as(from.address().toString(), Map.of(to.address().toString(), TestKeys.PAIR));
             receiver.as(to.address().toString(), Map.of(from.address().toString(), TestKeys.PAIR));
             Moment begun = now(field.cell(0));
-            Content bytes = Content.move(Bytes.ofText("x".repeat(PLAIN_LENGTH)));
+            Content bytes = new Content(Performative.TELL, "x".repeat(PLAIN_LENGTH));
             for (int i = 0; i < PLAIN_MESSAGES; i++) {
                 Host.get(sender.board.transmit(to.address(), bytes).end());
             }

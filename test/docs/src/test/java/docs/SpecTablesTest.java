@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javino.protocol.Counter;
+import javino.protocol.HostMessage;
 import javino.protocol.Performative;
 import org.junit.jupiter.api.Test;
 
@@ -70,5 +72,18 @@ class SpecTablesTest {
         List<String> rows = found("^\\| `.*?` \\|", section("3 Content")).toList();
         assertEquals(rows.stream().flatMap(row -> found("\\w+", row)).sorted().toList(),
                 Arrays.stream(Performative.values()).map(Performative::toString).sorted().toList());
+    }
+
+    @Test
+    void hostMessages_inJava_areThoseOfTheTables() {
+        Stream<String> rows = Stream.of("3.1 Host messages", "9.1 Messages")
+                .flatMap(title -> found("^\\| 0x(?!..…).*?\\|.*?[|:]", section(title)));
+        List<String> listed = rows.flatMap(row -> {
+            List<String> numbers = found("0x..", row).toList();
+            List<String> names = found("(?<=`)[A-Z_0-9]+(?=`)", row).toList();
+            return IntStream.range(0, names.size()).mapToObj(i -> numbers.get(i) + " " + names.get(i));
+        }).toList();
+        assertEquals(Arrays.stream(HostMessage.Kind.values())
+                .map(kind -> String.format("0x%02X %s", kind.first(), kind)).toList(), listed);
     }
 }

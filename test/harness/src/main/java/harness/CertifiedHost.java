@@ -1,6 +1,8 @@
 package harness;
 
+import diffuser.HostChannel;
 import diffuser.KeyService;
+import diffuser.TrustLevel;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Queue;
@@ -20,6 +22,7 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.HostMessage;
@@ -31,6 +34,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     private final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
     private final Address self;
     private final BoardMeetings meetings;
+    private final HostChannel hosts;
     private final Consumer<Content> received;
     private final CompletableFuture<Board> board = new CompletableFuture<>();
     private final Queue<CompletableFuture<Outcome>> latest = new ConcurrentLinkedQueue<>();
@@ -45,6 +49,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         this.self = self;
         this.received = received;
         meetings = new BoardMeetings(identities, clock, thrown -> warnings.add(thrown.toString()));
+        hosts = new HostChannel(List.of(meetings), warnings::add);
         board.complete(Board.open(link, BoardConfig.create(), this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
@@ -94,7 +99,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     @Override
     public void hostMessage(Address from, Address to, HostMessage message) {
-        meetings.hostMessage(from, to, message);
+        hosts.receive(from, to, TrustLevel.CERTIFIED, message);
     }
 
     @Override
@@ -103,15 +108,10 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     }
 
     @Override
-    public Transmission transmit(Address to, HostMessage message) {
+    public Transmission transmitAsIs(Address to, Message message) {
         Transmission begun = board.join().transmit(to, message);
         latest.add(begun.end());
         return begun;
-    }
-
-    @Override
-    public Transmission transmitAsIs(Address to, Content content) {
-        return board.join().transmit(to, content);
     }
 
     @Override

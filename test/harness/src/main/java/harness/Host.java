@@ -22,6 +22,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Counter;
+import javino.protocol.HostMessage;
 import javino.protocol.Key;
 
 /** A board session that a test drives, with what came from the board in queues. */
@@ -33,6 +34,7 @@ public final class Host implements AutoCloseable {
     public final Board board;
     private final Semaphore greetings = new Semaphore(0);
     private final BlockingQueue<ReceivedMessage> messages = new LinkedBlockingQueue<>();
+    private final BlockingQueue<HostMessage> hostMessages = new LinkedBlockingQueue<>();
     private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
 
     private Host(LinkOpener link, BoardConfig config) {
@@ -45,6 +47,11 @@ public final class Host implements AutoCloseable {
             @Override
             public void message(ReceivedMessage message) {
                 messages.add(message);
+            }
+
+            @Override
+            public void hostMessage(Address from, Address to, HostMessage message) {
+                hostMessages.add(message);
             }
 
             @Override
@@ -100,7 +107,16 @@ public final class Host implements AutoCloseable {
 
     /** The next message that came, waited for. */
     public ReceivedMessage message() throws InterruptedException {
-        ReceivedMessage message = messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        return next(messages);
+    }
+
+    /** The next host message that came, waited for. */
+    public HostMessage hostMessage() throws InterruptedException {
+        return next(hostMessages);
+    }
+
+    private static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
+        T message = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
         if (message == null) {
             throw new AssertionError("no message came");
         }

@@ -1,17 +1,19 @@
 package harness;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
+import javino.protocol.ProtocolException;
 import trace.TraceEvent;
 
 /**
@@ -24,7 +26,7 @@ public final class MovingAgents implements AutoCloseable {
     public static final int HOME = 0;
     public static final int AWAY = 1;
 
-    private static final String MOVE = HexFormat.of().formatHex("move;".getBytes(StandardCharsets.US_ASCII));
+    private static final String MOVE = "MOVE_";
     private static final long PATIENCE_SECONDS = 300;
 
     private static final String DOOR = """
@@ -180,13 +182,14 @@ public final class MovingAgents implements AutoCloseable {
         await("ticks", (int) lines().stream().filter(ticks).count() + more, ticks);
     }
 
-    /** What a host has said of a move (SPEC 9.1), such as "O"; "" if the event is none of these. */
+    /** What a host has said of a move (SPEC 9.1), such as "offer"; "" if the event is none of these. */
     public static String said(TraceEvent event) {
-        String bytes = event.said().map(HexFormat.of()::formatHex).orElse("");
-        int type = MOVE.length();
-        return bytes.startsWith(MOVE) && bytes.length() > type + 1
-                ? String.valueOf((char) HexFormat.fromHexDigits(bytes, type, type + 2))
-                : "";
+        try {
+            String kind = HostMessage.decode(Bytes.copyOf(event.said().orElse(new byte[0]))).kind().name();
+            return kind.startsWith(MOVE) ? kind.substring(MOVE.length()).toLowerCase(Locale.ROOT) : "";
+        } catch (ProtocolException e) {
+            return "";
+        }
     }
 
     @Override

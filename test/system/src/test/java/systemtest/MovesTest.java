@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.function.Predicate;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Content;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -96,31 +96,33 @@ class MovesTest {
     @Test
     @Tag("verify")
     void moveOut_senderKilledWhenGone_isAwakeThereAlone() throws Exception {
-        killAt(MovingAgents.HOME, "the agent has gone", event -> said(event, "host-transmit", MovingAgents.HOME, "G"));
+        killAt(MovingAgents.HOME, "the agent has gone", event -> said(event, "host-transmit", MovingAgents.HOME, "go"));
     }
 
     @Test
     @Tag("soak")
     void moveOut_senderKilledWhileOffered_isAwakeOnce() throws Exception {
-        killAt(MovingAgents.HOME, "the offer", event -> said(event, "host-transmit", MovingAgents.HOME, "O"));
+        killAt(MovingAgents.HOME, "the offer", event -> said(event, "host-transmit", MovingAgents.HOME, "offer"));
     }
 
     @Test
     @Tag("soak")
     void moveOut_receiverKilledWhilePartsCome_isAwakeOnce() throws Exception {
-        killAt(MovingAgents.AWAY, "the first part", event -> said(event, "host-handed", MovingAgents.AWAY, "D"));
+        killAt(MovingAgents.AWAY, "the first part", event -> said(event, "host-handed", MovingAgents.AWAY, "data"));
     }
 
     @Test
     @Tag("soak")
     void moveOut_receiverKilledWhenReady_isAwakeOnce() throws Exception {
-        killAt(MovingAgents.AWAY, "that all is there", event -> said(event, "host-transmit", MovingAgents.AWAY, "R"));
+        killAt(MovingAgents.AWAY, "that all is there",
+                event -> said(event, "host-transmit", MovingAgents.AWAY, "ready"));
     }
 
     @Test
     @Tag("verify")
     void moveOut_receiverKilledWhenHere_isAwakeThereAlone() throws Exception {
-        killAt(MovingAgents.AWAY, "that it is awake", event -> said(event, "host-transmit", MovingAgents.AWAY, "A"));
+        killAt(MovingAgents.AWAY, "that it is awake",
+                event -> said(event, "host-transmit", MovingAgents.AWAY, "awake"));
     }
 
     /** Two MAS of one agent each, which has the board itself, and a nurse's program. */
@@ -206,13 +208,15 @@ class MovesTest {
         try (Host forger = Host.patient(emulator, "forger")) {
             forger.as("SUHO", Map.of("SUSS", TestKeys.PAIR, "SUBB", TestKeys.PAIR));
             both.get(MovingAgents.AWAY).await("I am here");
-            Bytes offer = Bytes.join(Bytes.ofText("O"), Bytes.ofNumber(7, 4), Bytes.ofText(protocol),
+            Bytes offer = Bytes.join(Bytes.ofNumber(7, 4), Bytes.ofText(protocol),
                     Bytes.of(1), Bytes.ofNumber(0, 8), Bytes.ofNumber(9, 3), Bytes.ofNumber(9, 3),
                     Bytes.ofNumber(0, 8), Bytes.ofText("SUSSpolice"));
-            Host.get(forger.board.transmit(IDS.get(MovingAgents.HOME), Content.move(offer)).end());
-            Bytes refused = Bytes.join(Bytes.ofText("X"), Bytes.ofNumber(7, 4), Bytes.ofText("refused it is at home"));
-            Bytes answer = forger.message().content().body();
-            assertEquals(refused, answer.slice(0, refused.length()));
+            Host.get(forger.board
+                    .transmit(IDS.get(MovingAgents.HOME), new HostMessage(HostMessage.Kind.MOVE_OFFER, offer))
+                    .end());
+            HostMessage answer = forger.hostMessage();
+            assertEquals(HostMessage.Kind.MOVE_REFUSED, answer.kind());
+            assertTrue(answer.body().from(4).text().startsWith("refused it is at home"), answer.body()::hex);
             forger.send("SUBB", "tell;enough");
             both.get(MovingAgents.HOME).await("back");
         } finally {

@@ -19,8 +19,10 @@ record MoveWord(char type, String move, byte[] body) {
 
     /** The most bytes of a part in one message. */
     static final int MOST_DATA = 480;
-    private static final byte[] FORCE = "move;".getBytes(StandardCharsets.US_ASCII);
-    private static final int NUMBER_AT = FORCE.length + 1;
+    /** In the order of their numbers on the air. */
+    private static final String TYPES = "OWDRGACX";
+    private static final int FIRST = 0x8C;
+    private static final int NUMBER_AT = 1;
     private static final int BODY_AT = NUMBER_AT + 4;
     private static final int OFFSET = 3;
     private static final int HASH = 8;
@@ -41,14 +43,12 @@ record MoveWord(char type, String move, byte[] body) {
      */
     record Part(String hash, int packed) {}
 
-    /** What a content says of a move; nothing where it is of another performative, or of a type that hosts drop. */
-    static Optional<MoveWord> of(byte[] content) {
-        if (content.length < BODY_AT || !Arrays.equals(FORCE, Arrays.copyOf(content, FORCE.length))) {
-            return Optional.empty();
-        }
-        char type = (char) content[FORCE.length];
-        return Optional.of(new MoveWord(type, HexFormat.of().formatHex(content, NUMBER_AT, BODY_AT),
-                Arrays.copyOfRange(content, BODY_AT, content.length))).filter(word -> NAMES.containsKey(type));
+    /** What a message says of a move; nothing where it is another one. */
+    static Optional<MoveWord> of(byte[] message) {
+        int type = message.length < BODY_AT ? -1 : (message[0] & BYTE) - FIRST;
+        return type < 0 || type >= TYPES.length() ? Optional.empty() : Optional.of(new MoveWord(TYPES.charAt(type),
+                HexFormat.of().formatHex(message, NUMBER_AT, BODY_AT),
+                Arrays.copyOfRange(message, BODY_AT, message.length)));
     }
 
     /** What a type is called. */

@@ -2,9 +2,11 @@ package mobility;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
 import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
 
@@ -14,11 +16,11 @@ import javino.protocol.ProtocolException;
  * @param move the number of the move, 32 bits, as its sender has chosen it.
  * @param said what is said of it.
  */
-record Mail(int move, Said said) {
+record MoveMessage(int move, Said said) {
 
-    private static final int HEAD = 5;
+    private static final int HEAD = 4;
     private static final int NUMBER = 3;
-    /** The most bytes of a part in one message: then the content has 494. */
+    /** The most bytes of a part in one message. */
     static final int MOST_DATA = 480;
     /** The most parts of an agent. */
     static final int MOST_PARTS = 8;
@@ -29,6 +31,11 @@ record Mail(int move, Said said) {
 
     /** One kind of message. */
     sealed interface Said permits Offer, Want, Data, Ready, Go, Awake, Cancelled, Refused {
+
+        /** Each kind is called as its class. */
+        default HostMessage.Kind kind() {
+            return HostMessage.Kind.valueOf("MOVE_" + getClass().getSimpleName().toUpperCase(Locale.ROOT));
+        }
     }
 
     /** An agent wants to come. */
@@ -68,15 +75,8 @@ record Mail(int move, Said said) {
     record Refused(String error, String reason) implements Said {
     }
 
-    /** The bytes of the message. */
-    Bytes encode() {
-        return Bytes.join(Bytes.of(letter()), Bytes.ofNumber(move, 4), body());
-    }
-
-    private char letter() {
-        return said instanceof Offer ? 'O' : said instanceof Want ? 'W' : said instanceof Data ? 'D'
-                : said instanceof Ready ? 'R' : said instanceof Go ? 'G' : said instanceof Awake ? 'A'
-                        : said instanceof Cancelled ? 'C' : 'X';
+    HostMessage encode() {
+        return new HostMessage(said.kind(), Bytes.join(Bytes.ofNumber(move, HEAD), body()));
     }
 
     private Bytes body() {
@@ -111,20 +111,20 @@ record Mail(int move, Said said) {
         return text;
     }
 
-    /** @throws ProtocolException BAD_CONTENT or BAD_TEXT, if the bytes are no message of a move. */
-    static Mail decode(Bytes bytes) throws ProtocolException {
-        expect(bytes.length() >= HEAD, bytes);
-        Bytes body = bytes.from(HEAD);
-        return new Mail((int) bytes.number(1, HEAD), switch (bytes.at(0)) {
-            case 'O' -> offer(body);
-            case 'W' -> want(body);
-            case 'D' -> data(body);
-            case 'R' -> alone(body, new Ready());
-            case 'G' -> alone(body, new Go());
-            case 'A' -> new Awake(name(body));
-            case 'C' -> alone(body, new Cancelled());
-            case 'X' -> refused(body);
-            default -> throw wrong(bytes);
+    /** @throws ProtocolException BAD_HOST_MESSAGE or BAD_TEXT, if it is no message of a move. */
+    static MoveMessage decode(HostMessage message) throws ProtocolException {
+        expect(message.body().length() >= HEAD, message.body());
+        Bytes body = message.body().from(HEAD);
+        return new MoveMessage((int) message.body().number(0, HEAD), switch (message.kind()) {
+            case MOVE_OFFER -> offer(body);
+            case MOVE_WANT -> want(body);
+            case MOVE_DATA -> data(body);
+            case MOVE_READY -> new Ready();
+            case MOVE_GO -> new Go();
+            case MOVE_AWAKE -> new Awake(name(body));
+            case MOVE_CANCELLED -> new Cancelled();
+            case MOVE_REFUSED -> refused(body);
+            default -> throw wrong(body);
         });
     }
 
@@ -183,11 +183,6 @@ record Mail(int move, Said said) {
         return body.text();
     }
 
-    private static Said alone(Bytes body, Said said) throws ProtocolException {
-        expect(body.length() == 0, body);
-        return said;
-    }
-
     private static void expect(boolean met, Bytes bytes) throws ProtocolException {
         if (!met) {
             throw wrong(bytes);
@@ -195,6 +190,6 @@ record Mail(int move, Said said) {
     }
 
     private static ProtocolException wrong(Bytes bytes) {
-        return new ProtocolException(ProtocolError.BAD_CONTENT, "no message of a move: " + bytes);
+        return new ProtocolException(ProtocolError.BAD_HOST_MESSAGE, "no message of a move: " + bytes);
     }
 }
