@@ -281,8 +281,14 @@ void Courier::finish(Outcome outcome) {
 }
 
 void Courier::keysChanged() {
-  for (Message &message : messages_) {
-    if (message.slot != KeyStore::NO_SLOT && state_->keys.isFree(message.slot)) message.slot = KeyStore::NO_SLOT;
+  for (uint8_t place = 0; place < config::PARTNERS; place++) {
+    if (config::PARTNERS > 1 && place != 0) exchange(place);
+    Message &message = current();
+    if (message.slot != KeyStore::NO_SLOT && state_->keys.isFree(message.slot)) {
+      message.slot = KeyStore::NO_SLOT;
+      if (message.phase != IDLE && isUnicast()) finish(Outcome::UNDELIVERED);
+    }
+    if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
   for (uint8_t slot = 0; config::LARGE && slot < KeyStore::PLACES; slot++) {
     if (!state_->keys.isFree(slot)) continue;

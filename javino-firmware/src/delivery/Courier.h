@@ -50,7 +50,7 @@ class Courier {
   /// bits can be borne.
   JAVINO_NOINLINE void acknowledged(const RadioPacket &lost);
 
-  /// To be called when keys were deleted: what was sealed with one of them can no longer be acknowledged.
+  /// To be called when keys were deleted: what was sealed with one of them can no longer be acknowledged. A unicast ends.
   void keysChanged();
 
  private:

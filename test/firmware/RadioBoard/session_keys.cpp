@@ -259,6 +259,25 @@ TEST_F(BoardSessionKeys, that_are_replaced_acknowledge_no_more) {
   EXPECT_TRUE(accepts("SUPP", OTHER_KEY, 1)) << "its nonce is not taken for one of the new key";
 }
 
+// Nothing can acknowledge it any more, and its host sends it again.
+TEST_F(BoardSessionKeys, that_are_replaced_or_deleted_end_their_messages_at_once) {
+  for (const bool deleted : {false, true}) {
+    ASSERT_EQ(Status::OK, set("SUPP", Bytes(16, deleted ? 1 : 3)));
+    ASSERT_EQ(Status::OK, board.transmit("SUPP", "SUHO", "tell;x").status);
+    board.sendNext();
+    EXPECT_TRUE(board.poll().texts('T').empty());
+    ASSERT_EQ(Status::OK, deleted ? board.request('D', bytesOf("SUPP")).status : set("SUPP", Bytes(16, 2)));
+    const std::vector<std::string> ends = board.poll().texts('T');
+    ASSERT_EQ(1u, ends.size());
+    EXPECT_EQ(2, ends[0][1]);
+    EXPECT_EQ(1u + deleted, board.counter(Counter::RADIO_UNDELIVERED));
+  }
+  ASSERT_EQ(Status::OK, set("SUPP", KEY));
+  ASSERT_EQ(Status::OK, board.transmit("SUPP", "SUHO", "tell;y").status);
+  const Bytes sent = board.sendNext();
+  EXPECT_EQ(sealed(KEY, "SUPP", "SUHO", Bytes(sent.begin() + 10, sent.begin() + 16), "tell;y"), sent);
+}
+
 TEST_F(BoardSessionKeys, answer_a_repeated_request_from_memory) {
   const Bytes frame = reference::frame("++++", "++++", bytesOf("VSUPP") + KEY);
   const Bytes packet = reference::packet(77, frame);
