@@ -796,6 +796,13 @@ final class RadioCell {
             }
             return;
         }
+        if (outcome.equals("undelivered") && transmission.message != null && transmission.keyMayBeGone
+                && !transmission.message.mayDo(event.seconds(), outcome)) {
+            // As at a reset: nothing that comes can acknowledge it any more.
+            transmission.message.sender(event.seconds(), "sender_reset");
+            crowd(event.seconds(), board);
+            return;
+        }
         if (outcome.equals("undelivered")) {
             checkUndelivered(board, transmission.message);
             checkPatience(event.seconds(), board, transmission.message);

@@ -196,9 +196,15 @@ final class Station {
         }
         checks.remove(address);
         waiting.forEach(transmission -> transmission.mayFail = true);
+        mayHaveLost(address);
         if (!check.isEmpty()) {
             checks.put(address, check);
         }
+    }
+
+    private void mayHaveLost(String address) {
+        open().filter(transmission -> transmission.destination.equals(address))
+                .forEach(transmission -> transmission.keyMayBeGone = true);
     }
 
     /**
@@ -225,7 +231,10 @@ final class Station {
         }
         if (sessions.size() > sessionPlaces) {
             Set<String> others = Set.copyOf(sessions);
-            others.stream().filter(each -> !each.equals(device)).forEach(checks::remove);
+            others.stream().filter(each -> !each.equals(device)).forEach(each -> {
+                checks.remove(each);
+                mayHaveLost(each);
+            });
             sessions.retainAll(Set.of(device));
         }
     }

@@ -20,6 +20,8 @@ final class Transmission {
     String check;
     /** Whether it may end without having been sent: its board may lack the key. */
     boolean mayFail;
+    /** Whether it may end at any moment: the key may be gone with which it was sealed. */
+    boolean keyMayBeGone;
     /** How it ended, as the host was told; empty as long as it was not. */
     String outcome = "";
 

@@ -838,6 +838,20 @@ class ReplayTest {
         assertEquals(accepted, lines.replay().refusal().isEmpty(), lines.replay()::verdict);
     }
 
+    @ParameterizedTest
+    @CsvSource({"070809, true", "010203, false", "none, false", ", true"})
+    void replay_undeliveredBeforeItsAttempts_isAcceptedIfItsKeyHasGone(String check, boolean accepted) {
+        Lines lines = sessionKeys("SUPP");
+        key(lines, 0.5, "session", "SUPP", "010203");
+        reach(lines, 2, "police", unicast("SUPP", 0), "unicast");
+        if (!"none".equals(check)) {
+            key(lines, 2.5, check == null ? "delete" : "session", "SUPP", check == null ? "" : check);
+        }
+        sort(lines);
+        outcome(lines, 3, 0, "undelivered");
+        assertEquals(accepted, lines.replay().refusal().isEmpty(), lines.replay()::verdict);
+    }
+
     @Test
     void replay_sessionKeyThatItsBoardHadBefore_isRefused() {
         Lines lines = sessionKeys();
