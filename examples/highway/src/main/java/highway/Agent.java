@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /** {@code gradle agent}: runs one agent of this folder on its board, by Jason. */
 @Command(name = "agent")
@@ -46,7 +46,7 @@ public final class Agent implements Callable<Integer> {
                                 + "--agent=NAME names the agent: one of " + String.join(", ", names));
             }
         }
-        System.setProperty(BoardMeetings.FOLDER_PROPERTY, Options.IDENTITIES.toString());
+        System.setProperty(BoardKeyAgreement.FOLDER_PROPERTY, Options.IDENTITIES.toString());
         RunLocalMAS.main(new String[] {name + MAS, "--log-conf", "logging.properties", "--no-net"});
         return CommandLine.ExitCode.OK;
     }

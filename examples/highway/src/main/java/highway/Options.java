@@ -13,7 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
@@ -266,7 +266,7 @@ final class Options {
     private static List<String> java(String classPath, String... mainAndArguments) {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
-                "-D" + BoardMeetings.FOLDER_PROPERTY + "=" + IDENTITIES,
+                "-D" + BoardKeyAgreement.FOLDER_PROPERTY + "=" + IDENTITIES,
                 "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-Dfile.encoding=UTF-8", "-cp",
                 classPath));
         command.addAll(List.of(mainAndArguments));

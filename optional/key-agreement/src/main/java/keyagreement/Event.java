@@ -1,6 +1,6 @@
 package keyagreement;
 
-/** What {@link Meetings} counts. */
+/** What {@link KeyAgreement} counts. */
 public enum Event {
     /** Handshakes begun with certificates. */
     BEGUN,

@@ -58,9 +58,9 @@ final class Peer {
     private Session session = Session.NONE;
     private int keysSet;
     private long keySetAt = Long.MIN_VALUE / 2;
-    private Begun begun;
+    private InitiatorHandshake initiated;
     /** Whose key the board is being given. */
-    private Talk setting;
+    private Handshake setting;
 
     private final Deque<Mail> waiting = new ArrayDeque<>();
     private Mail underWay;
@@ -68,7 +68,7 @@ final class Peer {
     private final Deque<Integer> ids = new ArrayDeque<>();
 
     private final Map<Integer, Integer> sequences = new LinkedHashMap<>();
-    private long revocationListsDue = Talk.NEVER;
+    private long revocationListsDue = Handshake.NEVER;
     private boolean revocationListsSaid;
     private Key groupKeyGiven;
 
@@ -90,7 +90,7 @@ final class Peer {
         }
 
         long deadline() {
-            return over ? Talk.NEVER : end;
+            return over ? Handshake.NEVER : end;
         }
     }
 
@@ -111,7 +111,7 @@ final class Peer {
         return certificate;
     }
 
-    private Stream<Answered> answered() {
+    private Stream<ResponderHandshake> answered() {
         return shared.halfOpen().stream().filter(run -> run.peer() == this);
     }
 
@@ -128,29 +128,30 @@ final class Peer {
         return session != Session.NONE;
     }
 
-    /** Whether it may be forgotten: what others have begun without a proof counts for nothing. */
+    /** Whether it may be forgotten: what others have initiated without a proof counts for nothing. */
     boolean isIdle() {
-        return begun == null && setting == null && waiting.isEmpty() && underWay == null;
+        return initiated == null && setting == null && waiting.isEmpty() && underWay == null;
     }
 
     boolean isWaiting() {
         return !waiting.isEmpty();
     }
 
-    private List<Talk> talks() {
-        return Stream.concat(Stream.ofNullable(begun), answered()).toList();
+    private List<Handshake> handshakes() {
+        return Stream.concat(Stream.ofNullable(initiated), answered()).toList();
     }
 
     long next() {
         LongStream ofMails = Stream.of(underWay, waiting.peek()).filter(Objects::nonNull).mapToLong(Mail::deadline);
-        return LongStream.concat(talks().stream().mapToLong(Talk::deadline), ofMails)
+        return LongStream.concat(handshakes().stream().mapToLong(Handshake::deadline), ofMails)
                 .reduce(revocationListsDue, Math::min);
     }
 
     void tick(long now) {
-        talks().stream().filter(talk -> now >= talk.deadline()).forEach(talk -> talk.late(now));
+        handshakes().stream().filter(handshake -> now >= handshake.deadline())
+                .forEach(handshake -> handshake.late(now));
         if (now >= revocationListsDue) {
-            revocationListsDue = Talk.NEVER;
+            revocationListsDue = Handshake.NEVER;
             sayRevocationLists(now);
         }
         while (isWaiting() && now >= waiting.peek().deadline()) {
@@ -164,7 +165,7 @@ final class Peer {
 
     /** Others were on the air. */
     void giveWay(long now) {
-        talks().forEach(talk -> talk.giveWay(now));
+        handshakes().forEach(handshake -> handshake.giveWay(now));
     }
 
     // What the agent wants.
@@ -187,14 +188,14 @@ final class Peer {
         if (waiting.isEmpty() || underWay != null || setting != null) {
             return;
         }
-        if (session == Session.UNPROVEN && begun != null && !begun.isOpen() && !begun.hasSaidThird()) {
+        if (session == Session.UNPROVEN && initiated != null && !initiated.isOpen() && !initiated.hasSaidThird()) {
             return;
         }
         if (session != Session.NONE) {
             underWay = waiting.poll();
             keysThen = keysSet;
-            shared.outside().unicast(address, underWay.word);
-        } else if (begun == null) {
+            shared.effects().unicast(address, underWay.word);
+        } else if (initiated == null) {
             begin(now);
         }
     }
@@ -203,19 +204,19 @@ final class Peer {
 
     /** Begins a handshake, unless one is under way. */
     void meet(long now) {
-        if (begun == null && setting == null) {
+        if (initiated == null && setting == null) {
             begin(now);
         }
     }
 
     private void begin(long now) {
-        Talk.Round round = mayRenew() ? Talk.Round.RENEWAL : Talk.Round.FULL;
-        begun = new Begun(shared, this, round, now);
+        Handshake.Round round = mayRenew() ? Handshake.Round.RENEWAL : Handshake.Round.FULL;
+        initiated = new InitiatorHandshake(shared, this, round, now);
         if (isHalfOpen()) {
             // The other side's comes first, if it is genuine; nothing proves that yet, so not for long.
-            begun.setDeadline(now + round.thirdMillis + shared.random().nextInt((int) round.thirdMillis));
+            initiated.setDeadline(now + round.thirdMillis + shared.random().nextInt((int) round.thirdMillis));
         } else {
-            begun.start(now);
+            initiated.start(now);
         }
     }
 
@@ -231,34 +232,34 @@ final class Peer {
     }
 
     /** A message 1. */
-    void first(HostMessage word, Talk.Round round, long now) {
-        Optional<Answered> same = answered().filter(run -> run.answers(word)).findAny();
+    void first(HostMessage word, Handshake.Round round, long now) {
+        Optional<ResponderHandshake> same = answered().filter(run -> run.answers(word)).findAny();
         if (same.isPresent()) {
             same.get().answer(now);
             return;
         }
-        if (setting != null || begun != null && begun.isOpen() && hasPrecedence()) {
+        if (setting != null || initiated != null && initiated.isOpen() && hasPrecedence()) {
             shared.count(Event.CROSSED);
             return;
         }
         try {
-            if (round == Talk.Round.RENEWAL && !mayRenew()) {
+            if (round == Handshake.Round.RENEWAL && !mayRenew()) {
                 throw new HandshakeException(HandshakeException.Reason.NOT_CERTIFIED, "nothing is kept of " + address);
             }
             if (!shared.answers().take(now)) {
                 return;
             }
-            Answered run = new Answered(shared, this, round, word.body());
+            ResponderHandshake run = new ResponderHandshake(shared, this, round, word.body());
             shared.open(run);
             run.answer(now);
-            if (begun != null) {
+            if (initiated != null) {
                 // The other side's comes first, if it is genuine.
-                begun.giveWay(now);
+                initiated.giveWay(now);
             }
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
-            if (round == Talk.Round.RENEWAL && shared.hints().take(now)) {
-                shared.speech().say(new HostMessage(Kind.WANT, address, Bytes.of(Kind.MESSAGE_1.first(), 0)), now,
+            if (round == Handshake.Round.RENEWAL && shared.hints().take(now)) {
+                shared.broadcasts().say(new HostMessage(Kind.WANT, address, Bytes.of(Kind.MESSAGE_1.first(), 0)), now,
                         (then, took) -> {
                         });
             }
@@ -271,7 +272,7 @@ final class Peer {
 
     /** A part of a message 2. */
     void second(HostMessage word, long now) {
-        pass(Stream.ofNullable(begun), word, now);
+        pass(Stream.ofNullable(initiated), word, now);
     }
 
     /** A message 3. */
@@ -279,22 +280,22 @@ final class Peer {
         pass(answered(), word, now);
     }
 
-    private void pass(Stream<? extends Talk> runs, HostMessage word, long now) {
-        List<? extends Talk> fitting = runs.filter(talk -> setting == null
-                && (word.kind() == talk.round().second || word.kind() == talk.round().third)).toList();
+    private void pass(Stream<? extends Handshake> runs, HostMessage word, long now) {
+        List<? extends Handshake> fitting = runs.filter(handshake -> setting == null
+                && (word.kind() == handshake.round().second || word.kind() == handshake.round().third)).toList();
         if (fitting.isEmpty()) {
             shared.count(Event.STRAY);
         }
         // One of them may have said it; when that is found, the others are over.
-        fitting.stream().takeWhile(talk -> setting == null).forEach(talk -> talk.heard(word, now));
+        fitting.stream().takeWhile(handshake -> setting == null).forEach(handshake -> handshake.heard(word, now));
     }
 
     /** The other side lacks a fragment; or it lacks what it would need for a renewal. */
     void wanted(int part, long now) {
-        if (part == Talk.part(Kind.MESSAGE_1, 0) && begun != null && begun.isOpen()
-                && begun.round() == Talk.Round.RENEWAL) {
+        if (part == Handshake.part(Kind.MESSAGE_1, 0) && initiated != null && initiated.isOpen()
+                && initiated.round() == Handshake.Round.RENEWAL) {
             beginFull(now);
-        } else if (talks().stream().filter(talk -> talk.wanted(part, now)).toList().isEmpty()) {
+        } else if (handshakes().stream().filter(handshake -> handshake.wanted(part, now)).toList().isEmpty()) {
             shared.count(Event.STRAY);
         }
     }
@@ -305,12 +306,12 @@ final class Peer {
     }
 
     /** A handshake that this side began has no message 2. */
-    void unanswered(Begun talk, Ending why, long now) {
-        if (talk.round() == Talk.Round.RENEWAL) {
+    void unanswered(InitiatorHandshake handshake, Ending why, long now) {
+        if (handshake.round() == Handshake.Round.RENEWAL) {
             beginFull(now);
             return;
         }
-        finished(talk);
+        finished(handshake);
         shared.count(Event.FAILED);
         if (isHalfOpen()) {
             advance(now);
@@ -320,42 +321,42 @@ final class Peer {
     }
 
     /** A handshake has the other side verified: the board gets the key, once. */
-    void agreed(Talk talk, Secret secret, Certificate whose, Key key) {
+    void agreed(Handshake handshake, Secret secret, Certificate whose, Key key) {
         certificate = whose;
         kept = secret;
-        setting = talk;
-        begun = talk == begun ? begun : null;
+        setting = handshake;
+        initiated = handshake == initiated ? initiated : null;
         shared.halfOpen().removeIf(run -> run.peer() == this);
-        shared.outside().setSessionKey(address, key);
+        shared.effects().setSessionKey(address, key);
     }
 
     void keySet(boolean done, long now) {
-        Talk talk = setting;
-        if (talk == null) {
+        Handshake handshake = setting;
+        if (handshake == null) {
             return;
         }
         setting = null;
         if (!done) {
             session = Session.NONE;
-            finished(talk);
+            finished(handshake);
             failOrAgain(Ending.NOT_SENT, now);
             return;
         }
         shared.count(Event.KEYS_SET);
         keysSet++;
         keySetAt = now;
-        session = talk == begun ? Session.UNPROVEN : Session.PROVEN;
+        session = handshake == initiated ? Session.UNPROVEN : Session.PROVEN;
         revocationListsSaid = false;
-        shared.outside().met(address, certificate);
-        boolean initiator = talk == begun;
-        talk.keyIsSet(now);
+        shared.effects().met(address, certificate);
+        boolean initiator = handshake == initiated;
+        handshake.keyIsSet(now);
         handOn(initiator, now);
     }
 
     /** A handshake is over. */
-    void finished(Talk talk) {
-        begun = talk == begun ? null : begun;
-        shared.halfOpen().remove(talk);
+    void finished(Handshake handshake) {
+        initiated = handshake == initiated ? null : initiated;
+        shared.halfOpen().remove(handshake);
     }
 
     /** The board has heard a sealed frame of the peer, and has no key for it. */
@@ -364,8 +365,8 @@ final class Peer {
             return;
         }
         answered().toList().forEach(run -> run.askForThird(now));
-        if (begun != null && begun.isOpen()) {
-            begun.isThere();
+        if (initiated != null && initiated.isOpen()) {
+            initiated.isThere();
             return;
         }
         session = Session.NONE;
@@ -377,8 +378,8 @@ final class Peer {
     /** The board has booted: its session keys are gone. */
     void booted(long now) {
         session = Session.NONE;
-        if (begun != null && !begun.isOpen()) {
-            begun = null;
+        if (initiated != null && !initiated.isOpen()) {
+            initiated = null;
         }
         advance(now);
     }
@@ -386,7 +387,7 @@ final class Peer {
     // Messages.
 
     /** What became of the message under way. */
-    void sent(Meetings.Sent how, long now) {
+    void sent(KeyAgreement.Sent how, long now) {
         Mail mail = underWay;
         underWay = null;
         if (mail == null) {
@@ -409,11 +410,11 @@ final class Peer {
                     advance(now);
                 } else {
                     // Perhaps the other side lacks message 3.
-                    if (sameKey && (mail.agreements > 0 || begun == null
-                            || !begun.wanted(Talk.part(begun.round().third, 0), now))) {
+                    if (sameKey && (mail.agreements > 0 || initiated == null
+                            || !initiated.wanted(Handshake.part(initiated.round().third, 0), now))) {
                         session = Session.NONE;
                         kept = null;
-                        begun = null;
+                        initiated = null;
                     }
                     again(mail, Ending.UNDELIVERED, now);
                 }
@@ -445,14 +446,14 @@ final class Peer {
 
     private void prove() {
         session = Session.PROVEN;
-        if (begun != null && !begun.isOpen()) {
-            begun = null;
+        if (initiated != null && !initiated.isOpen()) {
+            initiated = null;
         }
     }
 
     private void end(Mail mail, Ending how) {
         if (mail.ticket != Mail.NO_TICKET && !mail.over) {
-            shared.outside().ended(mail.ticket, how);
+            shared.effects().ended(mail.ticket, how);
         }
         mail.over = true;
     }
@@ -491,7 +492,7 @@ final class Peer {
                 ids.poll();
             }
             ids.add(id);
-            shared.outside().received(address, content);
+            shared.effects().received(address, content);
         } catch (ProtocolException e) {
             shared.count(Event.MALFORMED);
         }
@@ -502,7 +503,7 @@ final class Peer {
     private void handOn(boolean initiator, long now) {
         giveGroupKey(now);
         if (initiator) {
-            revocationListsDue = Talk.NEVER;
+            revocationListsDue = Handshake.NEVER;
             sayRevocationLists(now);
         } else {
             revocationListsDue = now + REVOCATION_LISTS_MILLIS;
@@ -565,7 +566,7 @@ final class Peer {
             shared.count(Event.MALFORMED);
             return;
         }
-        revocationListsDue = Talk.NEVER;
+        revocationListsDue = Handshake.NEVER;
         sequences.clear();
         for (int at = 0; at < body.length(); at += length) {
             sequences.put(body.at(at), (int) body.number(at + 1, at + length));
@@ -600,13 +601,13 @@ final class Peer {
     /** Forgets all that is kept of the peer, and has the board forget it. */
     void forget() {
         if (session != Session.NONE || setting != null) {
-            shared.outside().deleteKey(address);
+            shared.effects().deleteKey(address);
         }
         session = Session.NONE;
         setting = null;
         kept = null;
         certificate = null;
-        begun = null;
+        initiated = null;
         shared.halfOpen().removeIf(run -> run.peer() == this);
     }
 }

@@ -3,12 +3,12 @@ package keyagreement;
 import java.security.SecureRandom;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import keyagreement.edhoc.Asking;
+import keyagreement.edhoc.InitiatorRole;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Secret;
 
 /** The side that begins again, from a secret that two devices have kept: EDHOC's key update with nonces of both. */
-public final class RenewalInitiator implements Asking {
+public final class RenewalInitiator implements InitiatorRole {
 
     private final Renewal renewal;
     private final Bytes nonce;

@@ -3,12 +3,12 @@ package keyagreement;
 import java.security.SecureRandom;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import keyagreement.edhoc.Answering;
+import keyagreement.edhoc.ResponderRole;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Secret;
 
 /** The side that answers a {@link RenewalInitiator}. Until {@link #finish} its kept secret must stay what it was. */
-public final class RenewalResponder implements Answering {
+public final class RenewalResponder implements ResponderRole {
 
     private final Renewal.Updated updated;
 

@@ -8,26 +8,26 @@ import java.util.Map;
 import java.util.Optional;
 import javino.protocol.Key;
 
-/** What all meetings of a host share. */
+/** What all handshakes of a host share. */
 final class Shared {
 
     /** Half-open handshakes that others began, in whosoever name. */
     private static final int MOST_HALF_OPEN = 4;
 
     private final Identity identity;
-    private final Meetings.Outside outside;
+    private final KeyAgreement.Effects effects;
     private final SecureRandom random;
     private final Map<Event, Long> events = new EnumMap<>(Event.class);
-    private final Speech speech = new Speech(this);
-    private final Sparingly answers = new Sparingly(this);
-    private final Sparingly hints = new Sparingly(this);
-    private final Deque<Answered> halfOpen = new ArrayDeque<>();
+    private final BroadcastQueue broadcasts = new BroadcastQueue(this);
+    private final RateLimiter answers = new RateLimiter(this);
+    private final RateLimiter hints = new RateLimiter(this);
+    private final Deque<ResponderHandshake> halfOpen = new ArrayDeque<>();
     private int lastId;
     private Key groupKey;
 
-    Shared(Identity identity, Meetings.Outside outside, SecureRandom random) {
+    Shared(Identity identity, KeyAgreement.Effects effects, SecureRandom random) {
         this.identity = identity;
-        this.outside = outside;
+        this.effects = effects;
         this.random = random;
         lastId = random.nextInt();
     }
@@ -36,25 +36,25 @@ final class Shared {
         return identity;
     }
 
-    Meetings.Outside outside() {
-        return outside;
+    KeyAgreement.Effects effects() {
+        return effects;
     }
 
     SecureRandom random() {
         return random;
     }
 
-    Speech speech() {
-        return speech;
+    BroadcastQueue broadcasts() {
+        return broadcasts;
     }
 
     /** Handshakes that others began and of which nothing is proved, the newest last. */
-    Deque<Answered> halfOpen() {
+    Deque<ResponderHandshake> halfOpen() {
         return halfOpen;
     }
 
     /** Takes one more; the oldest makes room for it. */
-    void open(Answered run) {
+    void open(ResponderHandshake run) {
         if (halfOpen.size() == MOST_HALF_OPEN) {
             halfOpen.poll();
             count(Event.EXPIRED);
@@ -63,12 +63,12 @@ final class Shared {
     }
 
     /** For messages 2. */
-    Sparingly answers() {
+    RateLimiter answers() {
         return answers;
     }
 
     /** For all else that anybody can make this host say. */
-    Sparingly hints() {
+    RateLimiter hints() {
         return hints;
     }
 

@@ -6,7 +6,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /** The computer's own time, and a thread for one agent. */
-final class WallClock implements BoardMeetings.Clock {
+final class WallClock implements BoardKeyAgreement.Clock {
 
     private final ScheduledExecutorService thread;
 

@@ -257,7 +257,7 @@ final class Simulation {
             }
             Key key = keys.get(packet.from);
             if (key == null) {
-                host.told(() -> host.meetings.noKey(packet.from, now));
+                host.told(() -> host.agreement.noKey(packet.from, now));
                 return false;
             }
             if (!key.equals(packet.key) || !host.on) {
@@ -323,7 +323,7 @@ final class Simulation {
             deaf = true;
             after(BOOT_MILLIS, () -> {
                 deaf = false;
-                host.told(() -> host.meetings.booted(now));
+                host.told(() -> host.agreement.booted(now));
                 lost.forEach(packet -> host.later(() -> host.ended(packet, false)));
                 next();
             });
@@ -331,12 +331,12 @@ final class Simulation {
     }
 
     /** A computer with a board and a certificate. */
-    final class Host implements Meetings.Outside {
+    final class Host implements KeyAgreement.Effects {
 
         final Address address;
         private final Identity identity;
         final Board board = new Board(this);
-        Meetings meetings;
+        KeyAgreement agreement;
         boolean on;
         long killedAt = -1;
         private int life;
@@ -361,7 +361,7 @@ final class Simulation {
             unicasts.clear();
             broadcasts = false;
             board.keys.clear();
-            meetings = new Meetings(identity, groupKey, this, secure());
+            agreement = new KeyAgreement(identity, groupKey, this, secure());
         }
 
         /** The program ends at once, and starts again some time later. */
@@ -397,7 +397,7 @@ final class Simulation {
             said.put(content.term(), letter);
             within(() -> {
                 if (on) {
-                    meetings.send(to, content, now).ifPresentOrElse(ticket -> tickets.put(ticket, letter),
+                    agreement.send(to, content, now).ifPresentOrElse(ticket -> tickets.put(ticket, letter),
                             () -> letter.isRefused = true);
                 }
             });
@@ -429,13 +429,13 @@ final class Simulation {
             } catch (Killed e) {
                 kill();
             }
-            long next = on ? meetings.next() : Long.MAX_VALUE;
+            long next = on ? agreement.next() : Long.MAX_VALUE;
             if (next < tick) {
                 tick = next;
                 afterwards(next - now, () -> {
                     if (tick <= now) {
                         tick = Long.MAX_VALUE;
-                        meetings.tick(now);
+                        agreement.tick(now);
                     }
                 });
             }
@@ -454,16 +454,16 @@ final class Simulation {
         private void ended(SimulatedChannel.Packet packet, boolean known) {
             if (packet.key == null) {
                 broadcasts = false;
-                meetings.said(now);
+                agreement.said(now);
             } else {
                 unicasts.remove(packet.to);
-                meetings.sent(packet.to, known ? Meetings.Sent.DELIVERED : Meetings.Sent.UNDELIVERED, now);
+                agreement.sent(packet.to, known ? KeyAgreement.Sent.DELIVERED : KeyAgreement.Sent.UNDELIVERED, now);
             }
         }
 
         void read(SimulatedChannel.Packet packet) {
             try {
-                meetings.received(packet.from, HostMessage.decode(packet.message), now);
+                agreement.received(packet.from, HostMessage.decode(packet.message), now);
             } catch (ProtocolException e) {
                 // A session skips it.
             }
@@ -489,7 +489,7 @@ final class Simulation {
                 Key key = board.keys.get(to);
                 if (key == null) {
                     unicasts.remove(to);
-                    meetings.sent(to, Meetings.Sent.NO_KEY, now);
+                    agreement.sent(to, KeyAgreement.Sent.NO_KEY, now);
                 } else {
                     board.send(new SimulatedChannel.Packet(address, to, word.encode(), key, nonces++));
                 }
@@ -505,7 +505,7 @@ final class Simulation {
                 }
                 boolean done = board.set(device, key);
                 keysSet++;
-                later(() -> meetings.keySet(device, done, now));
+                later(() -> agreement.keySet(device, done, now));
             });
         }
 
@@ -552,7 +552,7 @@ final class Simulation {
         }
 
         String events() {
-            return address + " " + meetings.events().entrySet().stream().map(Object::toString)
+            return address + " " + agreement.events().entrySet().stream().map(Object::toString)
                     .collect(Collectors.joining(" "));
         }
     }

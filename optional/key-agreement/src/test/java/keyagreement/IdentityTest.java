@@ -50,7 +50,7 @@ class IdentityTest {
         return identity.certificate().address();
     }
 
-    /** Both ends, each believing that it talks to the other. */
+    /** Both ends, each believing that it handshakes to the other. */
     private static Key agree(Identity one, Identity other) throws HandshakeException {
         Initiator initiator = new Initiator(one.with(address(other)), RANDOM);
         Responder responder = new Responder(other.with(address(one)), initiator.message1(), RANDOM);

@@ -28,11 +28,12 @@ class LimitsTest {
     @Test
     void sparingly_askedAllTheTime_keepsItsGapsAndNobodyKnowsThem() {
         Shared shared = new Shared(null, null, new SecureRandom());
-        Sparingly sparingly = new Sparingly(shared);
-        long[] taken = LongStream.range(0, 100 * Sparingly.GAP_MILLIS).filter(sparingly::take).toArray();
+        RateLimiter sparingly = new RateLimiter(shared);
+        long[] taken = LongStream.range(0, 100 * RateLimiter.GAP_MILLIS).filter(sparingly::take).toArray();
         long[] gaps = IntStream.range(1, taken.length).mapToLong(i -> taken[i] - taken[i - 1]).toArray();
-        assertTrue(LongStream.of(gaps).allMatch(gap -> gap >= Sparingly.GAP_MILLIS && gap < 3 * Sparingly.GAP_MILLIS));
+        assertTrue(
+                LongStream.of(gaps).allMatch(gap -> gap >= RateLimiter.GAP_MILLIS && gap < 3 * RateLimiter.GAP_MILLIS));
         assertTrue(LongStream.of(gaps).distinct().count() > gaps.length / 2, () -> Arrays.toString(gaps));
-        assertEquals(100 * Sparingly.GAP_MILLIS - taken.length, shared.events().get(Event.LIMITED));
+        assertEquals(100 * RateLimiter.GAP_MILLIS - taken.length, shared.events().get(Event.LIMITED));
     }
 }

@@ -4,10 +4,10 @@ import java.lang.management.ManagementFactory;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /** The boards' time for a host, on a thread of its own. */
-final class EmulatedClock implements BoardMeetings.Clock {
+final class EmulatedClock implements BoardKeyAgreement.Clock {
 
     private final Timetable time;
     private final ExecutorService thread = Executors.newSingleThreadExecutor(step -> {

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
 import keyagreement.Attacker;
-import keyagreement.RandomMeetings;
-import keyagreement.RandomMeetings.Tally;
+import keyagreement.RandomRuns;
+import keyagreement.RandomRuns.Tally;
 
 /** Whether hosts that never met come to one key, whatever happens, and whether an attacker can spoil it. */
 final class KeyAgreements implements Campaign {
@@ -39,7 +39,7 @@ final class KeyAgreements implements Campaign {
             Up to 2 bits in 1000 are wrong, words come twice or late, programs are killed and boards reset at up to
             three moments. Then the air is quiet, and each host sends to each other one.
             """);
-        List<Tally> all = RandomMeetings.run(settings.seed(), settings.choose(2000, 20),
+        List<Tally> all = RandomRuns.run(settings.seed(), settings.choose(2000, 20),
                 Files.createDirectory(folder.resolve("meetings")));
         report.table(new Table("runs", "faults", "agreements at most", "until the last came, s").row(all.size(),
                 sum(all, tally -> tally.faults().values().stream().mapToInt(n -> n).sum()),

@@ -26,14 +26,14 @@ import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.HostMessage;
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /** A host that agrees on keys as an agent's does, without an agent. */
 public final class CertifiedHost implements KeyService.Host, BoardListener, AutoCloseable {
 
     private final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
     private final Address self;
-    private final BoardMeetings meetings;
+    private final BoardKeyAgreement agreement;
     private final HostChannel hosts;
     private final Consumer<Content> received;
     private final CompletableFuture<Board> board = new CompletableFuture<>();
@@ -44,12 +44,12 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
      * @param identities where its certificate is.
      * @param received   takes what others say, on the clock's thread.
      */
-    public CertifiedHost(LinkOpener link, Address self, Path identities, BoardMeetings.Clock clock,
+    public CertifiedHost(LinkOpener link, Address self, Path identities, BoardKeyAgreement.Clock clock,
             Consumer<Content> received) {
         this.self = self;
         this.received = received;
-        meetings = new BoardMeetings(identities, clock, thrown -> warnings.add(thrown.toString()));
-        hosts = new HostChannel(List.of(meetings), warnings::add);
+        agreement = new BoardKeyAgreement(identities, clock, thrown -> warnings.add(thrown.toString()));
+        hosts = new HostChannel(List.of(agreement), warnings::add);
         board.complete(Board.open(link, BoardConfig.create(), this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
@@ -63,14 +63,14 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     /** Sends a message to a device. */
     public Transmission send(Address to, Content content) {
-        return meetings.transmit(this, to, content);
+        return agreement.transmit(this, to, content);
     }
 
     /** Forgets all others, as a host that is started anew. */
     public void forget() {
         awaitQuiet();
-        Host.get(meetings.welcome(false));
-        Host.get(meetings.welcome(true));
+        Host.get(agreement.welcome(false));
+        Host.get(agreement.welcome(true));
     }
 
     /** Waits until the board has sent all that it had to send. */
@@ -81,7 +81,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     /** What it has counted. */
     public long count(String event) {
-        return (Long) meetings.status().get(event);
+        return (Long) agreement.status().get(event);
     }
 
     /** What went wrong so far. */
@@ -92,7 +92,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     @Override
     public void online(BoardInfo info) {
         board.thenCompose(session -> session.setRfId(self).thenCompose(done -> session.keys())).thenAccept(keys -> {
-            meetings.online(this, self, info.bootEpoch(), keys);
+            agreement.online(this, self, info.bootEpoch(), keys);
             greetings.release();
         });
     }
@@ -104,7 +104,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     @Override
     public void noKey(PollReply.NoKey frame) {
-        meetings.noKey(frame);
+        agreement.noKey(frame);
     }
 
     @Override
@@ -146,7 +146,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     @Override
     public void close() {
-        meetings.stop();
+        agreement.stop();
         board.join().close();
     }
 }

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /** {@code docs/how-to/agree-on-keys.md}, done as it says. */
 @Tag("verify")
@@ -39,7 +39,7 @@ class AgreeOnKeysTest {
         Certificates authority = new Certificates(folder, "city");
         authority.enroll("ROMA", identities);
         authority.enroll("SUPO", identities);
-        List<String> options = List.of("-D" + BoardMeetings.FOLDER_PROPERTY + "=" + identities);
+        List<String> options = List.of("-D" + BoardKeyAgreement.FOLDER_PROPERTY + "=" + identities);
         List<String> printed = PRINTED.matcher(page).results().map(line -> line.group()).toList();
         assertEquals(3, printed.size(), printed::toString);
 

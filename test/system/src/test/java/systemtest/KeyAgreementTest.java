@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /** Agents on devices that have never met: a bus (ROMA) has a message for the police (SUPO). No board has a key. */
 class KeyAgreementTest {
@@ -88,7 +88,7 @@ class KeyAgreementTest {
                 program.replace("@PORT@", emulator.port(board)).replace("@THEN@", then));
         Files.writeString(folder.resolve(board + ".mas2j"),
                 "MAS " + board + " { agents: " + board + " agentArchClass diffuser.Diffuser; }");
-        return AgentProcess.run(board, folder, List.of("-D" + BoardMeetings.FOLDER_PROPERTY + "=" + where,
+        return AgentProcess.run(board, folder, List.of("-D" + BoardKeyAgreement.FOLDER_PROPERTY + "=" + where,
                 "-Duser.timezone=" + EAST));
     }
 

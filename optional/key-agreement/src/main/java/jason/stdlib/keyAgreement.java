@@ -9,7 +9,7 @@ import diffuser.BoardAction;
 import diffuser.Diffuser;
 import diffuser.Names;
 
-import keyagreement.BoardMeetings;
+import keyagreement.BoardKeyAgreement;
 
 /**
  * <p>Internal action: <b><code>.keyAgreement(<i>Whom</i>)</code></b>.
@@ -36,7 +36,7 @@ public class keyAgreement extends BoardAction {
 
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        return BoardMeetings.of(diffuser).welcome(isCertified(args[0]));
+        return BoardKeyAgreement.of(diffuser).welcome(isCertified(args[0]));
     }
 
     private boolean isCertified(Term argument) throws JasonException {

@@ -8,7 +8,7 @@ import keyagreement.edhoc.KeySchedule.Second;
 import keyagreement.edhoc.KeySchedule.Third;
 
 /** The side that begins EDHOC. */
-public final class Initiator implements Asking {
+public final class Initiator implements InitiatorRole {
 
     /** C_I. Nothing here needs connection identifiers, but RFC 9528 has them. */
     private static final Bytes IDENTIFIER = Bytes.of(0x00);

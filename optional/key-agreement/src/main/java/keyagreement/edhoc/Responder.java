@@ -8,7 +8,7 @@ import keyagreement.edhoc.KeySchedule.Second;
 import keyagreement.edhoc.KeySchedule.Third;
 
 /** The side that answers EDHOC. */
-public final class Responder implements Answering {
+public final class Responder implements ResponderRole {
 
     /** C_R. */
     private static final Bytes IDENTIFIER = Bytes.of(0x01);

@@ -5,13 +5,13 @@ import java.util.Deque;
 import javino.protocol.HostMessage;
 
 /** What waits to be broadcast: the board gets one at a time, so that it is known how long each took. */
-final class Speech {
+final class BroadcastQueue {
 
     private static final int MOST = 16;
 
     private final Shared shared;
-    private final Deque<Line> waiting = new ArrayDeque<>();
-    private Line underWay;
+    private final Deque<Entry> waiting = new ArrayDeque<>();
+    private Entry underWay;
 
     /** Told when a word has been on the air. */
     interface Sent {
@@ -20,16 +20,16 @@ final class Speech {
         void at(long now, long took);
     }
 
-    private record Line(HostMessage word, long asked, Sent sent) {
+    private record Entry(HostMessage word, long asked, Sent sent) {
     }
 
-    Speech(Shared shared) {
+    BroadcastQueue(Shared shared) {
         this.shared = shared;
     }
 
     /** Says it, unless it waits already or too many do; tells whether. */
     boolean say(HostMessage word, long now, Sent sent) {
-        Line line = new Line(word, now, sent);
+        Entry line = new Entry(word, now, sent);
         if (waiting.size() == MOST || waiting.stream().anyMatch(other -> other.word.equals(line.word))) {
             shared.count(Event.LIMITED);
             return false;
@@ -41,7 +41,7 @@ final class Speech {
 
     /** The board has sent what was under way, or will not. */
     void sent(long now) {
-        Line line = underWay;
+        Entry line = underWay;
         underWay = null;
         if (line != null) {
             line.sent.at(now, now - line.asked);
@@ -52,7 +52,7 @@ final class Speech {
     private void next() {
         if (underWay == null && !waiting.isEmpty()) {
             underWay = waiting.poll();
-            shared.outside().broadcast(underWay.word);
+            shared.effects().broadcast(underWay.word);
         }
     }
 }

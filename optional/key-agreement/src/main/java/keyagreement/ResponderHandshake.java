@@ -5,13 +5,13 @@ import java.util.TreeSet;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
-import keyagreement.edhoc.Answering;
+import keyagreement.edhoc.ResponderRole;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Responder;
 import keyagreement.edhoc.Secret;
 
 /** The side that answers a handshake. */
-final class Answered extends Talk {
+final class ResponderHandshake extends Handshake {
 
     /** How often message 3 is asked for. */
     private static final int WANTS = 2;
@@ -21,13 +21,13 @@ final class Answered extends Talk {
     static final int SPREAD_MILLIS = 200;
 
     private final Bytes message1;
-    private final Answering answering;
+    private final ResponderRole answering;
     private final Set<Integer> due = new TreeSet<>();
     private int wantsLeft = WANTS;
     private long end = NEVER;
 
     /** @throws HandshakeException if message 1 is none that can be answered. */
-    Answered(Shared shared, Peer peer, Round round, Bytes message1) throws HandshakeException {
+    ResponderHandshake(Shared shared, Peer peer, Round round, Bytes message1) throws HandshakeException {
         super(shared, peer, round);
         this.message1 = message1;
         Address self = shared.identity().certificate().address();

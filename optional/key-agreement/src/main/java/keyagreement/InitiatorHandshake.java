@@ -4,12 +4,12 @@ import java.util.OptionalInt;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
-import keyagreement.edhoc.Asking;
+import keyagreement.edhoc.InitiatorRole;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Initiator;
 
 /** The side that begins a handshake. */
-final class Begun extends Talk {
+final class InitiatorHandshake extends Handshake {
 
     /** How often message 1 or a fragment of message 2 is asked for: for a message that waits, of an agent's or not. */
     private static final int TRIES = 5;
@@ -23,7 +23,7 @@ final class Begun extends Talk {
     private static final int NEXT_MILLIS = 700;
     private static final int SOON_MILLIS = 100;
 
-    private final Asking asking;
+    private final InitiatorRole asking;
     private final Fragments second;
     private final long end;
     private int tries;
@@ -35,7 +35,7 @@ final class Begun extends Talk {
     private Bytes message3;
     private boolean thirdSaid;
 
-    Begun(Shared shared, Peer peer, Round round, long now) {
+    InitiatorHandshake(Shared shared, Peer peer, Round round, long now) {
         super(shared, peer, round);
         end = now + LIFE_MILLIS;
         second = new Fragments(round.second.fragments());

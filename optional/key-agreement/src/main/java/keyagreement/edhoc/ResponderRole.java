@@ -3,7 +3,7 @@ package keyagreement.edhoc;
 import javino.protocol.Bytes;
 
 /** The side that answers a handshake of three messages. */
-public interface Answering {
+public interface ResponderRole {
 
     /** The answer to message 1; the same bytes each time. Until {@link #finish} the other side is not verified. */
     Bytes message2();

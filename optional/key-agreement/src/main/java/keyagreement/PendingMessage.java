@@ -17,9 +17,9 @@ import javino.protocol.Outcome;
  * @param taken   completes when the board has it.
  * @param end     completes with what became of it.
  */
-record Errand(Address to, Message message, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
+record PendingMessage(Address to, Message message, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
 
-    Errand(Address to, Message message) {
+    PendingMessage(Address to, Message message) {
         this(to, message, new CompletableFuture<>(), new CompletableFuture<>());
     }
 

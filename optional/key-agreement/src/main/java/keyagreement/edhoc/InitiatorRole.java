@@ -3,7 +3,7 @@ package keyagreement.edhoc;
 import javino.protocol.Bytes;
 
 /** The side that begins a handshake of three messages: by certificates, or by a secret that both have kept. */
-public interface Asking {
+public interface InitiatorRole {
 
     /** What begins it; the same bytes each time. */
     Bytes message1();

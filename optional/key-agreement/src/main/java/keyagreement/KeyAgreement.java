@@ -20,7 +20,7 @@ import keyagreement.edhoc.HandshakeException;
 /**
  * How a host comes to a key with hosts that it has never met (SPEC 11.3): handshakes, the messages that wait for them,
  * revocation lists, the keys of groups. It opens nothing and has no thread: it is told what happens, and tells an
- * {@link Outside} what to do.
+ * {@link Effects} what to do.
  *
  * <p>A caller with a {@link javino.board.Board}
  * <ul>
@@ -34,7 +34,7 @@ import keyagreement.edhoc.HandshakeException;
  * </ul>
  * It makes no object of this class for a board whose RF id is not that of the certificate.
  */
-public final class Meetings {
+public final class KeyAgreement {
 
     /** Hosts that were met, and others of which something came or for which something waits. */
     static final int MOST_MET = 64;
@@ -46,22 +46,22 @@ public final class Meetings {
     private boolean open = true;
     private long lastTicket;
 
-    /** What the meetings have done. Each call returns at once; no method of the meetings may be called within. */
-    public interface Outside {
+    /** What the agreement has done. Each call returns at once; no method of the agreement may be called within. */
+    public interface Effects {
 
         /**
          * Sends {@code board.transmit(Address.BROADCAST, word)}; when that has ended, however it has,
-         * {@link Meetings#said} is called. There is one at a time.
+         * {@link KeyAgreement#said} is called. There is one at a time.
          */
         void broadcast(HostMessage word);
 
         /**
-         * Sends {@code board.transmit(to, word)}; then {@link Meetings#sent} is called. There is one at a time for each
-         * address.
+         * Sends {@code board.transmit(to, word)}; then {@link KeyAgreement#sent} is called. There is one at a time for
+         * each address.
          */
         void unicast(Address to, HostMessage word);
 
-        /** Calls {@code board.setSessionKey(device, key)}, and then {@link Meetings#keySet}. */
+        /** Calls {@code board.setSessionKey(device, key)}, and then {@link KeyAgreement#keySet}. */
         void setSessionKey(Address device, Key key);
 
         /** Calls {@code board.deleteKey(device)}: of a session key. */
@@ -69,7 +69,7 @@ public final class Meetings {
 
         /**
          * Calls {@code board.setKey(group, key)}: it is kept in EEPROM. The group key server also keeps it itself, for
-         * {@link Meetings#Meetings}.
+         * {@link KeyAgreement#KeyAgreement}.
          */
         void setGroupKey(Address group, Key key);
 
@@ -79,7 +79,7 @@ public final class Meetings {
         /** A content came from a peer with a certificate, sealed. */
         void received(Address from, Content content);
 
-        /** What became of a message of {@link Meetings#send}. */
+        /** What became of a message of {@link KeyAgreement#send}. */
         void ended(long ticket, Ending how);
 
         /** @param what one line for the user. */
@@ -100,11 +100,11 @@ public final class Meetings {
 
     /**
      * @param identity the device's own.
-     * @param groupKey of a group key server, what {@link Outside#setGroupKey} had it keep last; else nothing.
+     * @param groupKey of a group key server, what {@link Effects#setGroupKey} had it keep last; else nothing.
      * @param random   for keys, nonces and waits.
      */
-    public Meetings(Identity identity, Optional<Key> groupKey, Outside outside, SecureRandom random) {
-        shared = new Shared(identity, outside, random);
+    public KeyAgreement(Identity identity, Optional<Key> groupKey, Effects effects, SecureRandom random) {
+        shared = new Shared(identity, effects, random);
         self = identity.certificate().address();
         groupKey.ifPresent(shared::setGroupKey);
         if (identity.certificate().groupKeyServer() && groupKey.isEmpty()) {
@@ -121,7 +121,7 @@ public final class Meetings {
 
     /**
      * Sends a message to a device with which there is no stored key; where there is no session key, hosts agree on one
-     * first. A message ends within {@value Peer#MOST_MILLIS} ms, as {@link Outside#ended} tells, whatever happens.
+     * first. A message ends within {@value Peer#MOST_MILLIS} ms, as {@link Effects#ended} tells, whatever happens.
      *
      * @param message of a content, up to 490 bytes.
      * @return the ticket, by which its end is told; nothing if there are too many messages, which is told nowhere else.
@@ -142,10 +142,10 @@ public final class Meetings {
 
     /**
      * Asks the group key server of the own group for its key, by one broadcast that may be lost; what comes of it is
-     * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
+     * {@link Effects#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
      */
     public void wantGroupKey(long now) {
-        shared.speech().say(new HostMessage(Kind.GROUP, Address.multicast(self.group()), Bytes.EMPTY), now,
+        shared.broadcasts().say(new HostMessage(Kind.GROUP, Address.multicast(self.group()), Bytes.EMPTY), now,
                 (then, took) -> {
                 });
     }
@@ -175,8 +175,8 @@ public final class Meetings {
 
     private void heard(Address from, HostMessage word, long now) {
         switch (word.kind()) {
-            case MESSAGE_1 -> first(from, word, Talk.Round.FULL, now);
-            case RENEWAL_1 -> first(from, word, Talk.Round.RENEWAL, now);
+            case MESSAGE_1 -> first(from, word, Handshake.Round.FULL, now);
+            case RENEWAL_1 -> first(from, word, Handshake.Round.RENEWAL, now);
             case MESSAGE_2, RENEWAL_2 -> known(from).ifPresent(peer -> peer.second(word, now));
             case MESSAGE_3, RENEWAL_3 -> known(from).ifPresent(peer -> peer.third(word, now));
             case WANT -> known(from).ifPresent(peer -> peer.wanted((int) word.body().number(0, 2), now));
@@ -184,7 +184,7 @@ public final class Meetings {
         }
     }
 
-    private void first(Address from, HostMessage word, Talk.Round round, long now) {
+    private void first(Address from, HostMessage word, Handshake.Round round, long now) {
         if (!open) {
             shared.count(Event.LIMITED);
             return;
@@ -267,7 +267,7 @@ public final class Meetings {
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
         } catch (IOException | JavinoException e) {
-            shared.outside().warn("a revocation list of the authority could not be kept: " + e.getMessage());
+            shared.effects().warn("a revocation list of the authority could not be kept: " + e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -276,12 +276,12 @@ public final class Meetings {
     private void makeGroupKey() {
         Key key = Key.random(shared.random());
         shared.setGroupKey(key);
-        shared.outside().setGroupKey(Address.multicast(self.group()), key);
+        shared.effects().setGroupKey(Address.multicast(self.group()), key);
     }
 
     private void groupKey(Peer from, Bytes key) {
         if (from.isGroupKeyServer()) {
-            shared.outside().setGroupKey(Address.multicast(self.group()), Key.of(key));
+            shared.effects().setGroupKey(Address.multicast(self.group()), Key.of(key));
         } else {
             shared.count(Event.REFUSED);
         }
@@ -299,17 +299,17 @@ public final class Meetings {
         List.copyOf(peers.values()).forEach(peer -> peer.booted(now));
     }
 
-    /** {@link Outside#broadcast} has ended. */
+    /** {@link Effects#broadcast} has ended. */
     public void said(long now) {
-        shared.speech().sent(now);
+        shared.broadcasts().sent(now);
     }
 
-    /** {@link Outside#unicast} has ended. */
+    /** {@link Effects#unicast} has ended. */
     public void sent(Address to, Sent how, long now) {
         Optional.ofNullable(peers.get(to)).ifPresent(peer -> peer.sent(how, now));
     }
 
-    /** {@link Outside#setSessionKey} has ended. */
+    /** {@link Effects#setSessionKey} has ended. */
     public void keySet(Address device, boolean done, long now) {
         Optional.ofNullable(peers.get(device)).ifPresent(peer -> peer.keySet(done, now));
         leavesRoom(true, MOST_MET + 1);

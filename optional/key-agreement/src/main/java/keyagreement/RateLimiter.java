@@ -4,7 +4,7 @@ package keyagreement;
  * Lets something be done now and then. When it may be done again is drawn: so nobody knows the moment, and nobody can
  * be first each time.
  */
-final class Sparingly {
+final class RateLimiter {
 
     /** From one to the next, at least, and up to twice that as a random part. */
     static final int GAP_MILLIS = 1000;
@@ -12,7 +12,7 @@ final class Sparingly {
     private final Shared shared;
     private long next = Long.MIN_VALUE;
 
-    Sparingly(Shared shared) {
+    RateLimiter(Shared shared) {
         this.shared = shared;
     }
 

@@ -10,7 +10,7 @@ import javino.protocol.Frame;
 import keyagreement.edhoc.HandshakeException;
 
 /** A handshake that is under way with a peer, on either side. */
-abstract class Talk {
+abstract class Handshake {
 
     static final long NEVER = Long.MAX_VALUE;
     /** The same fragment again: not before, so that no board takes it for a repeat of its own (SPEC 7.2). */
@@ -59,7 +59,7 @@ abstract class Talk {
     private long deadline = NEVER;
     private long latest = NEVER;
 
-    Talk(Shared shared, Peer peer, Round round) {
+    Handshake(Shared shared, Peer peer, Round round) {
         this.shared = shared;
         this.peer = peer;
         this.round = round;
@@ -107,7 +107,7 @@ abstract class Talk {
             deadline = Math.max(deadline, now + AGAIN_MILLIS);
             return;
         }
-        boolean taken = shared.speech().say(word, now, (then, took) -> {
+        boolean taken = shared.broadcasts().say(word, now, (then, took) -> {
             said.put(part, then);
             latest = then + PUT_OFF_MILLIS;
             deadline = then + wait + shared.random().nextInt((int) wait / 3)

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Hosts that meet, in a time of its own. */
-class MeetingsTest {
+class KeyAgreementTest {
 
     private static final long MINUTE = 60_000;
 
@@ -64,7 +64,7 @@ class MeetingsTest {
     }
 
     private static long count(Simulation.Host host, Event event) {
-        return host.meetings.events().getOrDefault(event, 0L);
+        return host.agreement.events().getOrDefault(event, 0L);
     }
 
     /** How long the first message takes, and the first one after the sender's board was reset. */
@@ -125,9 +125,9 @@ class MeetingsTest {
             HostMessage message1 = HostMessage.decode(packets.get(0).message);
             simulation.run(MINUTE / 40);
             long answers = packets.stream().filter(packet -> packet.from.equals(supo.address)).count();
-            supo.meetings.received(roma.address, message1, simulation.millis());
-            long wait = supo.meetings.next() - simulation.millis();
-            assertTrue(wait >= 0 && wait < Answered.SPREAD_MILLIS, () -> "it waits for " + wait + " ms");
+            supo.agreement.received(roma.address, message1, simulation.millis());
+            long wait = supo.agreement.next() - simulation.millis();
+            assertTrue(wait >= 0 && wait < ResponderHandshake.SPREAD_MILLIS, () -> "it waits for " + wait + " ms");
             waits.add(wait);
             supo.within(() -> {});
             simulation.run(MINUTE / 40);
@@ -170,14 +170,14 @@ class MeetingsTest {
         Simulation.Host supo = simulation.add(supoIdentity);
         supo.on = false;
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, supo));
-        assertFalse(roma.meetings.isSecure(supo.address));
+        assertFalse(roma.agreement.isSecure(supo.address));
     }
 
     @Test
     void send_toWhoTakesPartInNone_endsWithNoAnswer() {
         Simulation.Host roma = simulation.add(romaIdentity);
         Simulation.Host supo = simulation.add(supoIdentity);
-        supo.meetings.setOpen(false);
+        supo.agreement.setOpen(false);
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, supo));
         assertEquals(0, count(supo, Event.ANSWERED));
     }
@@ -187,11 +187,11 @@ class MeetingsTest {
         Simulation.Host roma = simulation.add(romaIdentity);
         Content content = new Content(Performative.TELL, "x");
         for (int i = 0; i < Peer.MOST_WAITING; i++) {
-            assertTrue(roma.meetings.send(supoIdentity.certificate().address(), content, 0).isPresent());
+            assertTrue(roma.agreement.send(supoIdentity.certificate().address(), content, 0).isPresent());
         }
-        assertEquals(Optional.empty(), roma.meetings.send(supoIdentity.certificate().address(), content, 0));
-        assertThrows(IllegalArgumentException.class, () -> roma.meetings.send(roma.address, content, 0));
-        assertThrows(IllegalArgumentException.class, () -> roma.meetings.send(Address.BROADCAST, content, 0));
+        assertEquals(Optional.empty(), roma.agreement.send(supoIdentity.certificate().address(), content, 0));
+        assertThrows(IllegalArgumentException.class, () -> roma.agreement.send(roma.address, content, 0));
+        assertThrows(IllegalArgumentException.class, () -> roma.agreement.send(Address.BROADCAST, content, 0));
     }
 
     @Test
@@ -199,12 +199,12 @@ class MeetingsTest {
         Simulation.Host roma = simulation.add(romaIdentity);
         Simulation.Host supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
-        for (int i = 0; i < Meetings.MOST_UNKNOWN; i++) {
-            assertTrue(roma.meetings.send(new Address(i), new Content(Performative.TELL, "x"), simulation.millis())
+        for (int i = 0; i < KeyAgreement.MOST_UNKNOWN; i++) {
+            assertTrue(roma.agreement.send(new Address(i), new Content(Performative.TELL, "x"), simulation.millis())
                     .isPresent());
         }
-        assertEquals(Optional.empty(), roma.meetings.send(new Address(99), new Content(Performative.TELL, "x"), 0));
-        assertTrue(roma.meetings.isSecure(supo.address));
+        assertEquals(Optional.empty(), roma.agreement.send(new Address(99), new Content(Performative.TELL, "x"), 0));
+        assertTrue(roma.agreement.isSecure(supo.address));
     }
 
     @Test
@@ -254,9 +254,9 @@ class MeetingsTest {
         Simulation.Host buke = simulation.add(groupKeyServer);
         Simulation.Host busa = simulation.add(authority.certified("BUSA"));
         Simulation.Host roma = simulation.add(authority.certified("ROMA"));
-        busa.within(() -> busa.meetings.wantGroupKey(simulation.millis()));
+        busa.within(() -> busa.agreement.wantGroupKey(simulation.millis()));
         simulation.run(2000);
-        roma.within(() -> roma.meetings.wantGroupKey(simulation.millis()));
+        roma.within(() -> roma.agreement.wantGroupKey(simulation.millis()));
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, buke));
         simulation.run(MINUTE);
         Optional<Key> first = buke.groupKey();
@@ -282,7 +282,7 @@ class MeetingsTest {
         Simulation.Host busa = simulation.add(authority.certified("BUSA"));
         Simulation.Host busb = simulation.add(authority.certified("BUSB"));
         assertEquals(Optional.of(Ending.DELIVERED), end(busa, busb));
-        busa.meetings.received(busb.address,
+        busa.agreement.received(busb.address,
                 new HostMessage(HostMessage.Kind.GROUP_KEY, Simulation.anyKey(simulation.random).bytes()),
                 simulation.millis());
         assertEquals(Optional.empty(), busa.groupKey());

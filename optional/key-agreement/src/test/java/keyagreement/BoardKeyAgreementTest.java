@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Messages of an agent whose board goes off, or cannot get anything on the air. */
-class BoardMeetingsTest {
+class BoardKeyAgreementTest {
 
     private static final int MINUTE = 60_000;
     private static final Content CONTENT = new Content(Performative.TELL, "x");
@@ -40,10 +40,10 @@ class BoardMeetingsTest {
     private final Time time = new Time();
     private final List<RuntimeException> failures = new ArrayList<>();
     private final FalseBoard board = new FalseBoard();
-    private BoardMeetings meetings;
+    private BoardKeyAgreement agreement;
 
     /** A time of its own. */
-    private static final class Time implements BoardMeetings.Clock {
+    private static final class Time implements BoardKeyAgreement.Clock {
 
         private record Step(long at, long order, Runnable what) {
         }
@@ -127,15 +127,15 @@ class BoardMeetingsTest {
     @BeforeEach
     void start() throws Exception {
         new TestAuthority(folder).certified("BUSB");
-        meetings = new BoardMeetings(folder, time, failures::add);
-        meetings.online(board, Address.parse("BUSB"), 1, List.of());
+        agreement = new BoardKeyAgreement(folder, time, failures::add);
+        agreement.online(board, Address.parse("BUSB"), 1, List.of());
         time.run(1);
     }
 
     private List<Transmission> send(Address to, int count) {
         List<Transmission> said = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            said.add(meetings.transmit(board, to, CONTENT));
+            said.add(agreement.transmit(board, to, CONTENT));
             time.run(1);
         }
         return said;
@@ -150,8 +150,8 @@ class BoardMeetingsTest {
     /** Then a multicast counts as certified. */
     @Test
     void sharesGroup_unlessItIsKnownThatThereIsNoCertificate() throws Exception {
-        assertTrue(meetings.sharesGroup());
-        BoardMeetings other = new BoardMeetings(folder, time, failures::add);
+        assertTrue(agreement.sharesGroup());
+        BoardKeyAgreement other = new BoardKeyAgreement(folder, time, failures::add);
         assertTrue(other.sharesGroup(), "nothing is known yet");
         other.online(board, BUSA, 1, List.of());
         time.run(1);
@@ -185,7 +185,7 @@ class BoardMeetingsTest {
     void messages_anotherBoardTakesItsPlace_endAtOnce() {
         List<Transmission> said = send(BUSA, 3);
         said.addAll(send(GROUP, 3));
-        meetings.online(new FalseBoard(), Address.parse("BUSB"), 1, List.of());
+        agreement.online(new FalseBoard(), Address.parse("BUSB"), 1, List.of());
         time.run(1);
         assertTrue(said.stream().allMatch(each -> each.end().isCompletedExceptionally()));
     }
@@ -194,7 +194,7 @@ class BoardMeetingsTest {
     void groupMessage_theKeyComesAndTheAirIsNeverFree_isUndelivered() {
         Transmission said = send(GROUP, 1).get(0);
         board.groupKeys = () -> CompletableFuture.completedFuture(null);
-        meetings.setGroupKey(GROUP, Key.ofHex("00112233445566778899aabbccddeeff"));
+        agreement.setGroupKey(GROUP, Key.ofHex("00112233445566778899aabbccddeeff"));
         time.run(MINUTE / 2);
         assertTrue(board.asked.contains(GROUP));
         assertFalse(said.end().isDone());
@@ -207,7 +207,7 @@ class BoardMeetingsTest {
     void messages_whileSealedFramesWithoutAKeyCome_endWithinAMinute() {
         List<Transmission> said = send(BUSA, 3);
         for (int i = 0; i < MINUTE / 300; i++) {
-            meetings.noKey(new PollReply.NoKey(Address.parse("BUSB"), BUSA));
+            agreement.noKey(new PollReply.NoKey(Address.parse("BUSB"), BUSA));
             time.run(300);
         }
         assertEnded(said);

@@ -43,10 +43,10 @@ import javino.protocol.Status;
 import javino.protocol.HostMessage;
 
 /**
- * Key agreement for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
+ * Key agreement for one agent's board: what {@link KeyAgreement} decides, this does with the board. Where there is no
  * certificate for the board's address, or the agent refuses it, it does nothing.
  */
-public final class BoardMeetings implements KeyService, Meetings.Outside {
+public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects {
 
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
@@ -83,12 +83,12 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     private boolean refuses;
     private boolean keepsGroup;
     /** Null while nothing is done. */
-    private Meetings meetings;
+    private KeyAgreement agreement;
     /** To whom the board was given session keys; maybe it has lost some. */
     private final Set<Address> given = new HashSet<>();
     private final Set<Address> met = new HashSet<>();
-    private final Map<Long, Errand> errands = new LinkedHashMap<>();
-    private final Queue<Errand> forGroup = new ArrayDeque<>();
+    private final Map<Long, PendingMessage> pending = new LinkedHashMap<>();
+    private final Queue<PendingMessage> forGroup = new ArrayDeque<>();
     private final Map<Address, Throwable> failures = new HashMap<>();
     private long alarm = NEVER;
     private long groupWanted = -GROUP_AGAIN_MILLIS;
@@ -102,7 +102,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
         @Override
         public KeyService of(Diffuser diffuser) {
-            return new BoardMeetings(folder(), new WallClock("key agreement of " + diffuser.getAgName()),
+            return new BoardKeyAgreement(folder(), new WallClock("key agreement of " + diffuser.getAgName()),
                     thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
                             "a step of key agreement has failed: " + thrown, thrown));
         }
@@ -117,7 +117,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
      * @param folder where the identities of devices are, as {@code javino enroll} puts them.
      * @param failed is told of what must not be.
      */
-    public BoardMeetings(Path folder, Clock clock, Consumer<RuntimeException> failed) {
+    public BoardKeyAgreement(Path folder, Clock clock, Consumer<RuntimeException> failed) {
         this.folder = folder;
         this.clock = clock;
         this.failed = failed;
@@ -128,8 +128,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
      *
      * @throws JasonException if it has none.
      */
-    public static BoardMeetings of(Diffuser diffuser) throws JasonException {
-        return diffuser.service(BoardMeetings.class).orElseThrow(() -> new Failure("no_certificate",
+    public static BoardKeyAgreement of(Diffuser diffuser) throws JasonException {
+        return diffuser.service(BoardKeyAgreement.class).orElseThrow(() -> new Failure("no_certificate",
                 "another library agrees on keys here").toException());
     }
 
@@ -147,10 +147,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             refuses = !certified;
             if (refuses) {
                 close();
-            } else if (meetings == null && host != null) {
+            } else if (agreement == null && host != null) {
                 open();
             }
-            if (certified && meetings == null && host != null) {
+            if (certified && agreement == null && host != null) {
                 done.completeExceptionally(new Failure("no_certificate",
                         "there is no certificate for " + self + " in " + folder + "; javino enroll --id " + self)
                         .toException());
@@ -163,30 +163,30 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     @Override
     public Transmission transmit(Host board, Address to, Message message) {
-        Errand errand = new Errand(to, message);
-        execute(() -> begin(board, errand));
-        return errand.transmission();
+        PendingMessage mine = new PendingMessage(to, message);
+        execute(() -> begin(board, mine));
+        return mine.transmission();
     }
 
-    private void begin(Host board, Errand errand) {
-        boolean isMet = meetings != null && board == host;
-        if (isMet && errand.to().kind() == Address.Kind.DEVICE && !errand.to().equals(self)) {
-            meet(errand);
-        } else if (isMet && errand.to().equals(group()) && !stored.contains(group())) {
-            awaitGroupKey(errand);
+    private void begin(Host board, PendingMessage message) {
+        boolean isMet = agreement != null && board == host;
+        if (isMet && message.to().kind() == Address.Kind.DEVICE && !message.to().equals(self)) {
+            meet(message);
+        } else if (isMet && message.to().equals(group()) && !stored.contains(group())) {
+            awaitGroupKey(message);
         } else {
-            errand.follow(board.transmitAsIs(errand.to(), errand.message()));
+            message.follow(board.transmitAsIs(message.to(), message.message()));
         }
     }
 
-    private void meet(Errand errand) {
+    private void meet(PendingMessage message) {
         try {
-            Optional<Long> ticket = meetings.send(errand.to(), errand.message(), millis());
-            ticket.ifPresentOrElse(number -> errands.put(number, errand), () -> errand.fail("queue_full",
-                    "too many messages wait for a key with " + errand.to() + " or with others"));
+            Optional<Long> ticket = agreement.send(message.to(), message.message(), millis());
+            ticket.ifPresentOrElse(number -> pending.put(number, message), () -> message.fail("queue_full",
+                    "too many messages wait for a key with " + message.to() + " or with others"));
         } catch (IllegalArgumentException e) {
-            errand.fail("too_long", "a message to a device without a stored key has at most 490 bytes; this one has "
-                    + errand.message().encode().length());
+            message.fail("too_long", "a message to a device without a stored key has at most 490 bytes; this one has "
+                    + message.message().encode().length());
         }
     }
 
@@ -194,18 +194,18 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         return Address.multicast(self.group());
     }
 
-    private void awaitGroupKey(Errand errand) {
+    private void awaitGroupKey(PendingMessage message) {
         if (forGroup.size() == MOST_FOR_GROUP) {
-            errand.fail("queue_full", MOST_FOR_GROUP + " messages wait for the key of " + group() + " already");
+            message.fail("queue_full", MOST_FOR_GROUP + " messages wait for the key of " + group() + " already");
             return;
         }
-        forGroup.add(errand);
+        forGroup.add(message);
         wantGroupKey();
         // The board may have it and wait for the air.
-        after(Peer.MOST_MILLIS, () -> errand.end(Outcome.UNDELIVERED));
+        after(Peer.MOST_MILLIS, () -> message.end(Outcome.UNDELIVERED));
         after(GROUP_MILLIS, () -> {
-            if (forGroup.remove(errand)) {
-                errand.fail("no_key", "the board has no key for " + errand.to() + ", and no group key server has"
+            if (forGroup.remove(message)) {
+                message.fail("no_key", "the board has no key for " + message.to() + ", and no group key server has"
                         + " given one within " + GROUP_MILLIS / 1000 + " s");
             }
         });
@@ -213,9 +213,9 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     private void wantGroupKey() {
         long now = millis();
-        if (meetings != null && now - groupWanted >= GROUP_AGAIN_MILLIS) {
+        if (agreement != null && now - groupWanted >= GROUP_AGAIN_MILLIS) {
             groupWanted = now;
-            meetings.wantGroupKey(now);
+            agreement.wantGroupKey(now);
         }
     }
 
@@ -235,13 +235,13 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             Set<Address> inEeprom = new HashSet<>();
             keys.stream().filter(key -> key.role() != Reply.Role.SESSION).forEach(key -> inEeprom.add(key.address()));
             stored = inEeprom;
-            if (meetings == null) {
+            if (agreement == null) {
                 keys.stream().filter(key -> key.role() == Reply.Role.SESSION)
                         .forEach(key -> host.deleteKey(key.address()));
                 open();
             } else {
                 if (booted) {
-                    meetings.booted(millis());
+                    agreement.booted(millis());
                 }
                 host.met(met);
             }
@@ -260,7 +260,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             if (identity.isPresent() && !refuses) {
                 keepsGroup = identity.get().certificate().groupKeyServer();
                 Optional<Key> groupKey = keepsGroup ? keptGroupKey() : Optional.empty();
-                meetings = new Meetings(identity.get(), groupKey, this, new SecureRandom());
+                agreement = new KeyAgreement(identity.get(), groupKey, this, new SecureRandom());
                 if (keepsGroup) {
                     groupKey.filter(key -> !stored.contains(group())).ifPresent(key -> giveGroupKey(group(), key));
                 } else if (!stored.contains(group())) {
@@ -274,13 +274,13 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     /** Forgets all certified devices, and has the board forget them. */
     private void close() {
-        if (meetings == null) {
+        if (agreement == null) {
             return;
         }
-        meetings = null;
-        Stream.concat(errands.values().stream(), forGroup.stream()).forEach(errand -> errand.fail("no_key",
-                "the board has no key for " + errand.to() + ", and agrees on keys with nobody any more"));
-        errands.clear();
+        agreement = null;
+        Stream.concat(pending.values().stream(), forGroup.stream()).forEach(message -> message.fail("no_key",
+                "the board has no key for " + message.to() + ", and agrees on keys with nobody any more"));
+        pending.clear();
         forGroup.clear();
         given.forEach(host::deleteKey);
         given.clear();
@@ -296,10 +296,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     @Override
     public void received(Address from, HostMessage word) {
         execute(() -> {
-            if (meetings == null) {
+            if (agreement == null) {
                 ignored++;
             } else {
-                meetings.received(from, word, millis());
+                agreement.received(from, word, millis());
             }
         });
     }
@@ -307,10 +307,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     @Override
     public void noKey(PollReply.NoKey frame) {
         execute(() -> {
-            if (meetings == null || stored.contains(frame.origin())) {
+            if (agreement == null || stored.contains(frame.origin())) {
                 ignored++;
             } else if (frame.destination().kind() == Address.Kind.DEVICE) {
-                meetings.noKey(frame.origin(), millis());
+                agreement.noKey(frame.origin(), millis());
             } else {
                 wantGroupKey();
             }
@@ -342,12 +342,12 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         execute(clock::close);
     }
 
-    // What the meetings want done
+    // What the agreement wants done
 
     @Override
     public void broadcast(HostMessage word) {
         host.transmitAsIs(Address.BROADCAST, word).end()
-                .whenComplete((outcome, thrown) -> execute(() -> inMeetings(all -> all.said(millis()))));
+                .whenComplete((outcome, thrown) -> execute(() -> inAgreement(all -> all.said(millis()))));
     }
 
     @Override
@@ -355,22 +355,22 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         Transmission transmission = host.transmitAsIs(to, word);
         boolean ofAgent = word.kind() == HostMessage.Kind.CONTENT || word.kind().use() == HostMessage.Use.MOVE;
         // Messages to one device go one after the other.
-        Optional<Errand> errand = ofAgent
-                ? errands.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();
-        transmission.taken().thenRun(() -> errand.ifPresent(Errand::take));
+        Optional<PendingMessage> message = ofAgent
+                ? pending.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();
+        transmission.taken().thenRun(() -> message.ifPresent(PendingMessage::take));
         transmission.end().whenComplete((outcome, thrown) -> execute(() -> {
             if (thrown != null) {
                 failures.put(to, thrown);
             }
-            inMeetings(all -> all.sent(to, how(outcome, thrown), millis()));
+            inAgreement(all -> all.sent(to, how(outcome, thrown), millis()));
         }));
     }
 
-    private static Meetings.Sent how(Outcome outcome, Throwable thrown) {
+    private static KeyAgreement.Sent how(Outcome outcome, Throwable thrown) {
         if (thrown != null) {
-            return isRefused(thrown, Status.NO_KEY) ? Meetings.Sent.NO_KEY : Meetings.Sent.FAILED;
+            return isRefused(thrown, Status.NO_KEY) ? KeyAgreement.Sent.NO_KEY : KeyAgreement.Sent.FAILED;
         }
-        return outcome == Outcome.DELIVERED ? Meetings.Sent.DELIVERED : Meetings.Sent.UNDELIVERED;
+        return outcome == Outcome.DELIVERED ? KeyAgreement.Sent.DELIVERED : KeyAgreement.Sent.UNDELIVERED;
     }
 
     private static boolean isRefused(Throwable thrown, Status status) {
@@ -387,7 +387,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
                 failures.put(device, why);
                 host.warn(Failure.of(why).message());
             }
-            inMeetings(all -> all.keySet(device, thrown == null, millis()));
+            inAgreement(all -> all.keySet(device, thrown == null, millis()));
         }));
     }
 
@@ -404,8 +404,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     @Override
     public void setGroupKey(Address group, Key key) {
-        // Meetings calls this when it is made, too.
-        execute(() -> inMeetings(all -> {
+        // KeyAgreement calls this when it is made, too.
+        execute(() -> inAgreement(all -> {
             if (keepsGroup) {
                 keep(key);
             }
@@ -417,7 +417,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         host.setGroupKey(group, key).whenComplete((done, thrown) -> execute(() -> {
             if (thrown == null) {
                 stored.add(group);
-                forGroup.forEach(errand -> errand.follow(host.transmitAsIs(errand.to(), errand.message())));
+                forGroup.forEach(message -> message.follow(host.transmitAsIs(message.to(), message.message())));
                 forGroup.clear();
             } else {
                 host.warn(Failure.of(thrown).message());
@@ -438,20 +438,20 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     @Override
     public void ended(long ticket, Ending how) {
-        Errand errand = errands.remove(ticket);
-        if (errand == null) {
+        PendingMessage message = pending.remove(ticket);
+        if (message == null) {
             return;
         }
-        String to = errand.to().toString();
+        String to = message.to().toString();
         switch (how) {
-            case DELIVERED -> errand.end(Outcome.DELIVERED);
-            case UNDELIVERED -> errand.end(Outcome.UNDELIVERED);
-            case NO_ANSWER -> errand.fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to "
+            case DELIVERED -> message.end(Outcome.DELIVERED);
+            case UNDELIVERED -> message.end(Outcome.UNDELIVERED);
+            case NO_ANSWER -> message.fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to "
                     + "be " + to + ": it is out of reach, takes no part, or has no certificate that is trusted here");
-            case REVOKED -> errand.fail(how.atom(), "the authority has revoked the certificate of " + to);
-            case EXPIRED -> errand.fail(how.atom(), "the certificate of " + to + " has expired");
-            case NOT_SENT -> Optional.ofNullable(failures.remove(errand.to())).ifPresentOrElse(errand::fail,
-                    () -> errand.fail(how.atom(), "the board has not sent the message to " + to));
+            case REVOKED -> message.fail(how.atom(), "the authority has revoked the certificate of " + to);
+            case EXPIRED -> message.fail(how.atom(), "the certificate of " + to + " has expired");
+            case NOT_SENT -> Optional.ofNullable(failures.remove(message.to())).ifPresentOrElse(message::fail,
+                    () -> message.fail(how.atom(), "the board has not sent the message to " + to));
         }
     }
 
@@ -488,15 +488,15 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     // The thread
 
-    private interface InMeetings {
+    private interface InAgreement {
 
-        void with(Meetings all);
+        void with(KeyAgreement all);
     }
 
-    /** Nothing, if the meetings have ended meanwhile. */
-    private void inMeetings(InMeetings step) {
-        if (meetings != null) {
-            step.with(meetings);
+    /** Nothing, if the agreement has ended meanwhile. */
+    private void inAgreement(InAgreement step) {
+        if (agreement != null) {
+            step.with(agreement);
         }
     }
 
@@ -523,19 +523,19 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     /** What follows from each step: when the next is due, and with whom there are keys. */
     private void follow() {
-        if (meetings == null) {
+        if (agreement == null) {
             return;
         }
-        events = meetings.events();
-        if (met.removeIf(peer -> !meetings.isSecure(peer))) {
+        events = agreement.events();
+        if (met.removeIf(peer -> !agreement.isSecure(peer))) {
             host.met(met);
         }
-        long next = meetings.next();
+        long next = agreement.next();
         if (next < alarm) {
             alarm = next;
             after(Math.max(0, next - millis()), () -> {
                 alarm = NEVER;
-                inMeetings(all -> all.tick(millis()));
+                inAgreement(all -> all.tick(millis()));
             });
         }
     }

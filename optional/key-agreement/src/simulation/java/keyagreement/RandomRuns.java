@@ -9,7 +9,7 @@ import java.util.Random;
 import javino.JavinoException;
 
 /** Two or three hosts that meet, with whatever goes wrong, and then quiet air, in which all must be in order again. */
-public final class RandomMeetings {
+public final class RandomRuns {
 
     private static final long STORM_MILLIS = 60_000;
     private static final long CALM_MILLIS = 30_000;
@@ -34,7 +34,7 @@ public final class RandomMeetings {
             Map<String, Integer> faults) {
     }
 
-    private RandomMeetings() {
+    private RandomRuns() {
     }
 
     /** Runs with the seeds from the first on. @param folder where an authority certifies the hosts. */

@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Handshakes with whatever goes wrong: nothing is accepted or set twice, and in the end all is in order again. */
-class RandomMeetingsTest {
+class RandomRunsTest {
 
     @TempDir
     Path folder;
 
     private void run(int seeds) throws Exception {
-        for (RandomMeetings.Tally tally : RandomMeetings.run(0, seeds, folder)) {
+        for (RandomRuns.Tally tally : RandomRuns.run(0, seeds, folder)) {
             String what = tally.toString();
             assertEquals(List.of(), tally.wrong(), what);
             assertEquals(0, tally.untrue(), what);
