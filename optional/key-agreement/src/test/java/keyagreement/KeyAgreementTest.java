@@ -25,6 +25,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Hosts that meet, in a time of its own. */
 class KeyAgreementTest {
@@ -92,6 +94,27 @@ class KeyAgreementTest {
         long again = median(times.stream().mapToLong(each -> each[1]));
         assertTrue(first <= 3000, () -> "the first message takes " + first + " ms");
         assertTrue(again <= 1500, () -> "the first message after a reset takes " + again + " ms");
+    }
+
+    /** One side sends, or both do, at once or one within 4 s of the other. */
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 0, 4000})
+    @Tag("verify")
+    void send_firstMessagesOf500Seeds_noneTakesTenSeconds(int within) {
+        for (int seed = 0; seed < 500; seed++) {
+            simulation = new Simulation(seed);
+            Simulation.Host roma = simulation.add(romaIdentity);
+            Simulation.Host supo = simulation.add(supoIdentity);
+            List<Simulation.Letter> letters = new ArrayList<>(List.of(roma.send(supo.address)));
+            if (within >= 0) {
+                simulation.run(simulation.random.nextInt(within + 1));
+                letters.add(supo.send(roma.address));
+            }
+            letters.forEach(letter -> simulation.runUntilEnd(letter, MINUTE));
+            String which = "seed " + seed;
+            letters.forEach(letter -> assertTrue(letter.isDelivered() && letter.endedAt - letter.at < 10_000, which));
+            nothingIsWrong();
+        }
     }
 
     @Test
