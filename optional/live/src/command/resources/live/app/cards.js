@@ -4,6 +4,7 @@ import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass, letter } from './colours.js';
 import { NEW_FOR } from './state.js';
+import { SPAN } from './plots.js';
 import { plain } from './text.js';
 import { REFUSALS } from './phrases.js';
 
@@ -94,7 +95,7 @@ export function percepts(board) {
   const others = board.percepts.filter((p) => !numbers.some(([plotted]) => plotted === p));
   return html`
     <div class="plots">${repeat(numbers, ([, name]) => name, ([, name, value]) => html`<figure>
-      <figcaption><code>${plain(name, 24)}</code> <b>${value}</b></figcaption>
+      <figcaption><code>${plain(name, 24)}</code> <b>${value}</b> <small>${SPAN} s</small></figcaption>
       <div class="plotted"><canvas class="plot" data-board=${board.name} data-percept=${name}></canvas></div></figure>`)}</div>
     ${others.length === 0 ? nothing : html`<ul class="chips">${others.map((p) => html`<li><code>${plain(p, 60)}</code></li>`)}</ul>`}`;
 }

@@ -2,10 +2,27 @@
 
 import { ink } from './colours.js';
 
-const SPAN = 30;
+export const SPAN = 30;
 const POINTS = 200;
 /** Charts that are drawn anew at one call; the others have their turn at the next ones. */
 const EACH_TURN = 3;
+
+/** What a sensor can tell at all, by the name of its percept. */
+const RANGES = { __proto__: null, light: [0, 1023], proximity: [0, 400], distance: [0, 400] };
+/** Of other percepts a plot shows this part of the value at least, so that what trembles looks so. */
+const LEAST_SPAN = 0.25;
+
+/** The ends of the axis: what it shows is as large as it looks. */
+export function rangeOf(name, values) {
+  const low = Math.min(...values);
+  const high = Math.max(...values);
+  if (RANGES[name]) return [Math.min(RANGES[name][0], low), Math.max(RANGES[name][1], high)];
+  if (values.length === 0) return [0, 1];
+  const span = Math.max(high - low, LEAST_SPAN * Math.max(Math.abs(low), Math.abs(high)), 1);
+  const step = 10 ** Math.floor(Math.log10(span));
+  const middle = (low + high) / 2;
+  return [Math.floor((middle - span / 2) / step) * step, Math.ceil((middle + span / 2) / step) * step];
+}
 
 const charts = new Map();
 let turn = 0;
@@ -13,7 +30,6 @@ let turn = 0;
 function chartOn(canvas) {
   let chart = charts.get(canvas);
   if (!chart) {
-    const axis = { ticks: { maxTicksLimit: 3, font: { size: 10 }, maxRotation: 0 }, border: { display: false } };
     chart = new Chart(canvas, {
       type: 'line',
       data: { datasets: [{ data: [], borderWidth: 1.5, pointRadius: 0, stepped: true }] },
@@ -26,7 +42,11 @@ function chartOn(canvas) {
         plugins: { legend: { display: false }, tooltip: { enabled: false } },
         scales: {
           x: { type: 'linear', display: false, min: -SPAN, max: 0 },
-          y: axis,
+          y: {
+            border: { display: false },
+            afterBuildTicks: (scale) => (scale.ticks = [scale.min, scale.max].map((value) => ({ value }))),
+            ticks: { font: { size: 10 }, autoSkip: false },
+          },
         },
       },
     });
@@ -57,9 +77,11 @@ export function drawPlots(t, points) {
     if (data.length > 0) data.push({ x: 0, y: data[data.length - 1].y });
     chart.data.datasets[0].data = data;
     chart.data.datasets[0].borderColor = ink('ink');
-    chart.options.scales.y.ticks.color = ink('soft');
-    chart.options.scales.y.grid = { color: ink('line') };
-    chart.options.scales.y.beginAtZero = canvas.dataset.counter !== undefined;
+    const { y } = chart.options.scales;
+    y.ticks.color = ink('soft');
+    y.grid = { color: ink('line') };
+    const values = data.map((point) => point.y);
+    [y.min, y.max] = canvas.dataset.counter ? [0, Math.ceil(Math.max(1, ...values))] : rangeOf(canvas.dataset.percept, values);
     chart.update('none');
   }
 }
