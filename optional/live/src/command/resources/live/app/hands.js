@@ -19,9 +19,11 @@ function hold(app, thing, to, down) {
 
 const movable = (app, thing) => thing && app.controls.includes({ board: 'move', obstacle: 'obstacle', injector: 'send' }[thing.kind]);
 
-/** The road can be dragged on, and used by keys alone. `shown` gives what the page shows now. */
+/** On the road things are dragged, and the road itself; it can be used by keys alone. `shown` gives what the page shows now. */
 export function hands(canvas, road, app, shown) {
   const spot = (e) => [e.offsetX, e.offsetY];
+  let from;
+  let grip;
   canvas.addEventListener('pointerdown', (e) => {
     const at = spot(e);
     if (app.ui.mode) {
@@ -32,19 +34,31 @@ export function hands(canvas, road, app, shown) {
       return;
     }
     const thing = road.under(...at);
-    if (thing && thing.kind !== 'injector') app.choose(thing.kind, thing.name);
-    if (!movable(app, thing)) return;
+    if (!thing || thing.kind !== 'injector') app.choose(thing?.kind, thing?.name);
     canvas.setPointerCapture(e.pointerId);
+    from = at;
+    if (!movable(app, thing)) return;
+    // Whatever of it was taken hold of stays under the pointer.
+    grip = road.placeAt(...at).map((metres, axis) => thing.place[axis] - metres);
     app.ui.held = { kind: thing.kind, name: thing.name, place: thing.place, down: true };
   });
   canvas.addEventListener('pointermove', (e) => {
-    if (app.ui.held?.down) hold(app, app.ui.held, road.placeAt(...spot(e)), true);
+    if (!from) return;
+    const at = spot(e);
+    if (app.ui.held?.down) hold(app, app.ui.held, road.placeAt(...at).map((metres, axis) => metres + grip[axis]), true);
+    else road.pan(at[0] - from[0], at[1] - from[1]);
+    from = at;
   });
   for (const end of ['pointerup', 'pointercancel']) {
     canvas.addEventListener(end, () => {
+      from = undefined;
       if (app.ui.held?.down) app.ui.held = { ...app.ui.held, down: false, until: performance.now() + HOLD };
     });
   }
+  canvas.addEventListener('wheel', (e) => {
+    e.preventDefault();
+    road.zoom(2 ** (-Math.max(-100, Math.min(e.deltaY, 100)) / 250), ...spot(e));
+  });
   canvas.addEventListener('keydown', (e) => {
     const state = shown().model.stateAt(shown().clock.t);
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
@@ -56,9 +70,8 @@ export function hands(canvas, road, app, shown) {
       const at = app.ui.held?.name === app.ui.chosen.name ? app.ui.held.place : app.placeOfChosen(state);
       const far = e.shiftKey ? 5 : 1;
       if (at) hold(app, app.ui.chosen, [at[0] + step[0] * far, at[1] + step[1] * far], false);
-    } else if (e.key === 'Escape') {
-      app.choose();
-      app.ui.mode = '';
+    } else if (e.key === 'f') {
+      road.fit();
     } else if (WITH_CHOSEN[e.key]) {
       app[WITH_CHOSEN[e.key]]();
     } else {
@@ -73,9 +86,13 @@ function freshName({ obstacles }) {
   for (let n = 1; ; n++) if (!obstacles.has('rock' + n)) return 'rock' + n;
 }
 
-/** Keys for time, wherever the focus is. */
+/** Keys for time, and to let go, wherever the focus is. */
 export function keys(app, shown) {
   document.addEventListener('keydown', (e) => {
+    if (e.key === 'Escape') {
+      app.ui.mode = '';
+      app.choose();
+    }
     if (e.ctrlKey || e.metaKey || e.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName)) return;
     const { clock, model } = shown();
     const faster = { '+': 1, '-': -1 }[e.key];

@@ -97,7 +97,7 @@ const app = {
     if (at && app.controls.includes('jam')) app.send({ do: 'jam', duration: JAM, position: at });
   },
 
-  standing: (state) => ui.stood ?? state.injector ?? corner(state),
+  standing: (state) => ui.stood ?? state.injector ?? (shown.corner ??= corner(state)) ?? [0, 0],
   typingStand: () => (app.typedStand = { x: $('injector-x').value, y: $('injector-y').value }),
   stand(event) {
     event.preventDefault();
@@ -178,7 +178,7 @@ function flush() {
 /** Where the injector stands at first: at a corner, in nobody's way. */
 function corner(state) {
   const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
-  return places.length === 0 ? [0, 0] : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];
+  return places.length === 0 ? undefined : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];
 }
 
 async function openFile(file) {
@@ -207,7 +207,7 @@ const LEGEND = html`<ul aria-label="Legend">
 function helpOnKeys() {
   const can = app.controls.length > 0;
   return html`<details id="keys"><summary>Keys</summary><p>Space: pause. Left and right: 1 s back and forth. Comma, full stop: event before, next event. R: backwards. + and −: speed. End: live.
-    ${can ? 'On the road: Page Up and Page Down choose, arrows move what is chosen (with Shift by 5 m), J jams there, Delete takes an obstacle away, Escape lets go.' : ''}</p></details>`;
+    ${can ? 'On the road: Page Up and Page Down choose, arrows move what is chosen (with Shift by 5 m), F shows all, J jams there, Delete takes an obstacle away, Escape lets go.' : ''}</p></details>`;
 }
 
 const WHAT = {
@@ -301,7 +301,10 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
 });
 
 readColours();
-road = new Road($('road'), ui);
+road = new Road($('road'), $('labels'), ui);
+render(html`<button type="button" id="fit" title="Show all (F)" @click=${() => road.fit()}>fit</button>
+  <button type="button" id="nearer" aria-label="nearer" @click=${() => road.zoom(1.5)}>+</button>
+  <button type="button" id="farther" aria-label="farther" @click=${() => road.zoom(1 / 1.5)}>−</button>`, $('camera'));
 hands($('road'), road, app, () => shown);
 keys(app, () => shown);
 requestAnimationFrame(frame);

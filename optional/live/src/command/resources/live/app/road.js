@@ -1,11 +1,17 @@
 // The road from above, on a canvas: one moment of the run.
 
-import { dash, hue, ink, letter } from './colours.js';
+import { html, nothing } from '/lib/lit-html/lit-html.js';
+import { dash, hue, hueClass, ink, letter } from './colours.js';
+import { Labels } from './labels.js';
 import { REFUSALS } from './phrases.js';
 import { plain } from './text.js';
 
-/** Pixels around all that stands on the road: above are locks and words, below names. */
-const MARGIN = { side: 60, top: 66, bottom: 56 };
+/** Pixels around all that "fit" shows: room for words. */
+const MARGIN = { side: 70, end: 50 };
+/** A frame is at least so wide and tall, in metres. */
+const LEAST = [30, 12];
+/** Pixels a metre. */
+const SCALES = [0.2, 100];
 /** What a packet did stays visible for so long, in emulated seconds. */
 const AFTERGLOW = 1;
 /** A ring that has ended fades. */
@@ -16,10 +22,18 @@ const REFUSAL_GLOW = 3;
 const STEP = 0.05;
 /** Pixels within which a pointer takes hold of something. */
 const REACH = 24;
-const VEHICLE = { length: 40, width: 20 };
-const STATION = 26;
-/** More boards than this are drawn smaller, with a name only on the board. */
+const VEHICLE = { length: 34, width: 16 };
+const STATION = 24;
+/** The buttons of the camera, in pixels. */
+const CAMERA = [120, 38];
+/** Arrows are so far from the edge. */
+const EDGE = 12;
+const ARROWS = '→↘↓↙←↖↑↗';
+/** More boards than this are drawn smaller, with a letter in place of the name. */
 const CROWD = 10;
+
+/** A lock: closed if the packet is sealed. */
+const lock = (closed) => html`<svg class="lock" width="12" height="14"><path d=${closed ? 'M3.5 7V4a2.5 2.5 0 0 1 5 0v3' : 'M3.5 7V4a2.5 2.5 0 0 1 5-.8'}></path><rect x="1" y="6.5" width="10" height="7" rx="1.5"></rect></svg>`;
 
 const fading = (packet, t) => (t > packet.end ? 1 - (t - packet.end) / FADE : 1);
 
@@ -29,6 +43,10 @@ export class Road {
   #canvas;
   #g;
   #ui;
+  #labels;
+  /** What the camera shows, in metres: only its user changes that. */
+  #frame;
+  #framed;
   #view;
   #shown;
   #hatch;
@@ -36,22 +54,23 @@ export class Road {
   #height = 1;
 
   /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the injector's place). */
-  constructor(canvas, ui) {
+  constructor(canvas, layer, ui) {
     this.#canvas = canvas;
+    this.#labels = new Labels(layer);
     this.#g = canvas.getContext('2d');
     this.#ui = ui;
-    new ResizeObserver(() => this.#fit()).observe(canvas);
-    this.#fit();
+    new ResizeObserver(() => this.#measure()).observe(canvas);
+    this.#measure();
   }
 
-  #fit() {
+  #measure() {
     const ratio = Math.min(devicePixelRatio || 1, 2);
     this.#width = this.#canvas.clientWidth || 1;
     this.#height = this.#canvas.clientHeight || 1;
     this.#canvas.width = Math.round(this.#width * ratio);
     this.#canvas.height = Math.round(this.#height * ratio);
     this.#g.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.#view = undefined;
+    if (this.#frame) this.#look();
   }
 
   /** Pixels of a place. */
@@ -60,23 +79,27 @@ export class Road {
     return [(x - left) * scale, (top - y) * scale];
   }
 
+  /** Where something is drawn, in pixels. */
+  pixels({ kind, name }) {
+    const thing = this.#things().find((each) => each.kind === kind && each.name === name);
+    return thing && this.#within(this.#at(thing.place));
+  }
+
   /** The place under a pixel, to a decimetre. */
   placeAt(x, y) {
     const { scale, left, top } = this.#view;
     return [Math.round((left + x / scale) * 10) / 10, Math.round((top - y / scale) * 10) / 10];
   }
 
-  /** Where something is drawn, in pixels. */
-  pixels({ kind, name }) {
-    const thing = this.#things().find((each) => each.kind === kind && each.name === name);
-    return thing && this.#at(thing.place);
-  }
-
-  /** What is under a pixel: `{kind, name}`. */
+  /** What is under a pixel, or under its label: `{kind, name, place}`. */
   under(x, y) {
+    const key = this.#labels.under(x, y);
+    const things = this.#things();
+    const labelled = things.find((thing) => key === thing.kind + ' ' + thing.name);
+    if (labelled) return labelled;
     let best;
     let nearest = REACH;
-    for (const thing of this.#things()) {
+    for (const thing of things) {
       const [px, py] = this.#at(thing.place);
       const distance = Math.hypot(px - x, py - y);
       if (distance < nearest) [nearest, best] = [distance, thing];
@@ -97,8 +120,15 @@ export class Road {
   draw(model, state, t) {
     const g = this.#g;
     this.#shown = state;
-    this.#look(state);
+    if (this.#framed !== model && (state.boards.size > 0 || !this.#frame)) {
+      this.fit();
+      this.#framed = state.boards.size > 0 ? model : undefined;
+    }
     g.clearRect(0, 0, this.#width, this.#height);
+    this.#labels.begin(this.#width, this.#height, [
+      { x: this.#width - CAMERA[0], y: 0, w: CAMERA[0], h: CAMERA[1] },
+      { x: 0, y: this.#height - 20, w: 60 + 10 * this.#view.scale, h: 20 },
+    ]);
     this.#ground(state);
     for (const jam of state.jams) if (jam.start <= t && t < jam.until) this.#jam(jam, state);
     for (const obstacle of state.obstacles.values()) this.#obstacle(obstacle);
@@ -106,32 +136,52 @@ export class Road {
     for (const packet of packets) this.#ring(packet, state, t);
     if (this.#ui.standing) this.#injector();
     for (const board of state.boards.values()) if (board.place) this.#board(board, t);
+    this.#names(state, t);
+    for (const board of state.boards.values()) this.#refusal(board, t);
+    for (const loss of model.lossesSince(t, LOSS_GLOW)) this.#loss(loss, state, t);
     for (const packet of packets) this.#label(packet, state, t);
     for (const packet of packets) this.#arrivals(packet, state, t);
-    for (const loss of model.lossesSince(t, LOSS_GLOW)) this.#loss(loss, state, t);
-    for (const board of state.boards.values()) this.#refusal(board, t);
+    this.#labels.end();
   }
 
-  /** Looks at all that stands on the road; stays where it is while something is dragged. */
-  #look(state) {
-    if (this.#view && this.#ui.held?.down) return;
+  /** Shows all that stands on the road. */
+  fit() {
     const places = this.#things().map((thing) => thing.place);
-    const xs = places.length ? places.map((p) => p[0]) : [0];
-    const ys = places.length ? places.map((p) => p[1]) : [0];
-    const low = [Math.min(...xs), Math.min(...ys)];
-    const high = [Math.max(...xs), Math.max(...ys)];
-    const wide = Math.max(this.#width - 2 * MARGIN.side, 50);
-    const tall = Math.max(this.#height - MARGIN.top - MARGIN.bottom, 50);
-    const scale = Math.min(wide / Math.max(high[0] - low[0], 30), tall / Math.max(high[1] - low[1], 12));
-    const aim = {
-      scale,
-      left: (low[0] + high[0]) / 2 - this.#width / scale / 2,
-      top: (low[1] + high[1]) / 2 + (tall / 2 + MARGIN.top) / scale,
+    const [x, y] = [0, 1].map((axis) => {
+      const all = places.length ? places.map((p) => p[axis]) : [0];
+      return [Math.min(...all), Math.max(...all)];
+    });
+    this.#frame = {
+      x: (x[0] + x[1]) / 2,
+      y: (y[0] + y[1]) / 2,
+      wide: Math.max(x[1] - x[0], LEAST[0]),
+      tall: Math.max(y[1] - y[0], LEAST[1]),
     };
-    const now = this.#view;
-    this.#view = now
-      ? Object.fromEntries(Object.keys(aim).map((key) => [key, now[key] + (aim[key] - now[key]) * 0.15]))
-      : aim;
+    this.#look();
+  }
+
+  /** Shows more or less; what is under the pixel stays there. */
+  zoom(factor, x = this.#width / 2, y = this.#height / 2) {
+    const scale = Math.max(SCALES[0], Math.min(this.#view.scale * factor, SCALES[1]));
+    const part = this.#view.scale / scale;
+    const [dx, dy] = [x - this.#width / 2, y - this.#height / 2].map((d) => (d * (1 - part)) / this.#view.scale);
+    const f = this.#frame;
+    this.#frame = { x: f.x + dx, y: f.y - dy, wide: f.wide * part, tall: f.tall * part };
+    this.#look();
+  }
+
+  /** Moves what is shown by so many pixels. */
+  pan(dx, dy) {
+    const { scale } = this.#view;
+    this.#frame = { ...this.#frame, x: this.#frame.x - dx / scale, y: this.#frame.y + dy / scale };
+    this.#look();
+  }
+
+  #look() {
+    const { x, y, wide, tall } = this.#frame;
+    const room = [this.#width - 2 * MARGIN.side, this.#height - 2 * MARGIN.end].map((pixels) => Math.max(pixels, 50));
+    const scale = Math.min(room[0] / wide, room[1] / tall);
+    this.#view = { scale, left: x - this.#width / scale / 2, top: y + this.#height / scale / 2 };
   }
 
   #ground(state) {
@@ -168,23 +218,74 @@ export class Road {
     g.stroke();
   }
 
-  #words(words, x, y, { align = 'center', size = 12, colour = ink('ink'), bold = false, boxed = false } = {}) {
+  #words(words, x, y, { align = 'center', size = 12, colour = ink('ink'), bold = false } = {}) {
     const g = this.#g;
     g.font = `${bold ? '600 ' : ''}${size}px system-ui, sans-serif`;
     g.textBaseline = 'middle';
     g.textAlign = align;
-    if (boxed) {
-      const width = g.measureText(words).width + 10;
-      x = Math.min(Math.max(x, width / 2 + 2), this.#width - width / 2 - 2);
-      g.fillStyle = ink('paper');
-      g.globalAlpha *= 0.9;
-      g.beginPath();
-      g.roundRect(x - width / 2, y - size * 0.75, width, size * 1.5, 4);
-      g.fill();
-      g.globalAlpha /= 0.9;
-    }
     g.fillStyle = colour;
     g.fillText(words, x, y);
+  }
+
+  /** Words beside a place, or at the edge where that is outside; where they are far, with a line. */
+  #say(key, words, at, options = {}) {
+    const [x, y] = this.#within(at);
+    const end = this.#labels.put(key, words, [x, y], options);
+    if (!end || options.act) return;
+    const g = this.#g;
+    g.strokeStyle = ink('soft');
+    g.lineWidth = 1;
+    this.#line(x, y, ...end);
+  }
+
+  #within([x, y]) {
+    return [Math.max(EDGE, Math.min(x, this.#width - EDGE)), Math.max(EDGE, Math.min(y, this.#height - EDGE))];
+  }
+
+  #isInside([x, y]) {
+    return x >= 0 && y >= 0 && x <= this.#width && y <= this.#height;
+  }
+
+  /** Who stands where; for who is outside, an arrow at the edge, which shows the place when it is clicked. */
+  #names(state, t) {
+    const boards = [...state.boards.values()].filter((board) => board.place);
+    const all = boards.map((board) => ({ key: 'board ' + board.name, title: plain(board.title, 16), board, place: this.#placeOf(board, t) }));
+    for (const { name, place } of state.obstacles.values()) {
+      all.push({ key: 'obstacle ' + name, title: plain(name, 20), place: this.#heldPlace('obstacle', name, place) });
+    }
+    if (this.#ui.standing) all.push({ key: 'injector injector', title: 'Injector', place: this.#heldPlace('injector', 'injector', this.#ui.standing) });
+    const inside = all.filter((thing) => this.#isInside(this.#at(thing.place)));
+    for (const { place } of inside) this.#labels.body(...this.#at(place), [VEHICLE.length / 2, VEHICLE.width / 2 + 3]);
+    for (const thing of inside) this.#name(thing, t);
+    for (const thing of all) if (!inside.includes(thing)) this.#arrow(thing);
+  }
+
+  #name({ key, title, board, place }, t) {
+    if (!board) {
+      this.#say(key, title, this.#at(place), { look: 'soft' });
+      return;
+    }
+    const off = board.offUntil !== undefined && t < board.offUntil;
+    const trouble = off ? 'no power' : board.port === 'unplugged' ? 'unplugged' : '';
+    const lamps = '●'.repeat(Math.min(4, [...board.pins.values()].filter((pin) => pin.level).length));
+    const crowded = this.#shown.boards.size > CROWD;
+    const name = crowded ? '' : title;
+    this.#say(key, [letter(board), name, lamps, trouble].join('|'), this.#at(place), {
+      look: 'name ' + hueClass(board),
+      content: html`<b class="letter">${letter(board)}</b>${name ? ' ' + name : nothing}${lamps ? html` <i>${lamps}</i>` : nothing}${trouble ? html` <em>${trouble}</em>` : nothing}`,
+    });
+  }
+
+  #arrow({ key, title, board, place }) {
+    const at = this.#at(place);
+    const [x, y] = this.#within(at);
+    const angle = (Math.atan2(at[1] - y, at[0] - x) * 180) / Math.PI;
+    this.#say('edge ' + key, ARROWS[Math.round((angle + 360) / 45) % 8] + ' ' + title, at, {
+      reach: [0, 0],
+      side: angle + 180,
+      look: 'edge ' + (board ? hueClass(board) : 'soft'),
+      act: () => this.pan(this.#width / 2 - this.#at(place)[0], this.#height / 2 - this.#at(place)[1]),
+    });
   }
 
   #jam(jam, state) {
@@ -198,12 +299,10 @@ export class Road {
       g.beginPath();
       g.arc(x, y, state.radio.range * this.#view.scale, 0, 2 * Math.PI);
       g.fill();
-      g.globalAlpha = 1;
-      this.#words('jam', x, y, { bold: true, colour: ink('bad'), boxed: true });
+      this.#say('jam ' + jam.start, 'jam', [x, y], { reach: [0, 0], look: 'bad' });
     } else {
       g.fillRect(0, 0, this.#width, this.#height);
-      g.globalAlpha = 1;
-      this.#words('jam: noise everywhere', this.#width / 2, 16, { bold: true, colour: ink('bad'), boxed: true });
+      this.#say('jam', 'jam: noise everywhere', [this.#width / 2, 0], { reach: [0, 0], look: 'bad' });
     }
     g.restore();
   }
@@ -248,7 +347,6 @@ export class Road {
     g.fillStyle = ink('soft');
     g.fill();
     if (this.#isChosen('obstacle', obstacle.name)) this.#halo(x, y, r + 6);
-    this.#words(plain(obstacle.name, 20), x, y + r + 9, { size: 11, colour: ink('soft') });
   }
 
   #isChosen(kind, name) {
@@ -311,21 +409,7 @@ export class Road {
       g.rotate((board.heading * Math.PI) / 180);
     }
     g.restore();
-    this.#words(letter(board), x - (board.heading === undefined ? 0 : 2), y + 1, { bold: true, size: this.#shown.boards.size > CROWD ? 10 : 13, colour: ink('paper') });
-    if (this.#isChosen('board', board.name)) this.#halo(x, y, 27);
-    const states = [off && 'no power', board.port === 'unplugged' && !off && 'unplugged'].filter(Boolean);
-    if (this.#shown.boards.size <= CROWD) this.#words(plain(board.title, 16), x, y + 25, { bold: true, colour: hue(board), boxed: true });
-    if (states.length) this.#words(states.join(', '), x, y + 42, { size: 11, bold: true, colour: ink('bad'), boxed: true });
-    const lamps = [...board.pins.values()].filter((pin) => pin.level);
-    lamps.slice(0, 4).forEach((pin, i) => {
-      g.beginPath();
-      g.arc(x - 18 + i * 12, y - 20, 4.5, 0, 2 * Math.PI);
-      g.fillStyle = ink('good');
-      g.fill();
-      g.strokeStyle = ink('ink');
-      g.lineWidth = 1;
-      g.stroke();
-    });
+    if (this.#isChosen('board', board.name)) this.#halo(x, y, 24);
   }
 
   #injector() {
@@ -341,7 +425,6 @@ export class Road {
     g.stroke();
     g.setLineDash([]);
     this.#words('?', x, y + 1, { bold: true, size: 14, colour: ink('injector') });
-    this.#words('Injector', x, y + 21, { size: 11, colour: ink('injector') });
   }
 
   #ring(packet, state, t) {
@@ -371,39 +454,17 @@ export class Road {
   /** Over a sender: for whom the packet is, and its lock. */
   #label(packet, state, t) {
     if (!packet.place || t > packet.end + FADE) return;
-    const g = this.#g;
-    const [x, y] = this.#at(packet.place);
     const board = state.boards.get(packet.board);
     const thin = packet.kind === 'acknowledgement';
-    g.save();
-    g.globalAlpha = fading(packet, t);
-    if (!thin) this.#lock(x, y - 37, packet.sealed, hue(board));
-    const label = thin ? 'got it' : packet.destination === '////' ? 'to all: ' + plain(packet.content ?? '', 24)
+    const words = thin ? 'got it' : packet.destination === '////' ? 'to all: ' + plain(packet.content ?? '', 24)
       : 'to ' + plain(state.boards.get(packet.to[0])?.title ?? packet.destination, 16) +
         (packet.destination.startsWith('//') ? ' and group' : '');
-    this.#words(label, x, y - (thin ? 32 : 55), { size: thin ? 11 : 12, bold: !thin, colour: hue(board), boxed: true });
-    g.restore();
-  }
-
-  /** A lock on a round plate: closed if the packet is sealed. */
-  #lock(x, y, closed, colour, size = 9) {
-    const g = this.#g;
-    g.save();
-    g.fillStyle = ink('paper');
-    g.strokeStyle = colour;
-    g.lineWidth = 2;
-    g.setLineDash([]);
-    g.beginPath();
-    g.arc(x, y, size + 3, 0, 2 * Math.PI);
-    g.fill();
-    g.stroke();
-    g.fillStyle = colour;
-    g.fillRect(x - size * 0.55, y - size * 0.1, size * 1.1, size * 0.8);
-    g.beginPath();
-    const shift = closed ? 0 : size * 0.55;
-    g.arc(x + shift, y - size * 0.15 - (closed ? 0 : 1), size * 0.36, Math.PI, closed ? 2 * Math.PI : 1.8 * Math.PI);
-    g.stroke();
-    g.restore();
+    this.#say('packet ' + packet.n, words, this.#at(packet.place), {
+      side: -90,
+      look: (thin ? 'thin ' : packet.sealed ? 'sealed ' : 'open ') + hueClass(board),
+      opacity: fading(packet, t),
+      content: html`${thin ? nothing : lock(packet.sealed)} ${words}`,
+    });
   }
 
   /** What became of a packet, at each board that heard it. */
@@ -413,16 +474,14 @@ export class Road {
     for (const heard of packet.heard) {
       const board = state.boards.get(heard.board);
       if (heard.t > t || heard.why || !board?.place) continue;
-      const [x, y] = this.#at(this.#placeOf(board, t));
-      const g = this.#g;
-      g.save();
-      g.globalAlpha = Math.max(0, Math.min(1, 2 * (1 - (t - heard.t) / AFTERGLOW)));
-      if (packet.handed.some((handed) => handed.board === heard.board && handed.t <= t)) {
-        this.#words(packet.sealed ? '✓ opens it' : '✓ hears it', x, y - 34, { bold: true, size: 12, colour: ink('good'), boxed: true });
-      } else if (packet.sealed && !packet.to.includes(heard.board)) {
-        this.#lock(x + 24, y - 16, true, hue(sender), 7);
-      }
-      g.restore();
+      const opened = packet.handed.some((handed) => handed.board === heard.board && handed.t <= t);
+      if (!opened && (!packet.sealed || packet.to.includes(heard.board))) continue;
+      this.#say('heard ' + packet.n + board.name, (opened ? (packet.sealed ? '✓ opens it' : '✓ hears it') : 'not for it'), this.#at(this.#placeOf(board, t)), {
+        side: -90,
+        look: opened ? 'good' : hueClass(sender),
+        opacity: Math.max(0, Math.min(1, 2 * (1 - (t - heard.t) / AFTERGLOW))),
+        content: opened ? undefined : lock(true),
+      });
     }
   }
 
@@ -443,8 +502,8 @@ export class Road {
       g.lineTo(x + 32 * Math.cos(angle), y + 32 * Math.sin(angle));
     }
     g.stroke();
-    this.#words('✗ ' + plain(loss.why, 24), x, y - 42, { bold: true, colour: ink('bad'), boxed: true });
     g.restore();
+    this.#say('lost ' + loss.t + loss.board, '✗ ' + plain(loss.why, 24), [x, y], { side: -90, look: 'bad', opacity: 1 - age });
   }
 
   /** A board that has just counted a packet as refused says why. */
@@ -452,7 +511,6 @@ export class Road {
     const last = board.counted.findLast((c) => t - c.t < REFUSAL_GLOW && [...c.rises.keys()].some((name) => REFUSALS[name]));
     if (!last || !board.place) return;
     const name = [...last.rises.keys()].find((n) => REFUSALS[n]);
-    const [x, y] = this.#at(this.#placeOf(board, t));
-    this.#words('✗ refused: ' + REFUSALS[name].short, x, y - 58, { bold: true, colour: ink('bad'), boxed: true });
+    this.#say('refused ' + board.name, '✗ refused: ' + REFUSALS[name].short, this.#at(this.#placeOf(board, t)), { side: -90, look: 'bad' });
   }
 }
