@@ -34,6 +34,9 @@ const WAYS = {
 
 const RANKS = Object.keys(WAYS);
 
+/** Annotations of a term: in an intention there is no room for them. */
+const SOURCES = /\[[^[\]]*source\([^[\]]*\]/g;
+
 /** All ways by which it came: what is sealed stays so, whoever shouts the same. */
 const ways = (casts) => casts.sort(([, a], [, b]) => RANKS.indexOf(a) - RANKS.indexOf(b)).map(([, how, who]) => WAYS[how]?.(who) ?? how + ' ' + who).join('; also ');
 
@@ -83,7 +86,7 @@ function mind(board, t) {
     ${own.length === 0 ? nothing : html`<details class="own"><summary>${own.length} about its board</summary>
     <ul class="beliefs">${repeat(own, (b) => b.belief, (b) => belief(b, t))}</ul></details>`}
     ${board.intentions.length === 0 ? nothing : html`<h3>intends</h3>
-    <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li><code>${plain(i.replaceAll('[source(self)]', ''), 120)}</code></li>`)}</ul>`}`;
+    <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li title=${plain(i)}><code>${plain(i.replaceAll(SOURCES, ''), 120)}</code></li>`)}</ul>`}`;
 }
 
 /** So many are drawn, as many as the model keeps; the others are told as they are. */
@@ -129,8 +132,8 @@ export function card(board, t, chosen, choose) {
     <h2><span class="letter">${letter(board)}</span> ${plain(board.title, 30)} <code>${plain(board.address, 8)}</code>
       <span class="state">${stateOf(board, t)}</span></h2>
     ${state ? html`<p class="openness" title="openness(${state})">${plain(board.title, 30)} ${board.port === 'open' && state === 'totallyClosed' ? 'does not talk with other devices' : OPENNESS[state] ?? state}.</p>` : nothing}
-    ${mind(board, t)}
-    ${board.percepts.length || board.pins.size ? html`<h3>its board</h3>${percepts(board)}${lamps(board)}` : nothing}
+    <div>${mind(board, t)}</div>
+    ${board.percepts.length || board.pins.size ? html`<h3>its board</h3>${lamps(board)}${percepts(board)}` : nothing}
     ${refused(board)}${log(board)}
   </section>`;
 }

@@ -9,6 +9,7 @@ import { readColours } from './colours.js';
 import { beside, forgeries, verdicts } from './forge.js';
 import { interfere, player } from './controls.js';
 import { JAM, RADIUS, hands, keys } from './hands.js';
+import { menu } from './menu.js';
 import { Model } from './model.js';
 import { drawPlots } from './plots.js';
 import { Road } from './road.js';
@@ -23,6 +24,9 @@ const TEXT_EVERY = 100;
 const COMMAND_EVERY = 100;
 /** So long an error stays, in ms. */
 const ERROR_STAYS = 8000;
+
+/** Between a vehicle and its menu, in pixels. */
+const MENU_AWAY = 34;
 
 const $ = (id) => document.getElementById(id);
 
@@ -239,8 +243,11 @@ function drawText() {
   render(player(clock, model, app), $('player'));
   render(ofBoard ? nothing : forgeries(app, model, state, t), $('forge'));
   render(ofBoard ? nothing : interfere(app, state), $('interfere'));
+  render(menu(app, state), $('menu'));
+  const cards = [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name)));
+  const half = Math.floor(cards.length / 2);
   render(ofBoard ? boardPage(app, model, state, t)
-    : [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name))), $('cards'));
+    : [cards.slice(0, half), cards.slice(half)].map((column) => html`<div class="column">${column}</div>`), $('cards'));
   if (ofBoard) return;
   render(html`${LEGEND}${helpOnKeys()}`, $('legend'));
   const forged = verdicts(app, model, state, t);
@@ -256,6 +263,23 @@ function drawText() {
     ${ui.tab === 'injector' ? injector(app, model, state, t) : nothing}`, $('panel'));
   timeline ??= new Timeline($('timeline'), app.goTo);
   if (ui.tab === 'timeline') timeline.draw(model, state, t);
+}
+
+let opened = '';
+
+/** The menu opens beside what was chosen, and stays there; while something is dragged it is not in the way. */
+function placeMenu() {
+  const box = $('menu');
+  const key = ui.chosen && !ui.held?.down ? ui.chosen.kind + ' ' + ui.chosen.name : '';
+  box.hidden = key === '' || box.childElementCount === 0;
+  if (box.hidden) opened = '';
+  if (box.hidden || key === opened) return;
+  opened = key;
+  const [x, y] = road.pixels(ui.chosen) ?? [0, 0];
+  const room = $('scene');
+  const left = x + MENU_AWAY + box.offsetWidth < room.clientWidth ? x + MENU_AWAY : x - MENU_AWAY - box.offsetWidth;
+  box.style.left = Math.max(2, Math.min(left, room.clientWidth - box.offsetWidth - 2)) + 'px';
+  box.style.top = Math.max(2, Math.min(y - box.offsetHeight / 2, room.clientHeight - box.offsetHeight - 2)) + 'px';
 }
 
 function points(canvas, from, to) {
@@ -280,6 +304,7 @@ function frame(now) {
   if (now - textAt >= TEXT_EVERY) {
     textAt = now;
     drawText();
+    placeMenu();
     drawPlots(clock.t, points);
   }
   frames++;

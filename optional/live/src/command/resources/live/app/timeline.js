@@ -2,7 +2,7 @@
 // the rows in sight are in the page.
 
 import { html, nothing, render, svg } from '/lib/lit-html/lit-html.js';
-import { hueClass } from './colours.js';
+import { hueClass, letter } from './colours.js';
 import { isFor } from './packet.js';
 import { plain, seconds } from './text.js';
 import { sentence } from './phrases.js';
@@ -10,10 +10,15 @@ import { sentence } from './phrases.js';
 const ROW = 24;
 const HEAD = 30;
 const TIME = 66;
-const LEAST_COLUMN = 90;
+const LEAST_COLUMN = 44;
+/** A narrower column has a letter for its head. */
+const NAMED = 88;
 const LETTER = 6.7;
 
 const CIRCLED = (n) => (n >= 1 && n <= 20 ? String.fromCharCode(0x245f + n) : n + '.');
+
+/** As much of the words as a row has room for. */
+const fitting = (words, width) => plain(words, Math.max(1, Math.floor((width - TIME - 24) / LETTER) - 1));
 
 export class Timeline {
   #box;
@@ -59,7 +64,7 @@ export class Timeline {
         aria-label="Time line">
       ${boards.map((b) => svg`<line class="life" x1=${x(b.name)} x2=${x(b.name)} y1="0" y2=${tall}></line>`)}
       ${rows.map((mark, i) => this.#row(model, mark, HEAD + (i + 0.5) * ROW, x, width, state, boards))}
-      </svg><div class="heads">${boards.map((b) => html`<b class="head ${hueClass(b)}">${plain(b.title, 12)}</b>`)}</div></div>`, this.#box);
+      </svg><div class="heads">${boards.map((b) => html`<b class="head ${hueClass(b)}" title=${plain(b.title, 30)}>${column < NAMED ? letter(b) : plain(b.title, 12)}</b>`)}</div></div>`, this.#box);
     this.#space = this.#box.querySelector('.space');
     this.#space.style.height = height + 'px';
     this.#space.querySelector('svg').style.top = top + 'px';
@@ -81,16 +86,15 @@ export class Timeline {
       case 'said': return this.#boxed('“' + plain(mark.text, 70) + '”', x(mark.board), y, width);
       case 'pin': case 'acted': case 'heard': return this.#boxed(plain(mark.text, 60), x(mark.board), y, width);
       case 'packet': case 'ack': return this.#arrows(mark, y, x, width, state, boards);
-      case 'behaviour': return svg`<text class="done" x=${TIME} y=${y + 4}>✓ ${CIRCLED(mark.number)} ${plain(mark.text, 90)}</text>`;
-      case 'verdict': return svg`<text class=${mark.accepted ? 'done' : 'bad'} x=${TIME} y=${y + 4}>${plain(mark.text, 100)}</text>`;
+      case 'behaviour': return svg`<text class="done" x=${TIME} y=${y + 4}>✓ ${CIRCLED(mark.number)} ${fitting(mark.text, width - 40)}</text>`;
+      case 'verdict': return svg`<text class=${mark.accepted ? 'done' : 'bad'} x=${TIME} y=${y + 4}>${fitting(mark.text, width)}</text>`;
       default: return svg`<line class="cut" x1=${TIME} x2=${width} y1=${y} y2=${y}></line>${this.#boxed(sentence(state, mark) ?? plain(mark.text), mark.board && state.boards.has(mark.board) ? x(mark.board) : TIME + 20, y, width)}`;
     }
   }
 
   /** What a board said or did: a box that begins at its lifeline, and is never wider than the picture. */
   #boxed(words, at, y, width) {
-    const fits = Math.floor((width - TIME - 24) / LETTER);
-    const shown = words.length > fits ? words.slice(0, fits - 1) + '…' : words;
+    const shown = fitting(words, width);
     const long = shown.length * LETTER + 14;
     const left = Math.max(TIME, Math.min(at - 7, width - long - 6));
     return svg`<rect class="box" x=${left} y=${y - 10} width=${long} height="20" rx="6"></rect>
