@@ -2,7 +2,7 @@
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { live } from '/lib/lit-html/directives/live.js';
-import { plain, rounded } from './text.js';
+import { plain } from './text.js';
 
 export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
@@ -28,50 +28,34 @@ export function player(clock, model, app) {
   </div>`;
 }
 
-const button = (id, words, action, title = '') => html`<button type="button" id=${id} title=${title} @click=${action}>${words}</button>`;
+export const button = (id, words, action, title = '') => html`<button type="button" id=${id} title=${title} @click=${action}>${words}</button>`;
 
 /** A slider that follows the run, but not while somebody moves it. */
-const slider = (id, label, value, shown, attributes, change) => html`<label class="slide" for=${id}>${label}
+export const slider = (id, label, value, shown, attributes, change) => html`<label class="slide" for=${id}>${label}
   <input id=${id} type="range" min="0" max=${attributes.max} step=${attributes.step} .value=${document.activeElement?.id === id ? document.activeElement.value : String(value)}
     @input=${(e) => change(Number(e.target.value))}><b>${shown}</b></label>`;
 
-/** What the chosen vehicle, the world and the air can be made to do. */
+/** What is chosen, and what the world and the air can be made to do. */
 export function interfere(app, state) {
   const can = (what) => app.controls.includes(what);
   const { chosen, mode } = app.ui;
-  const board = chosen?.kind === 'board' ? state.boards.get(chosen.name) : undefined;
-  const on = (body) => () => app.send({ ...body, board: board.name });
   const anyOfBoard = ['reset', 'unplug', 'power-cut', 'move'].some(can);
   const things = [
     ...[...state.boards.values()].map((b) => ['board', b.name, b.title]),
     ...(can('obstacle') ? [...state.obstacles.keys()].map((name) => ['obstacle', name, name]) : []),
   ];
-  const at = app.placeOfChosen(state);
   const errors = state.radio.bitErrorRate;
   return html`
-    ${anyOfBoard ? html`<fieldset><legend>The chosen one</legend>
-      <select id="chosen" aria-label="chosen" .value=${live(chosen ? chosen.kind + ' ' + chosen.name : '')}
+    ${anyOfBoard ? html`<select id="chosen" aria-label="chosen" .value=${live(chosen ? chosen.kind + ' ' + chosen.name : '')}
         @change=${(e) => app.choose(...e.target.value.split(/ (.*)/s, 2))}>
         <option value="">choose …</option>
         ${things.map(([kind, name, title]) => html`<option value="${kind} ${name}" ?selected=${chosen?.kind === kind && chosen.name === name}>${plain(title, 24)}</option>`)}
-      </select>
-      ${board ? html`
-        ${can('unplug') && board.port !== 'unplugged' ? button('unplug', 'unplug', on({ do: 'unplug' }), 'Pull the cable between agent and board') : nothing}
-        ${can('plug') && board.port === 'unplugged' ? button('plug', 'plug in', on({ do: 'plug' })) : nothing}
-        ${can('reset') ? button('reset', 'reset', on({ do: 'reset' }), 'Press the reset button') : nothing}
-        ${can('power-cut') ? button('power-cut', 'cut power', on({ do: 'power-cut', duration: 1 }), 'No power for one second') : nothing}
-        ${can('jam') ? button('jam-chosen', 'jam here', app.jamChosen, 'Jam the radio where it stands, for two seconds') : nothing}` : nothing}
-      ${chosen?.kind === 'obstacle' ? button('remove', 'take away', app.removeChosen) : nothing}
-      ${at ? html`<form class="place" @submit=${app.moveChosen} @input=${app.typing} @change=${app.typing}>
-        <label>x <input id="x" type="number" step="any" .value=${live(app.typed?.x ?? rounded(at[0]))} required></label>
-        <label>y <input id="y" type="number" step="any" .value=${live(app.typed?.y ?? rounded(at[1]))} required></label>
-        <button id="move">move</button></form>` : nothing}
-      </fieldset>` : nothing}
-    ${can('obstacle') || can('jam') ? html`<fieldset><legend>Then click on the road</legend>
+      </select>` : nothing}
+    ${can('obstacle') || can('jam') ? html`<fieldset><legend>on the road</legend>
       ${can('obstacle') ? html`<button type="button" id="add-obstacle" aria-pressed=${mode === 'obstacle'} @click=${() => app.mode('obstacle')}>add an obstacle</button>` : nothing}
       ${can('jam') ? html`<button type="button" id="jam" aria-pressed=${mode === 'jam'} @click=${() => app.mode('jam')}>jam here</button>` : nothing}
       </fieldset>` : nothing}
-    ${can('light') || can('radio') ? html`<fieldset><legend>World and air</legend>
+    ${can('light') || can('radio') ? html`<fieldset><legend>world and air</legend>
       ${can('light') && state.light !== undefined ? slider('light', 'light', state.light, state.light, { max: 1023, step: 1 }, (value) => app.often({ do: 'light', value })) : nothing}
       ${can('radio') ? slider('errors', 'bit errors', Math.round(errors * 1000), (errors * 100).toFixed(1) + ' %', { max: 50, step: 1 }, (n) => app.often({ do: 'radio', bitErrorRate: n / 1000 })) : nothing}
       ${can('radio') ? slider('range', 'range', state.radio.range, state.radio.range + ' m', { max: 150, step: 5 }, (range) => app.often({ do: 'radio', range })) : nothing}

@@ -60,6 +60,7 @@ const board = (name, index) => ({
   radio: true,
   actions: [],
   pins: new Map(),
+  sensors: [],
   percepts: [],
   beliefs: new Map(),
   intentions: [],
@@ -100,6 +101,10 @@ const ofBoard = {
     const pin = text(e.pin);
     return { pins: put(b.pins, pin, { name: text(e.name) || pin, level: number(e.level), t: e.t }) };
   },
+  /** A sensor is held at a value, or let go. */
+  command: (b, e) => (e.do !== 'sensor' ? {} : {
+    sensors: b.sensors.map((s) => (s.pin === e.pin ? { ...s, held: Number.isFinite(e.value) ? e.value : undefined } : s)),
+  }),
   percepts: (b, e) => ({ percepts: texts(e.percepts).slice(0, 64) }),
   beliefs: (b, e) => {
     const beliefs = new Map([...b.beliefs].filter(([, belief]) => !(belief.gone && e.t - belief.t > NEW_FOR)));
@@ -157,6 +162,7 @@ const ofRun = {
         ...known,
         place: place(b.position) ?? [0, 0],
         heading: Number.isFinite(b.heading) ? b.heading : undefined,
+        sensors: objects(b.sensors).slice(0, 16).map(({ type, pin }) => ({ type: text(type), pin: Number.isFinite(pin) ? pin : text(pin), held: undefined })),
         pins: new Map(objects(b.watch).map((w) => [text(w.pin), { name: text(w.name), level: 0, t: 0 }])),
       });
     }
