@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.openqa.selenium.By;
+import org.openqa.selenium.Dimension;
 import org.openqa.selenium.JavascriptExecutor;
 import org.openqa.selenium.OutputType;
 import org.openqa.selenium.StaleElementReferenceException;
@@ -65,6 +66,12 @@ final class Page implements AutoCloseable {
 
     ChromeDriver driver() {
         return driver;
+    }
+
+    /** Makes what is seen of the page so large. */
+    void size(Dimension size) {
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", size.width, "height", size.height,
+                "deviceScaleFactor", 1, "mobile", false));
     }
 
     void reload() {

@@ -24,8 +24,6 @@ const STEP = 0.05;
 const REACH = 24;
 const VEHICLE = { length: 34, width: 16 };
 const STATION = 24;
-/** The buttons of the camera, in pixels. */
-const CAMERA = [120, 38];
 /** Arrows are so far from the edge. */
 const EDGE = 12;
 const ARROWS = '→↘↓↙←↖↑↗';
@@ -111,9 +109,9 @@ export class Road {
     const s = this.#shown;
     if (!s) return [];
     return [
-      ...[...s.boards.values()].filter((b) => b.place).map((b) => ({ kind: 'board', name: b.name, place: b.place })),
-      ...[...s.obstacles.values()].map((o) => ({ kind: 'obstacle', name: o.name, place: o.place })),
-      ...(this.#ui.standing ? [{ kind: 'injector', name: 'injector', place: this.#ui.standing }] : []),
+      ...[...s.boards.values()].filter((b) => b.place).map((b) => ({ kind: 'board', name: b.name, place: b.place, title: plain(b.title, 16), board: b })),
+      ...[...s.obstacles.values()].map((o) => ({ kind: 'obstacle', name: o.name, place: o.place, title: plain(o.name, 20) })),
+      ...(this.#ui.standing ? [{ kind: 'injector', name: 'injector', place: this.#ui.standing, title: 'Injector' }] : []),
     ];
   }
 
@@ -126,7 +124,7 @@ export class Road {
     }
     g.clearRect(0, 0, this.#width, this.#height);
     this.#labels.begin(this.#width, this.#height, [
-      { x: this.#width - CAMERA[0], y: 0, w: CAMERA[0], h: CAMERA[1] },
+      ...this.#overlays(),
       { x: 0, y: this.#height - 20, w: 60 + 10 * this.#view.scale, h: 20 },
     ]);
     this.#ground(state);
@@ -136,12 +134,18 @@ export class Road {
     for (const packet of packets) this.#ring(packet, state, t);
     if (this.#ui.standing) this.#injector();
     for (const board of state.boards.values()) if (board.place) this.#board(board, t);
-    this.#names(state, t);
+    this.#names(t);
     for (const board of state.boards.values()) this.#refusal(board, t);
     for (const loss of model.lossesSince(t, LOSS_GLOW)) this.#loss(loss, state, t);
     for (const packet of packets) this.#label(packet, state, t);
     for (const packet of packets) this.#arrivals(packet, state, t);
     this.#labels.end();
+  }
+
+  /** Whatever else is over the canvas: the camera's buttons, a menu. */
+  #overlays() {
+    const others = [...this.#canvas.parentElement.children].filter((each) => each !== this.#canvas && each.id !== 'labels');
+    return others.map((each) => ({ x: each.offsetLeft, y: each.offsetTop, w: each.offsetWidth, h: each.offsetHeight })).filter(({ w }) => w > 0);
   }
 
   /** Shows all that stands on the road. */
@@ -247,13 +251,12 @@ export class Road {
   }
 
   /** Who stands where; for who is outside, an arrow at the edge, which shows the place when it is clicked. */
-  #names(state, t) {
-    const boards = [...state.boards.values()].filter((board) => board.place);
-    const all = boards.map((board) => ({ key: 'board ' + board.name, title: plain(board.title, 16), board, place: this.#placeOf(board, t) }));
-    for (const { name, place } of state.obstacles.values()) {
-      all.push({ key: 'obstacle ' + name, title: plain(name, 20), place: this.#heldPlace('obstacle', name, place) });
-    }
-    if (this.#ui.standing) all.push({ key: 'injector injector', title: 'Injector', place: this.#heldPlace('injector', 'injector', this.#ui.standing) });
+  #names(t) {
+    const all = this.#things().map((thing) => ({
+      ...thing,
+      key: thing.kind + ' ' + thing.name,
+      place: thing.board ? this.#placeOf(thing.board, t) : this.#heldPlace(thing.kind, thing.name, thing.place),
+    }));
     const inside = all.filter((thing) => this.#isInside(this.#at(thing.place)));
     for (const { place } of inside) this.#labels.body(...this.#at(place), [VEHICLE.length / 2, VEHICLE.width / 2 + 3]);
     for (const thing of inside) this.#name(thing, t);
@@ -476,7 +479,7 @@ export class Road {
       if (heard.t > t || heard.why || !board?.place) continue;
       const opened = packet.handed.some((handed) => handed.board === heard.board && handed.t <= t);
       if (!opened && (!packet.sealed || packet.to.includes(heard.board))) continue;
-      this.#say('heard ' + packet.n + board.name, (opened ? (packet.sealed ? '✓ opens it' : '✓ hears it') : 'not for it'), this.#at(this.#placeOf(board, t)), {
+      this.#say('heard ' + packet.n + board.name, opened ? (packet.sealed ? '✓ opens it' : '✓ hears it') : 'not for it', this.#at(this.#placeOf(board, t)), {
         side: -90,
         look: opened ? 'good' : hueClass(sender),
         opacity: Math.max(0, Math.min(1, 2 * (1 - (t - heard.t) / AFTERGLOW))),
