@@ -85,6 +85,7 @@ class ViewTest {
             for (Dimension size : SIZES) {
                 page.size(size);
                 assertLaidOut(page, size);
+                assertCardsAreWhole(page);
                 page.screenshot("view-" + size.width);
             }
             page.size(SIZES.get(0));
@@ -114,10 +115,17 @@ class ViewTest {
         }
         assertEquals(List.of(), page.script("""
                 return [...document.querySelectorAll('section.agent')].filter((card) => {
-                  const { top, bottom } = card.getBoundingClientRect();
-                  return top < 0 || bottom > innerHeight || card.scrollHeight > card.clientHeight + 1;
+                  const { top, bottom, height } = card.getBoundingClientRect();
+                  return top < 0 || bottom > innerHeight || height < 100;
                 }).map((card) => card.innerText);
                 """), () -> "at " + size);
+    }
+
+    private static void assertCardsAreWhole(Page page) {
+        assertEquals(List.of(), page.script("""
+                return [...document.querySelectorAll('section.agent')]
+                  .filter((card) => card.scrollHeight > card.clientHeight + 1).map((card) => card.innerText);
+                """));
     }
 
     @Test
