@@ -135,7 +135,8 @@ class LivePageTest {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
             WebElement road = page.await("#road");
-            page.actions().moveToElement(page.await("[data-key='board police']")).clickAndHold().moveByOffset(20, -30).moveByOffset(20, -30).release().perform();
+            page.actions().moveToElement(page.await("[data-key='board police']")).clickAndHold().moveByOffset(20, -30)
+                    .moveByOffset(20, -30).release().perform();
             awaitEvent(run, command("move").and(with("board", "police")).and(event -> y(event) > 1));
 
             choose(page, "board hospital");
@@ -296,7 +297,7 @@ class LivePageTest {
         return with("event", event).and(with("board", board));
     }
 
-    private static Predicate<TraceEvent> command(String name) {
+    static Predicate<TraceEvent> command(String name) {
         return with("event", "command").and(with("do", name));
     }
 

@@ -70,8 +70,9 @@ final class Page implements AutoCloseable {
 
     /** Makes what is seen of the page so large. */
     void size(Dimension size) {
-        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", size.width, "height", size.height,
-                "deviceScaleFactor", 1, "mobile", false));
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
+                Map.of("width", size.width, "height", size.height,
+                        "deviceScaleFactor", 1, "mobile", false));
     }
 
     void reload() {

@@ -39,7 +39,8 @@ class ViewTest {
                   for (const [axis, from, to] of [['X', 'left', 'right'], ['Y', 'top', 'bottom']]) {
                     if (style['overflow' + axis] === 'visible') continue;
                     if (box[from] >= edge[from] - 1.5 && box[to] <= edge[to] + 1.5) continue;
-                    if (style['overflow' + axis] === 'hidden' && box[to] > edge[from] && box[from] < edge[to]) cut = true;
+                    const partly = box[to] > edge[from] && box[from] < edge[to];
+                    if (style['overflow' + axis] === 'hidden' && partly) cut = true;
                     else hidden = true;
                   }
                 }
@@ -62,7 +63,9 @@ class ViewTest {
             const colour = named.match(/[0-9a-f]{2}/g).map((hex) => parseInt(hex, 16));
             const { data, width } = road.getContext('2d').getImageData(0, 0, road.width, road.height);
             const found = [];
-            for (let i = 0; i < data.length; i += 4) if (colour.every((part, k) => data[i + k] === part)) found.push(i / 4);
+            for (let i = 0; i < data.length; i += 4) {
+              if (colour.every((part, k) => data[i + k] === part)) found.push(i / 4);
+            }
             const mean = (of) => Math.round(found.reduce((sum, i) => sum + of(i), 0) / found.length);
             return found.length === 0 ? [] : [mean((i) => i % width), mean((i) => Math.floor(i / width))];
             """;
@@ -72,7 +75,7 @@ class ViewTest {
 
     @Test
     @Tag("verify")
-    void highway_atThreeSizes_showsLabelsWholeAndApart_andEveryCard() throws Exception {
+    void highway_atThreeSizes_showsLabelsApartAndCardsWhole() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await("section.agent", 5);
             int seen = 0;
@@ -89,7 +92,9 @@ class ViewTest {
                 page.screenshot("view-" + size.width);
             }
             page.size(SIZES.get(0));
-            page.actions().moveToElement(page.await("[data-key='board bus']")).click().perform();
+            page.actions().moveToElement(page.await("[data-key='board bus']")).clickAndHold().moveByOffset(1, 1)
+                    .release()
+                    .perform();
             page.awaitText("#menu", "Bus");
             page.screenshot("menu");
             LivePageTest.slide(page, "sensor-A0", 55);
@@ -99,6 +104,7 @@ class ViewTest {
             LivePageTest.click(page, "free-A0");
             page.awaitText("section.agent[data-board='bus'] .belief", "light(700)");
             LivePageTest.click(page, "close-menu");
+            assertEquals(List.of(), run.events(LivePageTest.command("move")), "a click is no drag");
             page.await("no menu", driver -> !driver.findElement(By.id("menu")).isDisplayed());
             LivePageTest.assertClean(page);
         }
@@ -162,8 +168,9 @@ class ViewTest {
             List<?> before = drawnAt(page, 0);
             WebElement road = page.await("#road");
             page.actions().moveToElement(road, 0, 60).clickAndHold().moveByOffset(40, 20).release().perform();
-            page.await("a view moved by 40 and 20 pixels", driver -> coordinate(drawnAt(page, 0), 0) == coordinate(before, 0) + 40
-                    && coordinate(drawnAt(page, 0), 1) == coordinate(before, 1) + 20);
+            page.await("a view moved by 40 and 20 pixels",
+                    driver -> coordinate(drawnAt(page, 0), 0) == coordinate(before, 0) + 40
+                            && coordinate(drawnAt(page, 0), 1) == coordinate(before, 1) + 20);
             List<?> after = drawnAt(page, 0);
             int left = coordinate(after, 0) - road.getSize().width / 2;
             int top = coordinate(after, 1) - road.getSize().height / 2;
@@ -191,7 +198,8 @@ class ViewTest {
         List<String> trace = new ArrayList<>(List.of("{\"t\":0,\"event\":\"scenario\",\"boards\":[{\"name\":\"a\"}]}"));
         for (int t = 1; t <= 30; t++) {
             trace.add(String.format(Locale.ROOT,
-                    "{\"t\":%d,\"board\":\"a\",\"event\":\"percepts\",\"percepts\":[\"celsius(20.%d)\",\"light(%d)\"]}", t,
+                    "{\"t\":%d,\"board\":\"a\",\"event\":\"percepts\",\"percepts\":[\"celsius(20.%d)\",\"light(%d)\"]}",
+                    t,
                     t % 2, t % 3 == 0 ? 0 : 1023));
         }
         Files.write(folder.resolve("trace.jsonl"), trace);

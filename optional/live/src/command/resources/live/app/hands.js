@@ -8,6 +8,8 @@ const HOLD = 1200;
 export const RADIUS = 0.5;
 /** A jam lasts so long, in seconds. */
 export const JAM = 2;
+/** A pointer that moves by fewer pixels has clicked. */
+const SLIP = 3;
 const WITH_CHOSEN = { Delete: 'removeChosen', j: 'jamChosen' };
 
 /** Moves what the pointer or the keyboard holds. */
@@ -24,6 +26,7 @@ export function hands(canvas, road, app, shown) {
   const spot = (e) => [e.offsetX, e.offsetY];
   let from;
   let grip;
+  let dragged = false;
   canvas.addEventListener('pointerdown', (e) => {
     const at = spot(e);
     if (app.ui.mode) {
@@ -37,15 +40,15 @@ export function hands(canvas, road, app, shown) {
     if (!thing || thing.kind !== 'injector') app.choose(thing?.kind, thing?.name);
     canvas.setPointerCapture(e.pointerId);
     from = at;
-    if (!movable(app, thing)) return;
+    dragged = false;
     // Whatever of it was taken hold of stays under the pointer.
-    grip = road.placeAt(...at).map((metres, axis) => thing.place[axis] - metres);
-    app.ui.held = { kind: thing.kind, name: thing.name, place: thing.place, down: true };
+    grip = movable(app, thing) && { ...thing, off: road.placeAt(...at).map((metres, axis) => thing.place[axis] - metres) };
   });
   canvas.addEventListener('pointermove', (e) => {
-    if (!from) return;
     const at = spot(e);
-    if (app.ui.held?.down) hold(app, app.ui.held, road.placeAt(...at).map((metres, axis) => metres + grip[axis]), true);
+    dragged ||= from && Math.hypot(at[0] - from[0], at[1] - from[1]) > SLIP;
+    if (!from || !dragged) return;
+    if (grip) hold(app, { kind: grip.kind, name: grip.name }, road.placeAt(...at).map((metres, axis) => metres + grip.off[axis]), true);
     else road.pan(at[0] - from[0], at[1] - from[1]);
     from = at;
   });

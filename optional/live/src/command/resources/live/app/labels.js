@@ -49,12 +49,11 @@ export class Labels {
       Object.assign(label, { words, look, w: Math.ceil(label.element.offsetWidth), h: label.element.offsetHeight });
     }
     const box = this.#place(label, x, y, reach, side);
-    label.used = box !== undefined;
+    Object.assign(label, { box, used: true });
+    label.element.style.visibility = box ? 'visible' : 'hidden';
     if (!box) return undefined;
     label.element.style.transform = `translate(${Math.round(box.x)}px, ${Math.round(box.y)}px)`;
     label.element.style.opacity = opacity;
-    label.element.style.visibility = 'visible';
-    label.box = box;
     this.#taken.push(box);
     const end = [Math.max(box.x, Math.min(x, box.x + box.w)), Math.max(box.y, Math.min(y, box.y + box.h))];
     return Math.hypot(end[0] - x, end[1] - y) > Math.hypot(...reach) + NEAR ? end : undefined;
