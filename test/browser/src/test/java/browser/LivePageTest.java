@@ -275,11 +275,11 @@ class LivePageTest {
         });
     }
 
-    private static void choose(Page page, String value) {
+    static void choose(Page page, String value) {
         new Select(page.await("#chosen")).selectByValue(value);
     }
 
-    private static void place(Page page, int x, int y) {
+    static void place(Page page, int x, int y) {
         for (String id : List.of("x", "y")) {
             WebElement field = page.await("#" + id);
             field.clear();

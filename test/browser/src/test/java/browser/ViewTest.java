@@ -140,14 +140,17 @@ class ViewTest {
         Files.writeString(folder.resolve("two.json"), """
                 {"boards": [
                   {"name": "house", "firmware": "%1$s", "position": [10, 0]},
-                  {"name": "car", "firmware": "%1$s", "path": [[0, [0, 0]], [20, [200, 0]]]}]}
+                  {"name": "car", "firmware": "%1$s", "position": [0, 0]}]}
                 """.formatted(LiveRun.ROOT.resolve("javino-firmware/build/station/Station.ino.elf")));
         try (LiveRun run = LiveRun.piped(folder, "two.json"); Page page = Page.open(run.address())) {
             page.await("#labels .name", 2);
             List<?> house = drawnAt(page, 0);
             List<?> car = drawnAt(page, 1);
-            page.await("a car that moves", driver -> !drawnAt(page, 1).equals(car));
+            LivePageTest.choose(page, "board car");
+            LivePageTest.place(page, -5, 0);
+            page.await("a car that has moved", driver -> !drawnAt(page, 1).equals(car));
             assertEquals(house, drawnAt(page, 0));
+            LivePageTest.place(page, 200, 0);
             WebElement arrow = page.await("#labels .edge");
             assertEquals("→ car", arrow.getText());
             assertEquals(List.of(), page.script(FAULTS));
@@ -160,6 +163,8 @@ class ViewTest {
             assertNotEquals(List.of(), drawnAt(page, 1));
             assertNotEquals(List.of(), drawnAt(page, 0));
 
+            LivePageTest.place(page, 600, 0);
+            LivePageTest.click(page, "close-menu");
             page.await("#labels .edge").click();
             page.await("the car in the middle", driver -> !drawnAt(page, 1).isEmpty());
 
