@@ -28,6 +28,7 @@ clang-format             holds the style of C and C++
 mosquitto                the MQTT broker of the gateways' tests
 mosquitto-clients        what such a broker tells
 openssl                  certificates for it
+socat                    a page's commands to the emulator
 tshark                   the tests of captures, and of the dissector for Wireshark
 python3                  the second checker of the models
 chromium                 the tests of the live page

@@ -60,7 +60,7 @@ public final class Mosquitto implements AutoCloseable {
     }
 
     /** A port of this computer that nobody uses. */
-    static int freePort() throws IOException {
+    public static int freePort() throws IOException {
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             return socket.getLocalPort();
         }

@@ -1,0 +1,345 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Mosquitto;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The commands of all pages, as printed: page by page in one folder, as a reader does them who has no hardware.
+ *
+ * <p>A block {@code sh} is run to its end, {@code sh ends} until it has printed the block {@code text} that follows,
+ * {@code sh runs} until the page ends or {@code <!-- ends WORD -->} names it. All others are exceptions, for a reason.
+ * A block after the name of a file is that file. {@code gradle TASK} runs a task's program in the reader's folder; what
+ * the task would build first is built.
+ */
+@Tag("verify")
+class PagesTest {
+
+    /** Why a block is not run, and what in it says so. */
+    private static final Map<String, Pattern> EXCEPTIONS = Map.of(
+            "board", Pattern.compile("/dev/|gradle home"),
+            "long", Pattern.compile(
+                    "gradle .*\\b(test|highway|soak|campaign|corpus|keep|model|crossCheck)\\b|--after 60"),
+            "network", Pattern.compile("\\bscp |broker\\.example"),
+            "root", Pattern.compile("\\bsudo "),
+            "screen", Pattern.compile("\\bwireshark "));
+    private static final Pattern BLOCK =
+            Pattern.compile("(?:`([\\w./]+)`(?: is|:)\n\n)?^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$",
+                    Pattern.MULTILINE);
+    /** What a page says to write in place of a board's port. */
+    private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
+    private static final Pattern TASK = Pattern.compile("(?<![\\w-])gradle ((?:[:\\w]+ *)*)");
+    private static final Pattern MADE_BEFORE = Pattern.compile("\\S*\\bports/\\w+");
+    private static final String MEGAS = "docs/first-steps-mega.md";
+    private static final List<String> FIRST = List.of("README.md", "docs/first-steps.md", MEGAS);
+    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+    private static final long PATIENCE_SECONDS = 60;
+
+    @TempDir
+    private Path folder;
+
+    private final Map<String, Process> running = new LinkedHashMap<>();
+    private final List<String> printed = new ArrayList<>();
+    private final List<String> exceptions = new ArrayList<>();
+    private Path clone;
+    private String terminals;
+    private int count;
+    private int brokersPort;
+
+    @BeforeEach
+    void prepare() throws Exception {
+        terminals = "JAVINO_TERMINAL=" + folder + "/";
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> end(terminals)));
+        clone = Files.createDirectory(folder.resolve("javino"));
+        try (Stream<Path> all = Files.list(ROOT)) {
+            for (Path each : all.filter(file -> !file.endsWith("examples")).toList()) {
+                Files.createSymbolicLink(clone.resolve(each.getFileName()), each);
+            }
+        }
+        for (String file : output("git", "-C", ROOT.toString(), "ls-files", "examples")) {
+            Path copy = clone.resolve(file);
+            Files.createDirectories(copy.getParent());
+            Files.copy(ROOT.resolve(file), copy);
+        }
+        command("javino", "echo 'another javino' >&2; exit 1");
+        command("xdg-open", "");
+        command("gradle", """
+                case $PWD/ in %1$s/*) ;; *) exec '%2$s' --offline --no-daemon --console plain "$@" ;; esac
+                for word; do
+                    case $word in
+                        -P*) options+=("--${word#-P}") ;;
+                        *) grep -q ":${word#:}\\$" '%3$s/built' || { echo "$word is not built" >&2; exit 1; }
+                            [ -e "%3$s/${word##*:}" ] && program=%3$s/${word##*:}
+                    esac
+                done
+                cd %1$s
+                [ -z "$program" ] || . "$program" "${options[@]}"
+                """.formatted(clone, System.getProperty("javino.gradle"), System.getProperty("javino.programs")));
+        brokersPort = Mosquitto.freePort();
+        Path options = folder.resolve("home/.config/mosquitto_sub");
+        Files.createDirectories(options.getParent());
+        Files.writeString(options, "-p " + brokersPort + "\n");
+        Files.writeString(folder.resolve("state"), "");
+    }
+
+    /** A command that goes before those of this computer. */
+    private void command(String name, String text) throws IOException {
+        Path file = Files.createDirectories(folder.resolve("bin")).resolve(name);
+        Files.writeString(file, "#!/bin/bash\n" + text + "\n");
+        assertTrue(file.toFile().setExecutable(true));
+    }
+
+    private static List<String> output(String... command) throws IOException {
+        return new ProcessBuilder(command).start().inputReader().lines().toList();
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @AfterEach
+    void endAll() throws IOException {
+        end(terminals);
+        try (Stream<Path> all = Files.list(clone)) {
+            for (Path link : all.filter(Files::isSymbolicLink).toList()) {
+                Files.delete(link);
+            }
+        }
+    }
+
+    /** All pages: the first ones in the order in which they name each other, then the others. */
+    private static List<String> pages() throws IOException {
+        List<String> all = output("git", "-C", ROOT.toString(), "ls-files", "*.md").stream()
+                .filter(page -> !page.contains("/src/")).toList();
+        return Stream.concat(FIRST.stream(), all.stream()).distinct().toList();
+    }
+
+    @Test
+    void commands_asPrinted_doWhatThePagesSay() throws Exception {
+        Set<String> built = new HashSet<>(Files.readAllLines(Path.of(System.getProperty("javino.programs"), "tasks")));
+        built.add("tasks");
+        for (String page : pages()) {
+            assertEquals(List.of(), unknownTasks(page, built), page);
+            follow(page);
+        }
+        System.out.println(String.join("\n", exceptions));
+        System.out.printf("pages: %d blocks of commands were run, %d were not%n", count, exceptions.size());
+    }
+
+    /** Gradle's tasks that a page names and no build file has; that of the reader's own sketch is named after it. */
+    private static List<String> unknownTasks(String page, Set<String> tasks) {
+        return TASK.matcher(read(ROOT.resolve(page))).results()
+                .flatMap(command -> Stream.of(command.group(1).strip().split(" +")))
+                .filter(task -> !tasks.contains(task)).toList();
+    }
+
+    private void follow(String page) throws Exception {
+        String text = read(ROOT.resolve(page));
+        List<MatchResult> blocks = new ArrayList<>(BLOCK.matcher(text).results().toList());
+        boolean boards = blocks.stream().anyMatch(block -> isRun(block) && block.group(3).contains("/dev/ttyACM"));
+        Map<String, String> ports = ports(text);
+        if (boards && ports.isEmpty()) {
+            String megas = read(ROOT.resolve(MEGAS));
+            ports = ports(megas);
+            blocks.add(0, BLOCK.matcher(megas).results().filter(PagesTest::isRun).findFirst().orElseThrow());
+        }
+        Files.writeString(folder.resolve("place"), clone.toString());
+        String last = "";
+        for (MatchResult block : blocks) {
+            System.err.println(java.time.LocalTime.now() + page + block.group());
+            String where = page + ":" + (text.substring(0, block.start()).lines().count() + 2) + ": ";
+            try {
+                last = follow(block, last, where, ports);
+            } catch (AssertionError failed) {
+                throw new AssertionError(where + failed.getMessage() + "\n" + String.join("\n", lines()), failed);
+            }
+        }
+        for (Map.Entry<String, Process> each : running.entrySet()) {
+            assertTrue(each.getValue().isAlive(), () -> page + ": ended by itself: " + each.getKey());
+        }
+        end(terminals);
+        running.clear();
+        clear();
+    }
+
+    private static Map<String, String> ports(String page) {
+        Map<String, String> ports = new LinkedHashMap<>();
+        EMULATED.matcher(page).results().forEach(words -> ports.put(words.group(2), words.group(1)));
+        return ports;
+    }
+
+    private static boolean isRun(MatchResult block) {
+        return block.group(2) != null && List.of("sh", "sh runs", "sh ends").contains(block.group(2));
+    }
+
+    /**
+     * Does what a block says.
+     *
+     * @param last the mark of the commands before it
+     * @return that mark, or the one of this block
+     */
+    private String follow(MatchResult block, String last, String where, Map<String, String> ports) throws Exception {
+        if (block.group(4) != null) {
+            assertTrue(running.keySet().removeIf(commands -> commands.contains(block.group(4)) && endOf(commands)));
+            return last;
+        }
+        String info = block.group(2);
+        String text = block.group(3);
+        for (Map.Entry<String, String> port : ports.entrySet()) {
+            text = text.replace(port.getKey(), port.getValue());
+        }
+        text = text.replace("mqtt://localhost", "mqtt://localhost:" + brokersPort);
+        if (info.equals("text") && !last.startsWith("not ")) {
+            for (String line : text.lines().filter(each -> !each.equals("…")).toList()) {
+                Pattern expected = expected(line);
+                await(line, () -> lines().stream().anyMatch(each -> expected.matcher(each).find()));
+            }
+            if (last.equals("sh ends")) {
+                running.keySet().removeIf(commands -> commands.startsWith(count + " ") && endOf(commands));
+            }
+        } else if (isRun(block)) {
+            run(text, info);
+            return info;
+        } else if (info.startsWith("sh")) {
+            String reason = info.substring("sh".length()).strip();
+            assertTrue(EXCEPTIONS.containsKey(reason), "the mark '" + info + "' is unknown");
+            assertTrue(EXCEPTIONS.get(reason).matcher(text).find(), "the mark '" + info + "' is not needed");
+            exceptions.add("not run, " + reason + ": " + where + block.group(3).lines().findFirst().orElseThrow());
+            return "not " + reason;
+        } else if (block.group(1) != null && !block.group(1).startsWith("/")) {
+            Path file = place().resolve(block.group(1));
+            Files.createDirectories(file.getParent());
+            Files.writeString(file, text);
+        }
+        return last;
+    }
+
+    /** What that line of a page means: a run has other numbers and keys. */
+    private static Pattern expected(String line) {
+        Matcher variable = Pattern.compile("(?<=check value )\\w+|\\d+|…|\\s+").matcher(line.strip());
+        StringBuilder pattern = new StringBuilder();
+        int end = 0;
+        while (variable.find()) {
+            pattern.append(Pattern.quote(line.strip().substring(end, variable.start())));
+            pattern.append(variable.group().isBlank() ? "\\s+" : variable.group().equals("…") ? ".*" : "[0-9a-f]+");
+            end = variable.end();
+        }
+        return Pattern.compile(pattern + Pattern.quote(line.strip().substring(end)));
+    }
+
+    private Path place() {
+        return Path.of(read(folder.resolve("place")).strip());
+    }
+
+    /** Commands in a terminal that is where the one before was when it ran its last command. */
+    private void run(String commands, String mark) throws Exception {
+        Path place = place();
+        MADE_BEFORE.matcher(commands).results().map(path -> place.resolve(path.group()))
+                .forEach(path -> await(path.toString(), () -> Files.exists(path, LinkOption.NOFOLLOW_LINKS)));
+        String name = ++count + " " + commands;
+        ProcessBuilder bash = new ProcessBuilder("bash", "-c", """
+                . %1$s/state; cd "$(cat %1$s/place)"
+                trap 'export -p > %1$s/state; pwd > %1$s/place' DEBUG EXIT
+                set -e -o pipefail
+                """.formatted(folder) + commands);
+        bash.environment().putAll(Map.of("HOME", folder.resolve("home").toString(), "PATH",
+                folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", folder + "/" + count + "/",
+                "GRADLE_USER_HOME", System.getProperty("javino.gradleUserHome"), "JAVA_TOOL_OPTIONS",
+                "-Duser.home=" + folder.resolve("home")));
+        Process process = bash.redirectErrorStream(true).redirectInput(new java.io.File("/dev/null")).start();
+        Thread reader = new Thread(() -> process.inputReader().lines().forEach(this::print), "output");
+        reader.setDaemon(true);
+        reader.start();
+        if (mark.equals("sh")) {
+            assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), () -> "does not end: " + commands);
+            assertEquals(0, process.exitValue(), commands);
+        } else {
+            running.put(name, process);
+        }
+    }
+
+    private synchronized void print(String line) {
+        printed.add(line);
+    }
+
+    private synchronized List<String> lines() {
+        return List.copyOf(printed);
+    }
+
+    private synchronized void clear() {
+        printed.clear();
+    }
+
+    private static void await(String what, BooleanSupplier isThere) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!isThere.getAsBoolean()) {
+            assertTrue(System.nanoTime() < end, () -> "not there: " + what);
+            pause();
+        }
+    }
+
+    private static void pause() {
+        try {
+            Thread.sleep(20);
+        } catch (InterruptedException interrupted) {
+            throw new IllegalStateException(interrupted);
+        }
+    }
+
+    private boolean endOf(String commands) {
+        return end(terminals + commands.replaceFirst(" .*(?s:.*)", "/"));
+    }
+
+    /** Ends all that was started in these terminals, also what has left them. */
+    private static boolean end(String terminals) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        List<ProcessHandle> left = processes(terminals);
+        left.forEach(ProcessHandle::destroy);
+        while (!left.isEmpty()) {
+            pause();
+            if (System.nanoTime() > end) {
+                left.forEach(ProcessHandle::destroyForcibly);
+            }
+            left = processes(terminals);
+        }
+        return true;
+    }
+
+    private static List<ProcessHandle> processes(String terminals) {
+        return ProcessHandle.allProcesses().filter(process -> {
+            try {
+                return Files.readString(Path.of("/proc/" + process.pid() + "/environ"),
+                        java.nio.charset.StandardCharsets.ISO_8859_1).contains(terminals);
+            } catch (IOException e) {
+                return false;  // it has ended, or is another user's
+            }
+        }).toList();
+    }
+}
