@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Mosquitto;
+import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -20,6 +22,7 @@ import java.util.function.BooleanSupplier;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -40,9 +43,9 @@ class PagesTest {
 
     /** Why a block is not run, and what in it says so. */
     private static final Map<String, Pattern> EXCEPTIONS = Map.of(
-            "board", Pattern.compile("/dev/|gradle home"),
+            "board", Pattern.compile("\\bavrdude |gradle home"),
             "long", Pattern.compile(
-                    "gradle .*\\b(test|highway|soak|campaign|corpus|keep|model|crossCheck)\\b|--after 60"),
+                    "gradle .*\\b(test|highway|run|soak|campaign|corpus|keep|model|crossCheck)\\b|--after 60"),
             "network", Pattern.compile("\\bscp |broker\\.example"),
             "root", Pattern.compile("\\bsudo "),
             "screen", Pattern.compile("\\bwireshark "));
@@ -51,12 +54,17 @@ class PagesTest {
                     Pattern.MULTILINE);
     /** What a page says to write in place of a board's port. */
     private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
-    private static final Pattern TASK = Pattern.compile("(?<![\\w-])gradle ((?:[:\\w]+ *)*)");
-    private static final Pattern MADE_BEFORE = Pattern.compile("\\S*\\bports/\\w+");
+    private static final Pattern TASK = Pattern.compile("(?<![\\w-])gradle ((?::?\\w[:\\w-]* *)*)");
+    /** Those of Gradle itself, of a project of the reader's, of JaCaMo, and of a sketch that the reader writes. */
+    private static final Set<String> OTHER_TASKS =
+            Set.of("tasks", "run", "sketch", "bundle", "buildJCMDeps", ":javino-firmware:firmwareFollower");
+    /** What an emulator makes before it can be used: its scenario's ports, and its control socket. */
+    private static final Pattern SCENARIO = Pattern.compile("[\\w/]+\\.json\\b");
+    private static final Pattern MADE = Pattern.compile("(?:\"port\": *\"|--control )([\\w/]+)");
     private static final String MEGAS = "docs/first-steps-mega.md";
     private static final List<String> FIRST = List.of("README.md", "docs/first-steps.md", MEGAS);
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 120;
 
     @TempDir
     private Path folder;
@@ -87,17 +95,16 @@ class PagesTest {
         command("javino", "echo 'another javino' >&2; exit 1");
         command("xdg-open", "");
         command("gradle", """
-                case $PWD/ in %1$s/*) ;; *) exec '%2$s' --offline --no-daemon --console plain "$@" ;; esac
                 for word; do
                     case $word in
                         -P*) options+=("--${word#-P}") ;;
-                        *) grep -q ":${word#:}\\$" '%3$s/built' || { echo "$word is not built" >&2; exit 1; }
-                            [ -e "%3$s/${word##*:}" ] && program=%3$s/${word##*:}
+                        *) grep -q ":${word#:}\\$" '%2$s/built' || { echo "$word is not built" >&2; exit 1; }
+                            [ -e "%2$s/${word##*:}" ] && program=%2$s/${word##*:}
                     esac
                 done
                 cd %1$s
-                [ -z "$program" ] || . "$program" "${options[@]}"
-                """.formatted(clone, System.getProperty("javino.gradle"), System.getProperty("javino.programs")));
+                [ -z "$program" ] || exec bash "$program" "${options[@]}"
+                """.formatted(clone, System.getProperty("javino.programs")));
         brokersPort = Mosquitto.freePort();
         Path options = folder.resolve("home/.config/mosquitto_sub");
         Files.createDirectories(options.getParent());
@@ -144,13 +151,22 @@ class PagesTest {
     @Test
     void commands_asPrinted_doWhatThePagesSay() throws Exception {
         Set<String> built = new HashSet<>(Files.readAllLines(Path.of(System.getProperty("javino.programs"), "tasks")));
-        built.add("tasks");
+        built.addAll(OTHER_TASKS);
+        List<String> failures = new ArrayList<>();
         for (String page : pages()) {
-            assertEquals(List.of(), unknownTasks(page, built), page);
-            follow(page);
+            try {
+                assertEquals(List.of(), unknownTasks(page, built), page);
+                follow(page);
+            } catch (AssertionError failed) {
+                failures.add(failed.getMessage());
+            }
+            end(terminals);
+            running.clear();
+            clear();
         }
         System.out.println(String.join("\n", exceptions));
         System.out.printf("pages: %d blocks of commands were run, %d were not%n", count, exceptions.size());
+        assertEquals("", String.join("\n\n", failures));
     }
 
     /** Gradle's tasks that a page names and no build file has; that of the reader's own sketch is named after it. */
@@ -184,9 +200,6 @@ class PagesTest {
         for (Map.Entry<String, Process> each : running.entrySet()) {
             assertTrue(each.getValue().isAlive(), () -> page + ": ended by itself: " + each.getKey());
         }
-        end(terminals);
-        running.clear();
-        clear();
     }
 
     private static Map<String, String> ports(String page) {
@@ -258,30 +271,46 @@ class PagesTest {
         return Path.of(read(folder.resolve("place")).strip());
     }
 
-    /** Commands in a terminal that is where the one before was when it ran its last command. */
+    /** Commands in a terminal, of which only the last one may go on. */
     private void run(String commands, String mark) throws Exception {
-        Path place = place();
-        MADE_BEFORE.matcher(commands).results().map(path -> place.resolve(path.group()))
-                .forEach(path -> await(path.toString(), () -> Files.exists(path, LinkOption.NOFOLLOW_LINKS)));
-        String name = ++count + " " + commands;
+        count++;
+        int last = mark.equals("sh") ? commands.length() : commands.stripTrailing().lastIndexOf('\n') + 1;
+        if (last > 0) {
+            Process process = start(commands.substring(0, last));
+            assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), () -> "does not end: " + commands);
+            assertEquals(0, process.exitValue(), commands);
+            awaitMade(commands.substring(0, last).lines().filter(line -> line.endsWith("&")).toList());
+        }
+        if (last < commands.length()) {
+            running.put(count + " " + commands, start(commands.substring(last)));
+            awaitMade(List.of(commands.substring(last)));
+        }
+    }
+
+    /** Runs commands where the last ones left off, and with what these exported. */
+    private Process start(String commands) throws IOException {
         ProcessBuilder bash = new ProcessBuilder("bash", "-c", """
                 . %1$s/state; cd "$(cat %1$s/place)"
-                trap 'export -p > %1$s/state; pwd > %1$s/place' DEBUG EXIT
+                trap '{ export -p; } > %1$s/state; pwd > %1$s/place' DEBUG
                 set -e -o pipefail
-                """.formatted(folder) + commands);
+                """.formatted(folder) + commands + "\n:");
         bash.environment().putAll(Map.of("HOME", folder.resolve("home").toString(), "PATH",
                 folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", folder + "/" + count + "/",
-                "GRADLE_USER_HOME", System.getProperty("javino.gradleUserHome"), "JAVA_TOOL_OPTIONS",
-                "-Duser.home=" + folder.resolve("home")));
-        Process process = bash.redirectErrorStream(true).redirectInput(new java.io.File("/dev/null")).start();
+                "JAVA_TOOL_OPTIONS", "-Duser.home=" + folder.resolve("home"), "TERM", "dumb"));
+        Process process = bash.redirectErrorStream(true).redirectInput(new File("/dev/null")).start();
         Thread reader = new Thread(() -> process.inputReader().lines().forEach(this::print), "output");
         reader.setDaemon(true);
         reader.start();
-        if (mark.equals("sh")) {
-            assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), () -> "does not end: " + commands);
-            assertEquals(0, process.exitValue(), commands);
-        } else {
-            running.put(name, process);
+        return process;
+    }
+
+    private void awaitMade(List<String> commands) {
+        Path place = place();
+        for (String command : commands) {
+            String scenarios = SCENARIO.matcher(command).results().map(file -> read(place.resolve(file.group())))
+                    .collect(Collectors.joining());
+            MADE.matcher(command + scenarios).results().map(made -> place.resolve(made.group(1)))
+                    .forEach(made -> await(made.toString(), () -> Files.exists(made, LinkOption.NOFOLLOW_LINKS)));
         }
     }
 
@@ -297,10 +326,11 @@ class PagesTest {
         printed.clear();
     }
 
-    private static void await(String what, BooleanSupplier isThere) {
+    private void await(String what, BooleanSupplier isThere) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!isThere.getAsBoolean()) {
-            assertTrue(System.nanoTime() < end, () -> "not there: " + what);
+            assertTrue(System.nanoTime() < end && running.values().stream().allMatch(Process::isAlive),
+                    () -> "not there: " + what);
             pause();
         }
     }
@@ -320,26 +350,32 @@ class PagesTest {
     /** Ends all that was started in these terminals, also what has left them. */
     private static boolean end(String terminals) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        List<ProcessHandle> left = processes(terminals);
-        left.forEach(ProcessHandle::destroy);
+        List<ProcessHandle> left = ProcessHandle.allProcesses().filter(each -> isIn(each, terminals)).toList();
         while (!left.isEmpty()) {
-            pause();
-            if (System.nanoTime() > end) {
-                left.forEach(ProcessHandle::destroyForcibly);
+            left.forEach(System.nanoTime() < end ? ProcessHandle::destroy : ProcessHandle::destroyForcibly);
+            while (left.stream().anyMatch(PagesTest::runs) && System.nanoTime() < end) {
+                pause();
             }
-            left = processes(terminals);
+            left = ProcessHandle.allProcesses().filter(each -> isIn(each, terminals)).toList();
         }
         return true;
     }
 
-    private static List<ProcessHandle> processes(String terminals) {
-        return ProcessHandle.allProcesses().filter(process -> {
-            try {
-                return Files.readString(Path.of("/proc/" + process.pid() + "/environ"),
-                        java.nio.charset.StandardCharsets.ISO_8859_1).contains(terminals);
-            } catch (IOException e) {
-                return false;  // it has ended, or is another user's
-            }
-        }).toList();
+    private static boolean isIn(ProcessHandle process, String terminals) {
+        return proc(process, "environ").contains(terminals);
+    }
+
+    /** Whether it has not closed its files yet. */
+    private static boolean runs(ProcessHandle process) {
+        return proc(process, "stat").matches(".*\\) [^ZX] .*\n");
+    }
+
+    /** Nothing where the process has ended, or is another user's. */
+    private static String proc(ProcessHandle process, String file) {
+        try {
+            return Files.readString(Path.of("/proc/" + process.pid(), file), StandardCharsets.ISO_8859_1);
+        } catch (IOException e) {
+            return "";
+        }
     }
 }
