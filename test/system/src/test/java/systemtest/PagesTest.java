@@ -1,6 +1,7 @@
 package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Mosquitto;
@@ -43,14 +44,16 @@ class PagesTest {
 
     /** Why a block is not run, and what in it says so. */
     private static final Map<String, Pattern> EXCEPTIONS = Map.of(
-            "board", Pattern.compile("\\bavrdude |gradle home"),
+            "board", Pattern.compile("\\bavrdude |gradle home|javino doctor"),
             "long", Pattern.compile(
                     "gradle .*\\b(test|highway|run|soak|campaign|corpus|keep|model|crossCheck)\\b|--after 60"),
             "network", Pattern.compile("\\bscp |broker\\.example"),
             "root", Pattern.compile("\\bsudo "),
             "screen", Pattern.compile("\\bwireshark "));
+    private static final Pattern COMMANDS =
+            Pattern.compile("^(bash|console|shell)$|\\A\n(\\./|(cd|gradle|javino|sudo) )", Pattern.MULTILINE);
     private static final Pattern BLOCK =
-            Pattern.compile("(?:`([\\w./]+)`(?: is|:)\n\n)?^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$",
+            Pattern.compile("(?:`([\\w/]+\\.(?:asl|json|mas2j|sh))`(?: is|:)\n\n)?^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$",
                     Pattern.MULTILINE);
     /** What a page says to write in place of a board's port. */
     private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
@@ -59,17 +62,22 @@ class PagesTest {
     private static final Set<String> OTHER_TASKS =
             Set.of("tasks", "run", "sketch", "bundle", "buildJCMDeps", ":javino-firmware:firmwareFollower");
     /** What an emulator makes before it can be used: its scenario's ports, and its control socket. */
-    private static final Pattern SCENARIO = Pattern.compile("[\\w/]+\\.json\\b");
+    private static final Pattern SCENARIO = Pattern.compile("javino-emulator (\\S+)");
     private static final Pattern MADE = Pattern.compile("(?:\"port\": *\"|--control )([\\w/]+)");
+    private static final String BROKER = "mqtt://localhost";
     private static final String MEGAS = "docs/first-steps-mega.md";
     private static final List<String> FIRST = List.of("README.md", "docs/first-steps.md", MEGAS);
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
-    private static final long PATIENCE_SECONDS = 120;
+    private static final long PATIENCE_SECONDS = 240;
+
+    /** Commands that were not at their end when the page went on. */
+    private record Terminal(int number, String commands, Process process) {
+    }
 
     @TempDir
     private Path folder;
 
-    private final Map<String, Process> running = new LinkedHashMap<>();
+    private final List<Terminal> running = new ArrayList<>();
     private final List<String> printed = new ArrayList<>();
     private final List<String> exceptions = new ArrayList<>();
     private Path clone;
@@ -97,7 +105,8 @@ class PagesTest {
         command("gradle", """
                 for word; do
                     case $word in
-                        -P*) options+=("--${word#-P}") ;;
+                        -P*=*) options+=("--${word#-P}") ;;
+                        -P*) options+=("--${word#-P}=") ;;
                         *) grep -q ":${word#:}\\$" '%2$s/built' || { echo "$word is not built" >&2; exit 1; }
                             [ -e "%2$s/${word##*:}" ] && program=%2$s/${word##*:}
                     esac
@@ -106,9 +115,6 @@ class PagesTest {
                 [ -z "$program" ] || exec bash "$program" "${options[@]}"
                 """.formatted(clone, System.getProperty("javino.programs")));
         brokersPort = Mosquitto.freePort();
-        Path options = folder.resolve("home/.config/mosquitto_sub");
-        Files.createDirectories(options.getParent());
-        Files.writeString(options, "-p " + brokersPort + "\n");
         Files.writeString(folder.resolve("state"), "");
     }
 
@@ -145,6 +151,7 @@ class PagesTest {
     private static List<String> pages() throws IOException {
         List<String> all = output("git", "-C", ROOT.toString(), "ls-files", "*.md").stream()
                 .filter(page -> !page.contains("/src/")).toList();
+        if (System.getProperty("pages") != null) { return List.of(System.getProperty("pages").split(",")); }
         return Stream.concat(FIRST.stream(), all.stream()).distinct().toList();
     }
 
@@ -187,6 +194,9 @@ class PagesTest {
             blocks.add(0, BLOCK.matcher(megas).results().filter(PagesTest::isRun).findFirst().orElseThrow());
         }
         Files.writeString(folder.resolve("place"), clone.toString());
+        if (text.contains(BROKER)) {
+            start("/usr/sbin/mosquitto -p " + brokersPort);
+        }
         String last = "";
         for (MatchResult block : blocks) {
             System.err.println(java.time.LocalTime.now() + page + block.group());
@@ -197,8 +207,8 @@ class PagesTest {
                 throw new AssertionError(where + failed.getMessage() + "\n" + String.join("\n", lines()), failed);
             }
         }
-        for (Map.Entry<String, Process> each : running.entrySet()) {
-            assertTrue(each.getValue().isAlive(), () -> page + ": ended by itself: " + each.getKey());
+        for (Terminal each : running) {
+            assertTrue(each.process.isAlive(), () -> page + ": ended by itself: " + each.commands);
         }
     }
 
@@ -220,7 +230,7 @@ class PagesTest {
      */
     private String follow(MatchResult block, String last, String where, Map<String, String> ports) throws Exception {
         if (block.group(4) != null) {
-            assertTrue(running.keySet().removeIf(commands -> commands.contains(block.group(4)) && endOf(commands)));
+            assertTrue(running.removeIf(each -> each.commands.contains(block.group(4)) && end(each)));
             return last;
         }
         String info = block.group(2);
@@ -228,14 +238,14 @@ class PagesTest {
         for (Map.Entry<String, String> port : ports.entrySet()) {
             text = text.replace(port.getKey(), port.getValue());
         }
-        text = text.replace("mqtt://localhost", "mqtt://localhost:" + brokersPort);
+        text = text.replace(BROKER, BROKER + ":" + brokersPort);
         if (info.equals("text") && !last.startsWith("not ")) {
             for (String line : text.lines().filter(each -> !each.equals("…")).toList()) {
                 Pattern expected = expected(line);
                 await(line, () -> lines().stream().anyMatch(each -> expected.matcher(each).find()));
             }
             if (last.equals("sh ends")) {
-                running.keySet().removeIf(commands -> commands.startsWith(count + " ") && endOf(commands));
+                running.removeIf(each -> each.number == count && end(each));
             }
         } else if (isRun(block)) {
             run(text, info);
@@ -246,7 +256,9 @@ class PagesTest {
             assertTrue(EXCEPTIONS.get(reason).matcher(text).find(), "the mark '" + info + "' is not needed");
             exceptions.add("not run, " + reason + ": " + where + block.group(3).lines().findFirst().orElseThrow());
             return "not " + reason;
-        } else if (block.group(1) != null && !block.group(1).startsWith("/")) {
+        } else if (block.group(1) == null) {
+            assertFalse(COMMANDS.matcher(info + "\n" + text).find(), "these commands are not marked as such");
+        } else {
             Path file = place().resolve(block.group(1));
             Files.createDirectories(file.getParent());
             Files.writeString(file, text);
@@ -282,7 +294,7 @@ class PagesTest {
             awaitMade(commands.substring(0, last).lines().filter(line -> line.endsWith("&")).toList());
         }
         if (last < commands.length()) {
-            running.put(count + " " + commands, start(commands.substring(last)));
+            running.add(new Terminal(count, commands, start(commands.substring(last))));
             awaitMade(List.of(commands.substring(last)));
         }
     }
@@ -290,13 +302,12 @@ class PagesTest {
     /** Runs commands where the last ones left off, and with what these exported. */
     private Process start(String commands) throws IOException {
         ProcessBuilder bash = new ProcessBuilder("bash", "-c", """
-                . %1$s/state; cd "$(cat %1$s/place)"
+                . %1$s/state; export JAVINO_TERMINAL=%1$s/%2$d/; cd "$(cat %1$s/place)"
                 trap '{ export -p; } > %1$s/state; pwd > %1$s/place' DEBUG
                 set -e -o pipefail
-                """.formatted(folder) + commands + "\n:");
+                """.formatted(folder, count) + commands + "\n:");
         bash.environment().putAll(Map.of("HOME", folder.resolve("home").toString(), "PATH",
-                folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", folder + "/" + count + "/",
-                "JAVA_TOOL_OPTIONS", "-Duser.home=" + folder.resolve("home"), "TERM", "dumb"));
+                folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", terminals, "JAVA_TOOL_OPTIONS", "-Duser.home=" + folder.resolve("home"), "TERM", "dumb"));
         Process process = bash.redirectErrorStream(true).redirectInput(new File("/dev/null")).start();
         Thread reader = new Thread(() -> process.inputReader().lines().forEach(this::print), "output");
         reader.setDaemon(true);
@@ -307,7 +318,7 @@ class PagesTest {
     private void awaitMade(List<String> commands) {
         Path place = place();
         for (String command : commands) {
-            String scenarios = SCENARIO.matcher(command).results().map(file -> read(place.resolve(file.group())))
+            String scenarios = SCENARIO.matcher(command).results().map(file -> read(place.resolve(file.group(1))))
                     .collect(Collectors.joining());
             MADE.matcher(command + scenarios).results().map(made -> place.resolve(made.group(1)))
                     .forEach(made -> await(made.toString(), () -> Files.exists(made, LinkOption.NOFOLLOW_LINKS)));
@@ -329,7 +340,7 @@ class PagesTest {
     private void await(String what, BooleanSupplier isThere) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!isThere.getAsBoolean()) {
-            assertTrue(System.nanoTime() < end && running.values().stream().allMatch(Process::isAlive),
+            assertTrue(System.nanoTime() < end && running.stream().allMatch(each -> each.process.isAlive()),
                     () -> "not there: " + what);
             pause();
         }
@@ -343,12 +354,13 @@ class PagesTest {
         }
     }
 
-    private boolean endOf(String commands) {
-        return end(terminals + commands.replaceFirst(" .*(?s:.*)", "/"));
+    private boolean end(Terminal terminal) {
+        end(terminals + terminal.number + "/");
+        return true;
     }
 
     /** Ends all that was started in these terminals, also what has left them. */
-    private static boolean end(String terminals) {
+    private static void end(String terminals) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         List<ProcessHandle> left = ProcessHandle.allProcesses().filter(each -> isIn(each, terminals)).toList();
         while (!left.isEmpty()) {
@@ -358,7 +370,6 @@ class PagesTest {
             }
             left = ProcessHandle.allProcesses().filter(each -> isIn(each, terminals)).toList();
         }
-        return true;
     }
 
     private static boolean isIn(ProcessHandle process, String terminals) {
