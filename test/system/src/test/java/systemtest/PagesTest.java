@@ -44,7 +44,7 @@ class PagesTest {
 
     /** Why a block is not run, and what in it says so. */
     private static final Map<String, Pattern> EXCEPTIONS = Map.of(
-            "board", Pattern.compile("\\bavrdude |gradle home|javino doctor"),
+            "board", Pattern.compile("\\bavrdude |gradle home|javino doctor|mosquitto_sub -t"),
             "long", Pattern.compile(
                     "gradle .*\\b(test|highway|run|soak|campaign|corpus|keep|model|crossCheck)\\b|--after 60"),
             "network", Pattern.compile("\\bscp |broker\\.example"),
@@ -53,7 +53,8 @@ class PagesTest {
     private static final Pattern COMMANDS =
             Pattern.compile("^(bash|console|shell)$|\\A\n(\\./|(cd|gradle|javino|sudo) )", Pattern.MULTILINE);
     private static final Pattern BLOCK =
-            Pattern.compile("(?:`([\\w/]+\\.(?:asl|json|mas2j|sh))`(?: is|:)\n\n)?^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$",
+            Pattern.compile(
+                    "(?:`([\\w/]+\\.(?:asl|json|mas2j|sh))`(?: is|:)\n\n)?^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$",
                     Pattern.MULTILINE);
     /** What a page says to write in place of a board's port. */
     private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
@@ -151,7 +152,6 @@ class PagesTest {
     private static List<String> pages() throws IOException {
         List<String> all = output("git", "-C", ROOT.toString(), "ls-files", "*.md").stream()
                 .filter(page -> !page.contains("/src/")).toList();
-        if (System.getProperty("pages") != null) { return List.of(System.getProperty("pages").split(",")); }
         return Stream.concat(FIRST.stream(), all.stream()).distinct().toList();
     }
 
@@ -199,7 +199,6 @@ class PagesTest {
         }
         String last = "";
         for (MatchResult block : blocks) {
-            System.err.println(java.time.LocalTime.now() + page + block.group());
             String where = page + ":" + (text.substring(0, block.start()).lines().count() + 2) + ": ";
             try {
                 last = follow(block, last, where, ports);
@@ -301,13 +300,15 @@ class PagesTest {
 
     /** Runs commands where the last ones left off, and with what these exported. */
     private Process start(String commands) throws IOException {
+        String terminal = folder + "/" + count + "/";
         ProcessBuilder bash = new ProcessBuilder("bash", "-c", """
-                . %1$s/state; export JAVINO_TERMINAL=%1$s/%2$d/; cd "$(cat %1$s/place)"
+                . %1$s/state; export JAVINO_TERMINAL=%2$s; cd "$(cat %1$s/place)"
                 trap '{ export -p; } > %1$s/state; pwd > %1$s/place' DEBUG
                 set -e -o pipefail
-                """.formatted(folder, count) + commands + "\n:");
+                """.formatted(folder, terminal) + commands + "\n:");
         bash.environment().putAll(Map.of("HOME", folder.resolve("home").toString(), "PATH",
-                folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", terminals, "JAVA_TOOL_OPTIONS", "-Duser.home=" + folder.resolve("home"), "TERM", "dumb"));
+                folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", terminal, "JAVA_TOOL_OPTIONS",
+                "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Duser.home=" + folder.resolve("home"), "TERM", "dumb"));
         Process process = bash.redirectErrorStream(true).redirectInput(new File("/dev/null")).start();
         Thread reader = new Thread(() -> process.inputReader().lines().forEach(this::print), "output");
         reader.setDaemon(true);
