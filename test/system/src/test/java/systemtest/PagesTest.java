@@ -52,10 +52,8 @@ class PagesTest {
             "screen", Pattern.compile("\\bwireshark "));
     private static final Pattern COMMANDS =
             Pattern.compile("^(bash|console|shell)$|\\A\n(\\./|(cd|gradle|javino|sudo) )", Pattern.MULTILINE);
-    private static final Pattern BLOCK =
-            Pattern.compile(
-                    "(?:`([\\w/]+\\.(?:asl|json|mas2j|sh))`(?: is|:)\n\n)?^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$",
-                    Pattern.MULTILINE);
+    private static final Pattern BLOCK = Pattern.compile("(?:`([\\w/]+\\.(?:asl|json|mas2j|sh))`(?: is|:)\n\n)?"
+            + "^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$", Pattern.MULTILINE);
     /** What a page says to write in place of a board's port. */
     private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
     private static final Pattern TASK = Pattern.compile("(?<![\\w-])gradle ((?::?\\w[:\\w-]* *)*)");
@@ -84,6 +82,7 @@ class PagesTest {
     private Path clone;
     private String terminals;
     private int count;
+    private long commandsRun;
     private int brokersPort;
 
     @BeforeEach
@@ -172,11 +171,11 @@ class PagesTest {
             clear();
         }
         System.out.println(String.join("\n", exceptions));
-        System.out.printf("pages: %d blocks of commands were run, %d were not%n", count, exceptions.size());
+        System.out.printf("pages: %d blocks of commands were run, %d were not%n", commandsRun, exceptions.size());
         assertEquals("", String.join("\n\n", failures));
     }
 
-    /** Gradle's tasks that a page names and no build file has; that of the reader's own sketch is named after it. */
+    /** Gradle's tasks that a page names and nobody has. */
     private static List<String> unknownTasks(String page, Set<String> tasks) {
         return TASK.matcher(read(ROOT.resolve(page))).results()
                 .flatMap(command -> Stream.of(command.group(1).strip().split(" +")))
@@ -187,6 +186,7 @@ class PagesTest {
         String text = read(ROOT.resolve(page));
         List<MatchResult> blocks = new ArrayList<>(BLOCK.matcher(text).results().toList());
         boolean boards = blocks.stream().anyMatch(block -> isRun(block) && block.group(3).contains("/dev/ttyACM"));
+        commandsRun += blocks.stream().filter(PagesTest::isRun).count();
         Map<String, String> ports = ports(text);
         if (boards && ports.isEmpty()) {
             String megas = read(ROOT.resolve(MEGAS));
