@@ -256,7 +256,7 @@ class PagesTest {
             exceptions.add("not run, " + reason + ": " + where + block.group(3).lines().findFirst().orElseThrow());
             return "not " + reason;
         } else if (block.group(1) == null) {
-            assertFalse(COMMANDS.matcher(info + "\n" + text).find(), "these commands are not marked as such");
+            assertFalse(COMMANDS.matcher(info + "\n" + text).find(), "these commands are not marked: PagesTest says how");
         } else {
             Path file = place().resolve(block.group(1));
             Files.createDirectories(file.getParent());
