@@ -64,6 +64,8 @@ class PagesTest {
     private static final Pattern SCENARIO = Pattern.compile("javino-emulator (\\S+)");
     private static final Pattern MADE = Pattern.compile("(?:\"port\": *\"|--control )([\\w/]+)");
     private static final String BROKER = "mqtt://localhost";
+    /** Has the next terminal begin where this one ends: only of one that is waited for. */
+    private static final String KEEP = "trap 'export -p > %1$s/state; pwd > %1$s/place' DEBUG\n";
     private static final String MEGAS = "docs/first-steps-mega.md";
     private static final List<String> FIRST = List.of("README.md", "docs/first-steps.md", MEGAS);
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
@@ -256,7 +258,7 @@ class PagesTest {
             exceptions.add("not run, " + reason + ": " + where + block.group(3).lines().findFirst().orElseThrow());
             return "not " + reason;
         } else if (block.group(1) == null) {
-            assertFalse(COMMANDS.matcher(info + "\n" + text).find(), "these commands are not marked: PagesTest says how");
+            assertFalse(COMMANDS.matcher(info + "\n" + text).find(), "not marked as PagesTest says");
         } else {
             Path file = place().resolve(block.group(1));
             Files.createDirectories(file.getParent());
@@ -287,7 +289,7 @@ class PagesTest {
         count++;
         int last = mark.equals("sh") ? commands.length() : commands.stripTrailing().lastIndexOf('\n') + 1;
         if (last > 0) {
-            Process process = start(commands.substring(0, last));
+            Process process = start(KEEP.formatted(folder) + commands.substring(0, last));
             assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), () -> "does not end: " + commands);
             assertEquals(0, process.exitValue(), commands);
             awaitMade(commands.substring(0, last).lines().filter(line -> line.endsWith("&")).toList());
@@ -303,7 +305,6 @@ class PagesTest {
         String terminal = folder + "/" + count + "/";
         ProcessBuilder bash = new ProcessBuilder("bash", "-c", """
                 . %1$s/state; export JAVINO_TERMINAL=%2$s; cd "$(cat %1$s/place)"
-                trap '{ export -p; } > %1$s/state; pwd > %1$s/place' DEBUG
                 set -e -o pipefail
                 """.formatted(folder, terminal) + commands + "\n:");
         bash.environment().putAll(Map.of("HOME", folder.resolve("home").toString(), "PATH",
