@@ -303,10 +303,9 @@ class PagesTest {
     /** Runs commands where the last ones left off, and with what these exported. */
     private Process start(String commands) throws IOException {
         String terminal = folder + "/" + count + "/";
-        ProcessBuilder bash = new ProcessBuilder("bash", "-c", """
-                . %1$s/state; export JAVINO_TERMINAL=%2$s; cd "$(cat %1$s/place)"
-                set -e -o pipefail
-                """.formatted(folder, terminal) + commands + "\n:");
+        ProcessBuilder bash = new ProcessBuilder("bash", "-c", read(folder.resolve("state"))
+                + "export JAVINO_TERMINAL=" + terminal + "\ncd " + place() + "\nset -e -o pipefail\n" + commands
+                + "\n:");
         bash.environment().putAll(Map.of("HOME", folder.resolve("home").toString(), "PATH",
                 folder.resolve("bin") + ":" + System.getenv("PATH"), "JAVINO_TERMINAL", terminal, "JAVA_TOOL_OPTIONS",
                 "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Duser.home=" + folder.resolve("home"), "TERM", "dumb"));
