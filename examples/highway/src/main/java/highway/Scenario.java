@@ -338,7 +338,11 @@ final class Scenario implements AutoCloseable {
     /** What Jason marks with its name an agent says, but for the warnings that {@code live.ObservedMas} tells. */
     private Observation printed(Device device, String line) {
         String tag = "[" + device.id() + "] ";
-        return line.startsWith(tag) ? new Observation.Said(seconds, device, line.substring(tag.length()))
+        if (line.startsWith(tag)) {
+            return new Observation.Said(seconds, device, line.substring(tag.length()));
+        }
+        // Another agent of that MAS.
+        return line.matches("\\[\\w+] .*") ? new Observation.Said(seconds, device, line)
                 : new Observation.Warned(seconds, device, EventLog.warning(device, line));
     }
 
