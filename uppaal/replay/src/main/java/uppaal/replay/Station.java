@@ -276,6 +276,8 @@ final class Station {
             throw new RefusedException(name + " is told that its host has taken message " + number
                     + "; expected one that it has handed over");
         }
+        // It says so again where the reply to its poll comes late, and is told once.
+        taking.removeIf(each -> each.number == number);
         taking.add(new Taking(number, seconds));
         ear.busy(true);
     }

@@ -203,6 +203,15 @@ class TimesTest {
                 refusal(cut));
     }
 
+    /** A host whose poll is answered late asks once more. */
+    @Test
+    void times_takenThatIsSaidTwiceAndConfirmedOnce_isAccepted() {
+        Lines lines = Lines.of("partners");
+        int taking = lines.next(0, "bus", "host-taking");
+        lines.all.add(taking, lines.get(taking).deepCopy());
+        assertEquals("accepted", refusal(lines));
+    }
+
     /** Bits of several packets together may be no carrier to a board, though it has heard the first one begin. */
     @Test
     void times_attemptSoonAfterCarriersThatOverlapped_isAccepted() {
