@@ -104,7 +104,7 @@ class Courier {
   void await(uint8_t rounds);
   void attemptFailed();
   JAVINO_NOINLINE void finish(Outcome outcome);
-  bool isUnicast() const { return current().destination.isDevice(); }
+  JAVINO_NOINLINE bool isUnicast() const { return current().destination.isDevice(); }
   ByteQueue::Record frame() const;
   bool concerns(const Frame &acknowledgement) const;
   bool accept(const Frame &acknowledgement);
