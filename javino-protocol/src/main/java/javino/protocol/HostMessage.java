@@ -17,8 +17,6 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
 
     /** The most bytes of a fragment: with all before, one packet of a broadcast. */
     public static final int FRAGMENT_LENGTH = 62;
-    /** The most bytes of a body in a unicast. */
-    public static final int MAX_BODY_LENGTH = Content.MAX_LENGTH - 1;
 
     private static final int FIRST_MASK = 0xC0;
     private static final int FIRST = 0x80;

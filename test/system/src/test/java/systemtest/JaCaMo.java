@@ -15,6 +15,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** JaCaMo, where -Pjacamo has named its Maven repository. */
 final class JaCaMo {
 
+    /** What an agent's program includes for artifacts and organisations. */
+    static final String TEMPLATES = """
+            { include("$jacamo/templates/common-cartago.asl") }
+            { include("$jacamo/templates/common-moise.asl") }
+            { include("$moise/asl/org-obedient.asl") }
+            """;
+
     private static final String SKIPPED = "skipped: what runs under JaCaMo needs -Pjacamo=URL of its Maven repository";
     private static final boolean IS_HERE = System.getProperty("javino.jacamoRepository") != null;
 

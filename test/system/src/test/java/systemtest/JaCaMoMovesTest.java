@@ -52,12 +52,6 @@ class JaCaMoMovesTest {
             </organisational-specification>
             """;
 
-    private static final String TEMPLATES = """
-            { include("$jacamo/templates/common-cartago.asl") }
-            { include("$jacamo/templates/common-moise.asl") }
-            { include("$moise/asl/org-obedient.asl") }
-            """;
-
     @TempDir
     private Path folder;
 
@@ -104,7 +98,7 @@ class JaCaMoMovesTest {
                 -!try[error(E), error_msg(Why)] <- .print("I stay: ", E, " ", Why).
                 +!write(X) <- out(hello, X); .print("I wrote ", X).
                 -!write(X)[error(E)] <- .print("I could not write: ", E).
-                """ + TEMPLATES);
+                """ + JaCaMo.TEMPLATES);
 
         assertTrue(said.get(0).matches("I stay: cannot_travel .* holds an artifact's handle, cobj_\\d+"),
                 said::toString);
@@ -122,7 +116,7 @@ class JaCaMoMovesTest {
                         +!begin.
                         +!try <- .moveOut("@THERE@", mutualism); .print("I came there").
                         -!try[error(E), error_msg(Why)] <- .print("I stay: ", E, " ", Why).
-                        """ + TEMPLATES));
+                        """ + JaCaMo.TEMPLATES));
     }
 
     /** As the receiver's list says: and a guest has no artifacts, whatever the list says. */

@@ -85,12 +85,6 @@ class JaCaMoTest {
             .mapToObj(number -> "@OPERATION void n%d() { count++; }\n".formatted(number)).collect(Collectors.joining())
             + "}";
 
-    private static final String TEMPLATES = """
-            { include("$jacamo/templates/common-cartago.asl") }
-            { include("$jacamo/templates/common-moise.asl") }
-            { include("$moise/asl/org-obedient.asl") }
-            """;
-
     @TempDir
     private Path folder;
 
@@ -98,7 +92,7 @@ class JaCaMoTest {
         Platform jacamo = JaCaMo.platform(version);
         Map<String, String> files =
                 Map.of("house.jcm", MAS, "house.xml", ORGANISATION, "Notes.java", NOTES, "robot.asl",
-                        robot + TEMPLATES, "watcher.asl", watcher + TEMPLATES);
+                        robot + JaCaMo.TEMPLATES, "watcher.asl", watcher + JaCaMo.TEMPLATES);
         for (String file : files.keySet()) {
             Files.writeString(folder.resolve(file), files.get(file));
         }
