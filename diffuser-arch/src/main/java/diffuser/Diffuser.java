@@ -1,5 +1,6 @@
 package diffuser;
 
+import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -13,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.logging.Level;
 
 import jason.JasonException;
 import jason.ReceiverNotFoundException;
@@ -60,6 +62,7 @@ public class Diffuser extends AgArch {
     private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
     private transient HostChannel hosts;
+    private transient HostClock clock;
     private transient BoardSettings settings = BoardSettings.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
@@ -76,6 +79,7 @@ public class Diffuser extends AgArch {
         outbox = new Outbox(warnings, this::signal);
         intentions = new Intentions(this::getTS);
         questions = new Questions(intentions, outbox);
+        clock = new WallClock("hosts of " + getAgName(), this::stepFailed);
         services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
         moves = service(MoveService.class);
         hosts = new HostChannel(services, warnings::once);
@@ -302,6 +306,19 @@ public class Diffuser extends AgArch {
         return device().flatMap(Device::address);
     }
 
+    /** When, and on which thread, libraries do what they do by this board. */
+    public HostClock hostClock() {
+        return clock;
+    }
+
+    private void stepFailed(RuntimeException e) {
+        if (e instanceof UncheckedIOException disk) {
+            warnings.always("a step waits for the disk: " + disk.getMessage());
+        } else {
+            getTS().getLogger().log(Level.SEVERE, "a step of a host has failed: " + e, e);
+        }
+    }
+
     /** What a library on the class path does by this board, if it is there. */
     public <T extends BoardService> Optional<T> service(Class<T> kind) {
         return services.stream().filter(kind::isInstance).map(kind::cast).findFirst();
@@ -393,6 +410,7 @@ public class Diffuser extends AgArch {
     @Override
     public void stop() {
         services.forEach(BoardService::stop);
+        clock.execute(clock::close);
         CompletableFuture<Void> closed;
         synchronized (ending) {
             ended = true;

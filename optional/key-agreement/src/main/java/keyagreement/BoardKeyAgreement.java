@@ -16,8 +16,6 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.function.Consumer;
-import java.util.logging.Level;
 import java.util.stream.Stream;
 
 import jason.JasonException;
@@ -25,6 +23,7 @@ import jason.JasonException;
 import diffuser.BoardService;
 import diffuser.Diffuser;
 import diffuser.Failure;
+import diffuser.HostClock;
 import diffuser.KeyService;
 
 import javino.JavinoException;
@@ -58,22 +57,8 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
     /** Between two questions for the key of the group. */
     private static final long GROUP_AGAIN_MILLIS = 10_000;
 
-    /** The time, and the one thread on which all is done. */
-    public interface Clock {
-
-        /** Never goes back. */
-        long millis();
-
-        /** Has something done as soon as that time has passed; not if all has been closed. */
-        void after(long millis, Runnable step);
-
-        /** Nothing more is done. */
-        void close();
-    }
-
     private final Path folder;
-    private final Clock clock;
-    private final Consumer<RuntimeException> failed;
+    private final HostClock clock;
 
     // All that follows is used on the clock's thread only, but for what is volatile.
     private Host host;
@@ -102,9 +87,7 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
 
         @Override
         public KeyService of(Diffuser diffuser) {
-            return new BoardKeyAgreement(folder(), new WallClock("key agreement of " + diffuser.getAgName()),
-                    thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
-                            "a step of key agreement has failed: " + thrown, thrown));
+            return new BoardKeyAgreement(folder(), diffuser.hostClock());
         }
 
         private static Path folder() {
@@ -115,12 +98,10 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
 
     /**
      * @param folder where the identities of devices are, as {@code javino enroll} puts them.
-     * @param failed is told of what must not be.
      */
-    public BoardKeyAgreement(Path folder, Clock clock, Consumer<RuntimeException> failed) {
+    public BoardKeyAgreement(Path folder, HostClock clock) {
         this.folder = folder;
         this.clock = clock;
-        this.failed = failed;
     }
 
     /**
@@ -339,7 +320,7 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
 
     @Override
     public void stop() {
-        execute(clock::close);
+        // Its clock is closed with the agent.
     }
 
     // What the agreement wants done
@@ -509,16 +490,10 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
     }
 
     private void after(long millis, Runnable step) {
-        clock.after(millis, () -> carefully(step));
-    }
-
-    private void carefully(Runnable step) {
-        try {
+        clock.after(millis, () -> {
             step.run();
             follow();
-        } catch (RuntimeException e) {
-            failed.accept(e);
-        }
+        });
     }
 
     /** What follows from each step: when the next is due, and with whom there are keys. */

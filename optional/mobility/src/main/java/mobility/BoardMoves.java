@@ -12,12 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import java.util.logging.Level;
 
 import jason.JasonException;
 import jason.asSemantics.TransitionSystem;
@@ -28,6 +23,7 @@ import jason.asSyntax.Pred;
 import diffuser.BoardService;
 import diffuser.Diffuser;
 import diffuser.Failure;
+import diffuser.HostClock;
 import diffuser.MoveService;
 import diffuser.Policy;
 import diffuser.Provenance;
@@ -38,13 +34,13 @@ import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /** The moves by one agent's board: what {@link Moves} decides, this does in the MAS around it. */
-public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Mas {
+public final class BoardMoves implements MoveService, Moves.Air, Mas {
 
     /** Between two looks at whether a plan lets agents in. */
     private static final long LOOK_NANOS = Duration.ofSeconds(1).toNanos();
 
     private final Diffuser diffuser;
-    private final ScheduledExecutorService thread;
+    private final HostClock clock;
     private final Inhabitants inhabitants;
     private final Admission admission;
     private Moves moves;
@@ -63,11 +59,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     private BoardMoves(Diffuser diffuser) {
         this.diffuser = diffuser;
-        thread = Executors.newSingleThreadScheduledExecutor(step -> {
-            Thread named = new Thread(step, "moves of " + name());
-            named.setDaemon(true);
-            return named;
-        });
+        clock = diffuser.hostClock();
         inhabitants = new Inhabitants(diffuser);
         admission = new Admission(diffuser);
         looked = System.nanoTime() - 2 * LOOK_NANOS;
@@ -78,7 +70,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
                 Mobile.of(ts()).fallAsleep();
             }
             // As soon as the agent runs, the MAS has all its agents.
-            ts().runAtBeginOfNextCycle(() -> execute(() -> begin(away)));
+            ts().runAtBeginOfNextCycle(() -> clock.execute(() -> begin(away)));
         }
     }
 
@@ -115,7 +107,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-            moves = new Moves(this, this, folder, this, inhabitants.limits(), new SecureRandom());
+            moves = new Moves(clock, this, folder, this, inhabitants.limits(), new SecureRandom());
             moves.start();
         }
         return moves;
@@ -130,7 +122,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
      */
     CompletableFuture<String> depart(String agent, Protocol protocol, Address to, List<Bytes> texts) {
         CompletableFuture<String> end = new CompletableFuture<>();
-        execute(() -> {
+        clock.execute(() -> {
             try {
                 if (!diffuser.hasRadio()) {
                     throw new Failure("no_radio", "agents move by a board's radio, which this one has not")
@@ -170,7 +162,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     @Override
     public void received(Address from, HostMessage message) {
-        execute(() -> opened().received(from, message));
+        clock.execute(() -> opened().received(from, message));
     }
 
     @Override
@@ -196,44 +188,12 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     @Override
     public void stop() {
-        execute(() -> {
+        clock.execute(() -> {
             if (moves != null) {
                 moves.close();
                 folder.close();
             }
-            thread.shutdown();
         });
-    }
-
-    // Time
-
-    @Override
-    public long millis() {
-        return TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
-    }
-
-    @Override
-    public void after(long millis, Runnable step) {
-        try {
-            thread.schedule(() -> carefully(step), Math.max(0, millis), TimeUnit.MILLISECONDS);
-        } catch (RejectedExecutionException e) {
-            // The agent was stopped.
-        }
-    }
-
-    @Override
-    public void execute(Runnable step) {
-        after(0, step);
-    }
-
-    private void carefully(Runnable step) {
-        try {
-            step.run();
-        } catch (UncheckedIOException e) {
-            warn("a step of a move waits for the disk: " + e.getMessage());
-        } catch (RuntimeException e) {
-            ts().getLogger().log(Level.SEVERE, "a step of a move has failed: " + e.getMessage(), e);
-        }
     }
 
     // Air
@@ -310,7 +270,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     /** An agent has ended that was awake. For any thread. */
     void ended(String agent) {
-        execute(() -> {
+        clock.execute(() -> {
             if (moves != null) {
                 moves.ended(agent);
             }

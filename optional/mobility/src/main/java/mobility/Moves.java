@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -19,6 +18,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 import diffuser.Failure;
+import diffuser.HostClock;
 import diffuser.Policy;
 import diffuser.Provenance;
 import diffuser.Texts;
@@ -33,7 +33,7 @@ import javino.protocol.ProtocolException;
  * The moves of agents by one board (SPEC 9): what is said when, and what is written before. It knows neither Jason nor
  * boards, so that a test can end it at any step and begin a new one with the same folder.
  *
- * <p>All but {@link #depart}, {@link #received} and the counters is for the one thread of the {@link Clock}.
+ * <p>All but {@link #depart}, {@link #received} and the counters is for the one thread of the {@link HostClock}.
  */
 final class Moves {
 
@@ -58,14 +58,6 @@ final class Moves {
             "mod", "div", "if", "else", "elif", "while", "for", "begin", "end");
     private static final String BAD_NAME = "an agent that travels has a name of at most 64 letters, digits and _ that"
             + " begins with a small letter, no word of AgentSpeak, and not of four letters, as a device's address";
-
-    /** The time, and the thread on which all happens. */
-    interface Clock extends Executor {
-
-        long millis();
-
-        void after(long millis, Runnable step);
-    }
 
     /** Sends one message to a device. */
     interface Air {
@@ -94,7 +86,7 @@ final class Moves {
         CAME, LEFT, REFUSED, STAYED, DROPPED
     }
 
-    private final Clock clock;
+    private final HostClock clock;
     private final Air air;
     private final Folder folder;
     private final Mas mas;
@@ -105,7 +97,7 @@ final class Moves {
     private final Map<Count, AtomicLong> counts = new HashMap<>();
     private boolean closed;
 
-    Moves(Clock clock, Air air, Folder folder, Mas mas, Limits limits, RandomGenerator random) {
+    Moves(HostClock clock, Air air, Folder folder, Mas mas, Limits limits, RandomGenerator random) {
         this.clock = clock;
         this.air = air;
         this.folder = folder;

@@ -20,6 +20,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
 import diffuser.Failure;
+import diffuser.HostClock;
 import diffuser.TrustLevel;
 import diffuser.Policy;
 
@@ -160,7 +161,7 @@ final class Simulation {
     }
 
     /** A computer with a MAS. */
-    final class Side implements Mas, Moves.Clock, Moves.Air {
+    final class Side implements Mas, HostClock, Moves.Air {
 
         final Address address;
         private final Path place;
@@ -319,8 +320,8 @@ final class Simulation {
         }
 
         @Override
-        public void execute(Runnable step) {
-            after(0, step);
+        public void close() {
+            // Nothing is done any more while it is off.
         }
 
         @Override

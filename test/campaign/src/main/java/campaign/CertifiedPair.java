@@ -212,7 +212,7 @@ final class CertifiedPair implements AutoCloseable {
     }
 
     String warnings() {
-        return first.warnings() + " " + second.warnings();
+        return first.warnings() + " " + second.warnings() + " " + firstClock.failed() + " " + secondClock.failed();
     }
 
     @Override

@@ -1,13 +1,15 @@
 package campaign;
 
 import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import keyagreement.BoardKeyAgreement;
+import diffuser.HostClock;
 
 /** The boards' time for a host, on a thread of its own. */
-final class EmulatedClock implements BoardKeyAgreement.Clock {
+final class EmulatedClock implements HostClock {
 
     private final Timetable time;
     private final ExecutorService thread = Executors.newSingleThreadExecutor(step -> {
@@ -15,6 +17,7 @@ final class EmulatedClock implements BoardKeyAgreement.Clock {
         named.setDaemon(true);
         return named;
     });
+    private final List<RuntimeException> failed = new CopyOnWriteArrayList<>();
     private volatile long nanos;
 
     EmulatedClock(Timetable time) {
@@ -38,7 +41,11 @@ final class EmulatedClock implements BoardKeyAgreement.Clock {
     private void run(Runnable step) {
         try {
             thread.execute(() -> {
-                step.run();
+                try {
+                    step.run();
+                } catch (RuntimeException e) {
+                    failed.add(e);
+                }
                 nanos = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
             });
         } catch (RejectedExecutionException e) {
@@ -49,6 +56,11 @@ final class EmulatedClock implements BoardKeyAgreement.Clock {
     /** The CPU's time that the thread has used, in ms. */
     double used() {
         return nanos / 1e6;
+    }
+
+    /** What steps have thrown. */
+    List<RuntimeException> failed() {
+        return failed;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package harness;
 
 import diffuser.HostChannel;
+import diffuser.HostClock;
 import diffuser.KeyService;
 import diffuser.TrustLevel;
 import java.nio.file.Path;
@@ -44,11 +45,11 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
      * @param identities where its certificate is.
      * @param received   takes what others say, on the clock's thread.
      */
-    public CertifiedHost(LinkOpener link, Address self, Path identities, BoardKeyAgreement.Clock clock,
+    public CertifiedHost(LinkOpener link, Address self, Path identities, HostClock clock,
             Consumer<Content> received) {
         this.self = self;
         this.received = received;
-        agreement = new BoardKeyAgreement(identities, clock, thrown -> warnings.add(thrown.toString()));
+        agreement = new BoardKeyAgreement(identities, clock);
         hosts = new HostChannel(List.of(agreement), warnings::add);
         board.complete(Board.open(link, BoardConfig.create(), this));
         Host.get(board.join().setRfId(self));
