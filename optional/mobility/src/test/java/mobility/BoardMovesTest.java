@@ -9,12 +9,31 @@ import java.util.concurrent.ExecutionException;
 
 import diffuser.Diffuser;
 import diffuser.Failure;
+import diffuser.HostClock;
 
 import javino.protocol.Address;
 
 import org.junit.jupiter.api.Test;
 
 class BoardMovesTest {
+
+    private static final HostClock AT_ONCE = new HostClock() {
+
+        @Override
+        public long millis() {
+            return 0;
+        }
+
+        @Override
+        public void after(long millis, Runnable step) {
+            step.run();
+        }
+
+        @Override
+        public void close() {
+            // There is nothing to end.
+        }
+    };
 
     @Test
     void depart_byABoardWithoutARadio_failsAndSaysSo() {
@@ -24,6 +43,11 @@ class BoardMovesTest {
             @Override
             public boolean hasRadio() {
                 return false;
+            }
+
+            @Override
+            public HostClock hostClock() {
+                return AT_ONCE;
             }
         });
         BoardMoves moves = (BoardMoves) new BoardMoves.Maker().of(diffuser);
