@@ -117,10 +117,20 @@ static void read_send(command *c, const json_node *node) {
     json_fail(&flip, "expected the number of a bit of the payload, 0 to %d", (int)bits - 1);
 }
 
+// What a host tells of one of its state machines: texts that are for the trace alone.
+static void read_transition(const json_node *node) {
+  static const char *const KEYS[] = {"do", "machine", "host", "peer", "id", "state", NULL};
+  if (!json_check_object(node, KEYS)) return;
+  for (const char *const *key = KEYS; *key; key++) {
+    json_node text = json_member(node, *key);
+    if (!json_is_string(text.value)) json_expected(&text, "a text in quotes");
+  }
+}
+
 static void read(command *c, const json_node *node, const scenario *s) {
   // The faults, and the other kinds in their order.
-  static const char *const NAMES[] = {"reset", "unplug", "plug",  "power-cut", "jam",  "move", "obstacle",
-                                      "light", "sensor", "radio", "speed",     "send", NULL};
+  static const char *const NAMES[] = {"reset", "unplug", "plug",  "power-cut", "jam",  "move",       "obstacle",
+                                      "light", "sensor", "radio", "speed",     "send", "transition", NULL};
   json_node name = json_member(node, "do");
   if (!json_is_object(node->value)) json_expected(node, "an object { … }");
   if (!json_given(&name)) json_expected(&name, "a command, for example \"reset\"");
@@ -136,6 +146,7 @@ static void read(command *c, const json_node *node, const scenario *s) {
     case COMMAND_RADIO: read_radio(node); break;
     case COMMAND_SPEED: read_speed(c, node); break;
     case COMMAND_SEND: read_send(c, node); break;
+    case COMMAND_TRANSITION: read_transition(node); break;
   }
 }
 

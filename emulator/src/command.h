@@ -19,7 +19,8 @@ typedef enum {
   COMMAND_SENSOR,
   COMMAND_RADIO,
   COMMAND_SPEED,
-  COMMAND_SEND
+  COMMAND_SEND,
+  COMMAND_TRANSITION
 } command_kind;
 
 typedef struct {

@@ -28,14 +28,15 @@ static const char *prepare(emulation *e, const command *c) {
   }
 }
 
-static void write_event(emulation *e, const json_t *given) {
-  const char *board = json_string_value(json_object_get(given, "board"));
+static void write_event(emulation *e, const command *c) {
+  bool of_host = c->kind == COMMAND_TRANSITION;
+  const char *board = json_string_value(json_object_get(c->given, "board"));
   const char *key;
   json_t *value;
-  trace_begin(e->out, e->now, board, "command");
-  trace_count(e->out, "cycle", e->now);
-  json_object_foreach((json_t *)given, key, value) {
-    if (strcmp(key, "board") != 0) trace_json(e->out, key, value);
+  trace_begin(e->out, e->now, board, of_host ? "transition" : "command");
+  if (!of_host) trace_count(e->out, "cycle", e->now);
+  json_object_foreach(c->given, key, value) {
+    if (strcmp(key, of_host ? "do" : "board") != 0) trace_json(e->out, key, value);
   }
   trace_end(e->out);
 }
@@ -65,7 +66,7 @@ int emulation_command(emulation *e, const command *c, char *error, size_t error_
     snprintf(error, error_size, "command: %s", wrong);
     return -1;
   }
-  write_event(e, c->given);
+  write_event(e, c);
   switch (c->kind) {
     case COMMAND_FAULT:
       if (emulation_fault(e, &c->fault) == 0) return 0;
@@ -77,7 +78,8 @@ int emulation_command(emulation *e, const command *c, char *error, size_t error_
     case COMMAND_RADIO: set_radio(e, c); break;
     case COMMAND_SPEED: e->speed_asked = c->value; break;
     case COMMAND_OBSTACLE:
-    case COMMAND_SEND: break;
+    case COMMAND_SEND:
+    case COMMAND_TRANSITION: break;
   }
   return 0;
 }

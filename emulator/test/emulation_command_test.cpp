@@ -20,7 +20,7 @@ TEST(CommandLine, each_mistake_gets_a_line_that_helps) {
       {"{}", "do: is missing; expected a command, for example \"reset\""},
       {R"({"do":5})",
        "do: expected reset, unplug, plug, power-cut, jam, move, obstacle, light, sensor, radio, speed, send, "
-       "found 5"},
+       "transition, found 5"},
       {R"({"do":"rest"})", "do: unknown value \"rest\"; did you mean \"reset\"?"},
       {R"({"do":"reset","do":"plug"})", "column 18: duplicate object key near '\"do\"'"},
       {R"({"do":"reset"})", "board: is missing; expected the name of one of the boards"},
@@ -62,6 +62,9 @@ TEST(CommandLine, each_mistake_gets_a_line_that_helps) {
        "hops: expected the number of hops behind the packet, 0 to 2"},
       {R"({"do":"send","position":[0,0],"payload":"00","hops":"1"})",
        "hops: expected the number of hops behind the packet, 0 to 2"},
+      {R"({"do":"transition","machine":"arrival","host":"SUBB","peer":"SUSS","id":"7"})",
+       "state: is missing; expected a text in quotes"},
+      {R"({"do":"transition","machine":7})", "machine: expected a text in quotes, found 7"},
   };
   Scratch scratch;
   Emulation run(scratch, CAR);
@@ -103,6 +106,15 @@ TEST(EmulationCommand, is_in_the_trace_as_it_was_given_with_its_cycle) {
       std::string::npos)
       << trace;
   EXPECT_EQ(run.events("car", "reset").size(), 2u);
+}
+
+TEST(EmulationCommand, what_a_host_tells_of_itself_is_in_the_trace_only) {
+  Scratch scratch;
+  Emulation run(scratch, CAR);
+  std::string told = R"("machine":"arrival","host":"SUBB","peer":"SUSS","id":"7","state":"here"})";
+  EXPECT_EQ(run.command(R"({"do":"transition",)" + told), "");
+  EXPECT_NE(run.trace_text().find(R"("event":"transition",)" + told + "\n"), std::string::npos) << run.trace_text();
+  EXPECT_TRUE(run.events("command").empty());
 }
 
 TEST(EmulationCommand, faults_come_at_once) {

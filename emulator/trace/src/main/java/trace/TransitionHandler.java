@@ -1,0 +1,60 @@
+package trace;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.logging.ErrorManager;
+import java.util.logging.Handler;
+import java.util.logging.LogManager;
+import java.util.logging.LogRecord;
+
+/**
+ * Has the emulator write into its trace in which state a host's machine is. Whoever logs that goes on when it is there:
+ * so it stands behind what the board had handed over, and before what the host says because of it.
+ */
+public final class TransitionHandler extends Handler {
+
+    private static final String CONTROL = TransitionHandler.class.getName() + ".control";
+    private static final List<String> PARAMETERS = List.of("machine", "host", "peer", "id", "state");
+
+    private final Path control;
+
+    /** As {@link #configuration} has it. */
+    public TransitionHandler() {
+        this(Path.of(LogManager.getLogManager().getProperty(CONTROL)));
+    }
+
+    /** @param control the emulator's control socket. */
+    public TransitionHandler(Path control) {
+        this.control = control;
+    }
+
+    /** What a configuration of loggers needs so that this is a handler of the logger. */
+    public static String configuration(String logger, Path control) {
+        return String.format("%n%s.handlers = %s%n%s.level = FINE%n%s = %s%n", logger,
+                TransitionHandler.class.getName(), logger, CONTROL, control);
+    }
+
+    @Override
+    public void publish(LogRecord transition) {
+        Map<String, String> command = new LinkedHashMap<>(Map.of("do", "transition"));
+        for (int i = 0; i < PARAMETERS.size(); i++) {
+            command.put(PARAMETERS.get(i), transition.getParameters()[i].toString());
+        }
+        command.computeIfPresent("state", (state, name) -> name.toLowerCase(Locale.ROOT));
+        try {
+            EmulatorControl.perform(control, command);
+        } catch (IOException failed) {
+            reportError("the trace lacks a transition", failed, ErrorManager.WRITE_FAILURE);
+        }
+    }
+
+    @Override
+    public void flush() {}
+
+    @Override
+    public void close() {}
+}
