@@ -13,7 +13,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
+import javino.board.Transitions;
 import keyagreement.BoardKeyAgreement;
+import trace.TransitionHandler;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
@@ -168,15 +170,13 @@ final class Options {
     /** @param keys where it writes the keys that hosts agree on. */
     List<String> emulatorCommand(Path keys) throws IOException {
         List<String> command =
-                new ArrayList<>(List.of(emulator.toString(), scenario(), "--trace", "-", "--seed", "" + seed));
+                new ArrayList<>(List.of(emulator.toString(), scenario(), "--trace", "-", "--seed", "" + seed,
+                        "--control", CONTROL));
         if (radioBitErrorRate != null) {
             command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
         }
         if (radioRange != null) {
             command.addAll(List.of("--set", "radio.range=" + radioRange));
-        }
-        if (live()) {
-            command.addAll(List.of("--control", CONTROL));
         }
         if (certificates()) {
             command.addAll(List.of("--keys", keys.toString()));
@@ -248,10 +248,17 @@ final class Options {
     }
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
-    List<String> agentCommand(Device device) {
+    List<String> agentCommand(Device device) throws IOException {
         return java(System.getProperty("java.class.path"),
                 live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS",
-                mas(device), "--log-conf", "logging.properties", "--no-net");
+                mas(device), "--log-conf", logging(device), "--no-net");
+    }
+
+    /** Agents tell the emulator of their state machines, too. */
+    private static String logging(Device device) throws IOException {
+        return Files.writeString(Path.of("build", device.id() + ".properties"),
+                Files.readString(Path.of("logging.properties"))
+                        + TransitionHandler.configuration(Transitions.LOGGER, Path.of(CONTROL))).toString();
     }
 
     private String mas(Device device) {

@@ -2,6 +2,7 @@ package keyagreement;
 
 import java.util.HashMap;
 import java.util.Map;
+import javino.board.Transitions;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -25,6 +26,11 @@ abstract class Handshake {
     private static final int WAITED_TIMES = 3;
     /** After a fragment of others, at least, and again as a random part: their next one comes sooner. */
     private static final int OTHERS_MILLIS = 600;
+
+    /** Where a handshake is. */
+    enum State {
+        OPEN, HALF_OPEN, SETTING, DONE, OVER
+    }
 
     /** The two ways to agree on a key. */
     enum Round {
@@ -63,6 +69,16 @@ abstract class Handshake {
         this.shared = shared;
         this.peer = peer;
         this.round = round;
+    }
+
+    /** Message 1, which both sides have. */
+    abstract Bytes message1();
+
+    /** Has it known where it is, before anything follows from that. */
+    void log(State state) {
+        Transitions.log(this instanceof InitiatorHandshake ? "initiator" : "responder",
+                shared.identity().certificate().address(), peer.address(),
+                message1().slice(Integer.BYTES, 2 * Integer.BYTES).hex(), state);
     }
 
     Shared shared() {

@@ -76,7 +76,13 @@ final class InitiatorHandshake extends Handshake {
         disturbed = false;
     }
 
+    @Override
+    Bytes message1() {
+        return asking.message1();
+    }
+
     void start(long now) {
+        log(State.OPEN);
         tried();
         sayAll(round().first, asking.message1(), round().secondMillis, now);
     }

@@ -311,6 +311,7 @@ final class Peer {
             beginFull(now);
             return;
         }
+        handshake.log(Handshake.State.OVER);
         finished(handshake);
         shared.count(Event.FAILED);
         if (isHalfOpen()) {
@@ -327,6 +328,7 @@ final class Peer {
         setting = handshake;
         initiated = handshake == initiated ? initiated : null;
         shared.halfOpen().removeIf(run -> run.peer() == this);
+        handshake.log(Handshake.State.SETTING);
         shared.effects().setSessionKey(address, key);
     }
 
@@ -338,10 +340,12 @@ final class Peer {
         setting = null;
         if (!done) {
             session = Session.NONE;
+            handshake.log(Handshake.State.OVER);
             finished(handshake);
             failOrAgain(Ending.NOT_SENT, now);
             return;
         }
+        handshake.log(Handshake.State.DONE);
         shared.count(Event.KEYS_SET);
         keysSet++;
         keySetAt = now;

@@ -41,9 +41,15 @@ final class ResponderHandshake extends Handshake {
         return first.kind() == round().first && first.body().equals(message1);
     }
 
+    @Override
+    Bytes message1() {
+        return message1;
+    }
+
     /** Says message 2; the same each time. */
     void answer(long now) {
         if (end == NEVER) {
+            log(State.HALF_OPEN);
             sayAll(round().second, answering.message2(), round().thirdMillis, now);
         } else {
             for (int i = 0; i < round().second.fragments(); i++) {
@@ -79,6 +85,7 @@ final class ResponderHandshake extends Handshake {
             due.clear();
         } else if (end == NEVER || now >= end) {
             shared().count(Event.EXPIRED);
+            log(State.OVER);
             peer().finished(this);
             peer().advance(now);
         } else if (wantsLeft > 0) {

@@ -23,6 +23,7 @@ import diffuser.Policy;
 import diffuser.Provenance;
 import diffuser.Texts;
 
+import javino.board.Transitions;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -84,6 +85,11 @@ final class Moves {
     /** What is counted, for who looks for a fault. */
     enum Count {
         CAME, LEFT, REFUSED, STAYED, DROPPED
+    }
+
+    /** States that no record has. */
+    private enum Unrecorded {
+        COMING, NONE, OVER
     }
 
     private final HostClock clock;
@@ -297,7 +303,23 @@ final class Moves {
         }
     }
 
+    /** Has it known in which state a move is, before anything follows from that. */
+    private void log(Move.Key key) {
+        Departure departure = departures.get(key);
+        Arrival arrival = arrivals.get(key);
+        log(key, key.out() ? departure == null ? Unrecorded.OVER : departure.state()
+                : arrival == null ? Unrecorded.NONE : arrival.state());
+    }
+
+    private void log(Move.Key key, Enum<?> state) {
+        mas.here().ifPresent(here -> Transitions.log(key.out() ? "departure" : "arrival", here, key.peer(),
+                String.format("%08x", key.number()), state));
+    }
+
     private CompletableFuture<Outcome> say(Address to, int number, MoveMessage.Said said) {
+        boolean out = said instanceof MoveMessage.Offer || said instanceof MoveMessage.Data
+                || said instanceof MoveMessage.Go || said instanceof MoveMessage.Cancelled;
+        log(new Move.Key(out, to, number));
         return air.send(to, new MoveMessage(number, said).encode());
     }
 
@@ -457,6 +479,10 @@ final class Moves {
             });
         }
 
+        Enum<?> state() {
+            return went ? Move.State.GONE : move.state();
+        }
+
         /** Whether it may come back. */
         private boolean isOpen() {
             return departures.get(move.key()) == this && move.state() == Move.State.OFFERED;
@@ -585,6 +611,7 @@ final class Moves {
                 }
             }
             close();
+            log(move.key(), Move.State.AWAY);
             if (move.protocol() != Protocol.CLONING) {
                 mas.left(move);
             }
@@ -605,6 +632,7 @@ final class Moves {
         private void stay(Failure why) {
             folder.delete(move.key());
             close();
+            log(move.key());
             counts.get(Count.STAYED).incrementAndGet();
             if (restarted) {
                 mas.stays(move, texts, why);
@@ -699,6 +727,10 @@ final class Moves {
             lastProgress = lastWord;
         }
 
+        Enum<?> state() {
+            return recorded ? move.state() : admitted ? Unrecorded.COMING : Unrecorded.NONE;
+        }
+
         boolean isHere(String agent) {
             return recorded && move.state() == Move.State.HERE && move.name().equals(agent);
         }
@@ -740,6 +772,7 @@ final class Moves {
                 }
                 if (clock.millis() - lastWord >= FORGET_MILLIS) {
                     arrivals.remove(move.key());
+                    log(move.key());
                     folder.tidy();
                 } else {
                     watch();
@@ -905,6 +938,7 @@ final class Moves {
                     : move.in(Move.State.HERE);
             folder.write(here);
             move = here;
+            log(move.key());
             call.stop();
             absences.forEach(this::forget);
             counts.get(Count.CAME).incrementAndGet();
@@ -936,6 +970,7 @@ final class Moves {
                 departure.awake("");
             }
             folder.delete(absence.key());
+            log(absence.key());
         }
 
         /** From its record, which says that nothing is to be done: the agent has left, or was about to. */
@@ -951,6 +986,7 @@ final class Moves {
             }
             folder.write(move.in(Move.State.LEFT));
             move = move.in(Move.State.LEFT);
+            log(move.key());
             List<Arrival> over = arrivals.values().stream().filter(Arrival::isOver).toList();
             over.stream().limit(Math.max(0, over.size() - MOST_LEFT)).forEach(old -> {
                 arrivals.remove(old.move.key());
@@ -979,6 +1015,7 @@ final class Moves {
             folder.delete(move.key());
             call.stop();
             arrivals.remove(move.key());
+            log(move.key());
         }
     }
 }

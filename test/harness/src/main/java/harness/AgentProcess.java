@@ -5,8 +5,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javino.board.Transitions;
+import trace.TransitionHandler;
 
 /** A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. */
 public final class AgentProcess implements AutoCloseable {
@@ -56,16 +61,14 @@ public final class AgentProcess implements AutoCloseable {
     public static AgentProcess run(Platform platform, String name, Path folder, Consumer<String> listener)
             throws IOException {
         ProcessBuilder command =
-                new ProcessBuilder(platform.command(name, ROOT.resolve("examples/highway/logging.properties")))
-                        .directory(folder.toFile());
+                new ProcessBuilder(platform.command(name, logging(name, folder))).directory(folder.toFile());
         return new AgentProcess(command.redirectErrorStream(true).start(), listener);
     }
 
     /** The same, with options of Java. */
     public static AgentProcess run(String name, Path folder, List<String> options) throws IOException {
-        ProcessBuilder command = new ProcessBuilder(
-                Platform.USUAL.command(name, ROOT.resolve("examples/highway/logging.properties")))
-                .directory(folder.toFile());
+        ProcessBuilder command =
+                new ProcessBuilder(Platform.USUAL.command(name, logging(name, folder))).directory(folder.toFile());
         command.environment().put("JAVA_TOOL_OPTIONS", String.join(" ", options));
         return start(command);
     }
@@ -73,6 +76,15 @@ public final class AgentProcess implements AutoCloseable {
     /** Starts it by a command of its own. */
     public static AgentProcess start(ProcessBuilder command) throws IOException {
         return new AgentProcess(command.redirectErrorStream(true).start(), line -> {});
+    }
+
+    /** Below an emulator's folder a host tells that emulator of its state machines, too. */
+    private static Path logging(String name, Path folder) throws IOException {
+        String usual = Files.readString(ROOT.resolve("examples/highway/logging.properties"));
+        Optional<Path> control = Stream.iterate(folder.toAbsolutePath(), Objects::nonNull, Path::getParent)
+                .map(above -> above.resolve(Emulator.CONTROL)).filter(Files::exists).findFirst();
+        return Files.writeString(folder.resolve(name + ".properties"), usual + control
+                .map(socket -> TransitionHandler.configuration(Transitions.LOGGER, socket)).orElse(""));
     }
 
     private static void copy(String file, Path folder) throws IOException {

@@ -4,11 +4,6 @@ import com.google.gson.Gson;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.UnixDomainSocketAddress;
-import java.nio.ByteBuffer;
-import java.nio.channels.Channels;
-import java.nio.channels.SocketChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -24,7 +19,12 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import javino.board.Transitions;
+import trace.EmulatorControl;
 import trace.TraceEvent;
+import trace.TransitionHandler;
 import uppaal.replay.Replay;
 
 /**
@@ -35,7 +35,7 @@ public final class Emulator implements AutoCloseable {
 
     private static final String MEGA = "mega";
     /** In the emulator's own folder, as the path of a socket must be short. */
-    private static final String CONTROL = "control";
+    static final String CONTROL = "control";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
@@ -44,6 +44,7 @@ public final class Emulator implements AutoCloseable {
      */
     private static final int LATEST_LINES = 10_000;
     private static final StackWalker WALKER = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
+    private static final Logger TRANSITIONS = Logger.getLogger(Transitions.LOGGER);
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
     static {
@@ -60,6 +61,8 @@ public final class Emulator implements AutoCloseable {
     private final Deque<String> latest = new ArrayDeque<>();
     private final Replay model;
     private final boolean modelled;
+    /** For hosts in this process. */
+    private final TransitionHandler transitions;
     private Thread reader;
     private int lines;
     private boolean keeping = true;
@@ -70,6 +73,7 @@ public final class Emulator implements AutoCloseable {
         model = new Replay(keys(folder));
         this.listener = listener;
         this.modelled = modelled;
+        transitions = new TransitionHandler(folder.resolve(CONTROL));
     }
 
     /** What a test says of its scenario; the words are those of emulator/README.md. */
@@ -166,6 +170,8 @@ public final class Emulator implements AutoCloseable {
             emulator.reader = read(process.inputReader(), emulator::traced);
             read(process.errorReader(), emulator::complained);
             emulator.awaitPower(boards);
+            TRANSITIONS.setLevel(Level.FINE);
+            TRANSITIONS.addHandler(emulator.transitions);
             emulator.keep(keeping);
             return emulator;
         }
@@ -296,12 +302,8 @@ public final class Emulator implements AutoCloseable {
 
     /** Gives the emulator a command, in the words of emulator/README.md, and waits until it has taken effect. */
     public void command(Map<String, Object> command) {
-        try (SocketChannel socket = SocketChannel.open(UnixDomainSocketAddress.of(folder.resolve(CONTROL)))) {
-            socket.write(ByteBuffer.wrap((new Gson().toJson(command) + "\n").getBytes(StandardCharsets.UTF_8)));
-            String answer = new BufferedReader(Channels.newReader(socket, StandardCharsets.UTF_8)).readLine();
-            if (!"{\"ok\":true}".equals(answer)) {
-                throw new AssertionError(command + ": " + answer);
-            }
+        try {
+            EmulatorControl.perform(folder.resolve(CONTROL), command);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
@@ -337,6 +339,7 @@ public final class Emulator implements AutoCloseable {
      */
     @Override
     public void close() {
+        TRANSITIONS.removeHandler(transitions);
         process.toHandle().destroy();
         RUNNING.remove(process);
         try {
