@@ -42,6 +42,6 @@ class TracesTest {
 
     @Test
     void moves_arePutTogether() throws Exception {
-        check("moves/walker");
+        check("hosts/walker");
     }
 }

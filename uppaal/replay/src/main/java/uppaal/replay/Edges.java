@@ -42,8 +42,8 @@ public final class Edges {
             counts.computeIfAbsent(test, added -> new ArrayList<>()).add(edges.size());
         }
         counts.forEach((test, edges) -> System.out.println("model: edges taken by " + test + ": " + edges));
-        // How a move ends chance decides: what of it is not taken is told, and no fault.
-        count(runs.size() + " runs may have taken", Replay.edgesOfMoves(), taken, "of moves");
+        // What becomes of a move or a handshake chance decides: what is not taken is told, and no fault.
+        count(runs.size() + " runs may have taken", Replay.transitions(), taken, "of hosts");
         int all = Replay.edges().size();
         return count(runs.size() + " runs may have taken", Replay.edges(), taken, "of delivery") * ALL >= enough * all
                 ? 0

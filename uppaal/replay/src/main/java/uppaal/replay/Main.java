@@ -47,11 +47,11 @@ public final class Main {
         }
         System.out.println(replay.verdict());
         Set<String> covered = replay.covered();
-        Set<String> moves = Replay.edgesOfMoves();
-        long ofMoves = covered.stream().filter(moves::contains).count();
-        System.out.println("model: it may have taken " + (covered.size() - ofMoves) + " of the model's "
+        Set<String> hosts = Replay.transitions();
+        long ofHosts = covered.stream().filter(hosts::contains).count();
+        System.out.println("model: it may have taken " + (covered.size() - ofHosts) + " of the model's "
                 + Replay.edges().size() + " edges"
-                + (ofMoves == 0 ? "" : ", and of moves " + ofMoves + " of " + moves.size()));
+                + (ofHosts == 0 ? "" : ", and of hosts " + ofHosts + " of " + hosts.size() + " transitions"));
         return replay.refusal().isPresent() ? 1 : 0;
     }
 }

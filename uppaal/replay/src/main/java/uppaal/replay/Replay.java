@@ -16,8 +16,8 @@ import javino.protocol.Payload;
 import trace.TraceEvent;
 
 /**
- * Replays a trace of emulated boards in the automata of {@code delivery.xml} and {@code handover.xml}: what was on the
- * air and what passed between boards and hosts must be what the models allow. Takes the lines as they come; what it
+ * Replays a trace of emulated boards in the models: what was on the air, what passed between boards and hosts, and what
+ * hosts tell of their machines must be what these allow. Takes the lines as they come; what it
  * remembers does not grow with the trace.
  */
 public final class Replay {
@@ -62,8 +62,7 @@ public final class Replay {
     private final Scenes scenes;
     private final RadioCell cell;
     private final Bytes bytes;
-    private final Handover handover;
-    private final Moves moves;
+    private final HostMachines machines = new HostMachines();
     private int lines;
     private int events;
     private double now;
@@ -72,7 +71,7 @@ public final class Replay {
 
     /** Where the run's keys are not known: what is sealed is not opened. */
     public Replay() {
-        this(null, new Scenes(), new Handover());
+        this(null, new Scenes());
     }
 
     /**
@@ -81,21 +80,19 @@ public final class Replay {
      * @param keys a keyring, or what the emulator's {@code --keys} writes; it may come to be while the trace does
      */
     public Replay(Path keys) {
-        this(new Keys(keys), new Scenes(), new Handover());
+        this(new Keys(keys), new Scenes());
     }
 
-    private Replay(Keys keys, Scenes scenes, Handover handover) {
+    private Replay(Keys keys, Scenes scenes) {
         this.keys = keys;
         this.scenes = scenes;
         cell = new RadioCell(disturbances, scenes);
         bytes = new Bytes(keys);
-        this.handover = handover;
-        moves = new Moves(handover);
     }
 
     /** A replay of a trace much like this one, by the same thread: it knows what this one has found of the model. */
     public Replay another() {
-        return new Replay(keys, scenes, handover);
+        return new Replay(keys, scenes);
     }
 
     /** Boards may hear more than the trace tells, and less: nothing is demanded, and little refused for its time. */
@@ -138,7 +135,6 @@ public final class Replay {
     public synchronized void finish() {
         ended = true;
         perform(Double.POSITIVE_INFINITY);
-        moves.end();
     }
 
     /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */
@@ -149,17 +145,17 @@ public final class Replay {
     /** In one line, what came of it. */
     public synchronized String verdict() {
         return "model: trace "
-                + (refusal == null ? "accepted (" + events + " events" + bytes.checked() + moves.checked() + ")"
+                + (refusal == null ? "accepted (" + events + " events" + bytes.checked() + machines.checked() + ")"
                         : "refused at " + refusal);
     }
 
     /**
-     * Edges of the models' automata that the trace may have taken, as {@link #edges} and {@link #edgesOfMoves} name
-     * them.
+     * Edges of {@code delivery.xml} that the trace may have taken, and transitions of hosts, as {@link #edges} and
+     * {@link #transitions} name them.
      */
     public synchronized Set<String> covered() {
         Set<String> all = new TreeSet<>(scenes.covered());
-        all.addAll(handover.covered());
+        all.addAll(machines.covered());
         return all;
     }
 
@@ -168,9 +164,9 @@ public final class Replay {
         return Scenes.edges();
     }
 
-    /** Likewise of {@code handover.xml}. */
-    public static Set<String> edgesOfMoves() {
-        return Handover.edges();
+    /** All transitions of hosts' machines. */
+    public static Set<String> transitions() {
+        return HostMachines.transitions();
     }
 
     private void enter(TraceEvent event) {
@@ -215,7 +211,7 @@ public final class Replay {
                             event.has("until") ? event.real("until") : event.seconds() + BROKEN_OFF);
                 }
             }
-            case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed",
+            case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed", "transition",
                     "host-taking", "host-taken",
                     "host-outcome", "host-nothing", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
@@ -321,16 +317,20 @@ public final class Replay {
             case "host-id" -> {
                 cell.named(event);
                 bytes.named(event);
-                moves.greets(event);
+                machines.greet(event);
             }
-            case "host-key" -> cell.key(event);
+            case "host-key" -> {
+                cell.key(event);
+                machines.give(event);
+            }
+            case "transition" -> machines.tell(event);
             case "host-radio" -> cell.radio(event);
             case "host-relaying" -> cell.relaying(event);
             case "counters" -> cell.over(event);
             case "host-transmit" -> {
                 cell.transmit(event);
                 bytes.transmit(event);
-                moves.says(event);
+                machines.say(event);
             }
             case "host-relay" -> cell.relay(event);
             case "crash" -> throw new RefusedException(event.board() + "'s program crashes");
@@ -339,7 +339,7 @@ public final class Replay {
                 cell.tell(event);
                 cell.hand(event);
                 bytes.hand(event);
-                moves.hears(event);
+                machines.hear(event);
             }
             case "host-taking" -> cell.take(event, "taking");
             case "host-taken" -> cell.take(event, "confirmed");

@@ -33,6 +33,6 @@ class EdgesTest {
     @Test
     void edges_areThoseThatTracesTake() {
         assertEquals(132, Replay.edges().size());
-        assertEquals(67, Replay.edgesOfMoves().size());
+        assertEquals(23, Replay.transitions().size());
     }
 }
