@@ -8,8 +8,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
 import javino.protocol.HostMessage.Kind;
 import javino.protocol.HostMessage.Use;
@@ -23,12 +24,12 @@ import uppaal.document.Document;
  * sides of a move or a handshake have one id. Hosts that tell nothing may say anything.
  */
 final class HostMachines {
-    /** On the other side. */
-    static final Map<String, String> OTHERS = Map.of("departure", "arrival", "arrival", "departure", "initiator",
+    private static final Map<String, String> OTHERS = Map.of("departure", "arrival", "arrival", "departure", "initiator",
             "responder", "responder", "initiator");
-    private static final String AWAY = "";
-    private static final int ID_AT = 4;
     private static final Map<String, MachineModel> MODELS = models();
+    private static final String AWAY = "";
+    /** Of the id of a move in a body; that of a handshake comes behind as many bytes. */
+    private static final int ID = 4;
 
     private final Map<HostMachine.Key, HostMachine> machines = new Recent<>();
     /** By board, its last address. */
@@ -46,13 +47,9 @@ final class HostMachines {
     private static Map<String, MachineModel> models() {
         Document moves = Scenes.model("handover.xml");
         Document handshakes = Scenes.model("handshake.xml");
-        Map<String, MachineModel> models = new HashMap<>();
-        for (String machine : OTHERS.keySet()) {
-            Document model = isOfMove(machine) ? moves : handshakes;
-            models.put(machine, new MachineModel(model,
-                    machine.substring(0, 1).toUpperCase(Locale.ROOT) + machine.substring(1)));
-        }
-        return models;
+        return OTHERS.keySet().stream().collect(Collectors.toMap(machine -> machine,
+                machine -> new MachineModel((isOfMove(machine) ? moves : handshakes)
+                        .template(machine.substring(0, 1).toUpperCase(Locale.ROOT) + machine.substring(1)))));
     }
 
     private static boolean isOfMove(String machine) {
@@ -61,9 +58,8 @@ final class HostMachines {
 
     /** All transitions that a trace can tell: {@code machine: state -> state}. */
     static Set<String> transitions() {
-        Set<String> all = new TreeSet<>();
-        MODELS.forEach((machine, model) -> model.transitions().forEach(step -> all.add(machine + ": " + step)));
-        return all;
+        return MODELS.entrySet().stream().flatMap(model -> model.getValue().transitions().stream()
+                .map(step -> model.getKey() + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** Those that were told. */
@@ -83,31 +79,34 @@ final class HostMachines {
         return machine;
     }
 
+    private static void require(boolean right, String wrong) throws RefusedException {
+        if (!right) {
+            throw new RefusedException(wrong);
+        }
+    }
+
     // What a host tells of itself
 
     void tell(TraceEvent event) throws RefusedException {
-        HostMachine.Key key = new HostMachine.Key(event.text("machine"), event.text("host"), event.text("peer"),
-                event.text("id"));
-        if (!hosts.containsValue(key.host())) {
+        String host = event.text("host");
+        String state = event.text("state");
+        HostMachine.Key key = new HostMachine.Key(event.text("machine"), host, event.text("peer"), event.text("id"));
+        if (!hosts.containsValue(host)) {
             return; // of another emulator
         }
-        if (!OTHERS.containsKey(key.machine())) {
-            throw new RefusedException(key.host() + " tells of a machine '" + key.machine() + "'; expected one of "
-                    + new TreeSet<>(OTHERS.keySet()));
-        }
-        if (telling.add(key.host()) && untold.containsKey(key.host())) {
-            throw new RefusedException(untold.get(key.host()) + "; expected that it tells first of a machine");
-        }
+        require(OTHERS.containsKey(key.machine()), host + " tells of a machine '" + key.machine()
+                + "'; expected one of " + new TreeSet<>(OTHERS.keySet()));
+        require(!telling.add(host) || !untold.containsKey(host),
+                untold.get(host) + "; expected that it tells first of a machine");
         told++;
         HostMachine machine = machine(key);
-        boolean slept = machine.is("offered");
-        boolean isRecorded = isOfMove(key.machine())
-                && (key.machine().equals("departure") || machine.agent.isEmpty());
-        Optional<String> transition =
-                machine.tell(event.text("state"), isRecorded, word -> mayHaveSaid(key.other(), word));
-        transition.map(step -> key.machine() + ": " + step).filter(transitions()::contains).ifPresent(covered::add);
-        if (transition.isPresent() && machine.agent.isPresent()) {
-            follow(machine, machine.agent.get(), event.text("state"), slept);
+        boolean isRecorded =
+                key.machine().equals("departure") || key.machine().equals("arrival") && machine.agent.isEmpty();
+        Optional<String> from = machine.tell(state, isRecorded, word -> mayHaveSaid(
+                new HostMachine.Key(OTHERS.get(key.machine()), key.peer(), host, key.id()), word));
+        from.ifPresent(before -> covered.add(key.machine() + ": " + before + " -> " + state));
+        if (machine.agent.isPresent()) {
+            follow(machine, machine.agent.get(), from.orElse(state), state);
         }
     }
 
@@ -117,21 +116,18 @@ final class HostMachines {
                 || machines.containsKey(key) && machines.get(key).maySay(word);
     }
 
-    private void follow(HostMachine machine, AgentParts agent, String state, boolean slept) throws RefusedException {
+    private void follow(HostMachine machine, AgentParts agent, String from, String state) throws RefusedException {
         String host = machine.key.host();
+        String where = awake.getOrDefault(agent.identity(), AWAY);
         String what = host + " tells that its " + machine.key + " is '" + state + "'; expected ";
-        if (state.equals("ready") && !agent.isWhole(kept, host)) {
-            throw new RefusedException(what + "it as a whole; of its parts these bytes are there: "
-                    + agent.here(kept, host));
-        }
-        if (agent.isClone()) {
+        require(!state.equals("ready") || from.equals(state) || agent.isWhole(kept, host),
+                what + "it as a whole; of its parts these bytes are there: " + agent.here(kept, host));
+        if (agent.isClone() || from.equals(state)) {
             return;
         }
-        String where = awake.getOrDefault(agent.identity(), AWAY);
-        if (state.equals("here") && !where.equals(AWAY) && !where.equals(host)) {
-            throw new RefusedException(what + agent.identity() + " nowhere else; it is awake at " + where);
-        }
-        if (state.equals("here") || state.equals("over") && slept) {
+        require(!state.equals("here") || where.equals(AWAY) || where.equals(host),
+                what + agent.identity() + " nowhere else; it is awake at " + where);
+        if (state.equals("here") || state.equals("over") && from.equals("offered")) {
             awake.put(agent.identity(), host);
         } else if (state.equals("left") && where.equals(host)) {
             awake.remove(agent.identity());
@@ -141,19 +137,18 @@ final class HostMachines {
     /** A board has a session key: a handshake with that device must be about to give it. */
     void give(TraceEvent event) throws RefusedException {
         String host = hosts.getOrDefault(event.board(), "");
-        if (event.text("step").equals("session") && telling.contains(host) && machines.values().stream()
-                .noneMatch(machine -> machine.key.host().equals(host)
-                        && machine.key.peer().equals(event.text("address")) && machine.is("setting"))) {
-            throw new RefusedException(event.board() + " has a session key for " + event.text("address")
-                    + "; expected a handshake with it that is 'setting'");
-        }
+        require(!event.text("step").equals("session") || !telling.contains(host) || machines.values().stream()
+                .anyMatch(machine -> machine.key.host().equals(host)
+                        && machine.key.peer().equals(event.text("address")) && machine.is("setting")),
+                event.board() + " has a session key for " + event.text("address")
+                        + "; expected a handshake with it that is 'setting'");
     }
 
     /** A board says hello, perhaps to a host that has been started again. */
     void greet(TraceEvent event) {
-        String host = event.text("id");
-        hosts.put(event.board(), host);
-        machines.values().stream().filter(machine -> machine.key.host().equals(host)).forEach(HostMachine::restart);
+        hosts.put(event.board(), event.text("id"));
+        machines.values().stream().filter(machine -> machine.key.host().equals(event.text("id")))
+                .forEach(HostMachine::restart);
     }
 
     // What hosts say
@@ -161,80 +156,50 @@ final class HostMachines {
     /** A host wants a message to be sent. */
     void say(TraceEvent event) throws RefusedException {
         String host = hosts.getOrDefault(event.board(), "");
-        Optional<byte[]> said = event.said().filter(bytes -> HostMessage.isHostMessage(
-                javino.protocol.Bytes.copyOf(bytes)));
-        if (said.isEmpty()) {
-            return;
-        }
-        String what = event.board() + "'s host says ";
-        HostMessage message;
-        try {
-            message = HostMessage.decode(javino.protocol.Bytes.copyOf(said.get()));
-        } catch (ProtocolException wrong) {
-            require(host, what + "what is no host message: " + wrong.getMessage());
-            return;
-        }
-        String word = word(message.kind());
+        Bytes said = Bytes.copyOf(event.said().orElse(new byte[0]));
+        Optional<HostMessage> message = message(said);
+        require(message.isPresent() || !HostMessage.isHostMessage(said) || !telling.contains(host),
+                event.board() + "'s host says what is no host message");
+        String word = message.map(HostMachines::word).orElse("");
         if (word.isEmpty()) {
             return;
         }
-        boolean isMove = message.kind().use() == Use.MOVE;
-        String to = isMove ? event.text("destination") : message.to().map(Address::toString).orElse("");
-        what += "'" + word + "' to " + to;
-        if (isMove == event.text("destination").startsWith("//")) {
-            require(host, what + "; expected it " + (isMove ? "to one device alone" : "in a broadcast"));
-        } else if (!telling.contains(host)) {
+        boolean isMove = message.get().kind().use() == Use.MOVE;
+        String to = message.get().to().map(Address::toString).orElse(event.text("destination"));
+        String what = event.board() + "'s host says '" + word + "' to " + to;
+        if (!telling.contains(host)) {
             untold.putIfAbsent(host, what);
-        } else {
-            say(host, to, word, message, what);
+            return;
         }
-    }
-
-    private void require(String host, String wrong) throws RefusedException {
-        if (telling.contains(host)) {
-            throw new RefusedException(wrong);
-        }
-    }
-
-    private void say(String host, String to, String word, HostMessage message, String what) throws RefusedException {
-        List<HostMachine> able = machines(host, to, message, true);
+        require(isMove != event.text("destination").startsWith("//"),
+                what + "; expected it " + (isMove ? "to one device alone" : "in a broadcast"));
+        List<HostMachine> able = machines(host, to, message.get(), true);
+        what += able.isEmpty() ? "; expected " : " of " + able.get(able.size() - 1).key + "; expected ";
         Set<String> words = new TreeSet<>();
         able.forEach(machine -> words.addAll(machine.words()));
-        if (able.stream().noneMatch(machine -> machine.say(word))) {
-            throw new RefusedException(what + of(able) + "; expected "
-                    + (words.isEmpty() ? "nothing" : "one of " + words));
-        }
-        if (message.kind().use() == Use.MOVE) {
-            HostMachine machine = able.get(0);
-            String wrong = wrong(machine, message);
-            if (!wrong.isEmpty()) {
-                throw new RefusedException(what + of(able) + "; expected " + wrong);
-            }
-        }
+        require(able.stream().anyMatch(machine -> machine.say(word)), what + "one of " + words);
+        String right = isMove ? right(able.get(0), message.get()) : "";
+        require(right.isEmpty(), what + right);
     }
 
-    private static String of(List<HostMachine> machines) {
-        return machines.isEmpty() ? "" : " of " + machines.get(machines.size() - 1).key;
-    }
-
-    /** What is expected in place of the bytes of a message; nothing where they are right. */
-    private String wrong(HostMachine machine, HostMessage message) {
+    /** What is right in place of the bytes of a message; nothing where they are. */
+    private String right(HostMachine machine, HostMessage message) {
         String host = machine.key.host();
-        AgentParts agent = machine.agent.orElse(null);
-        return switch (message.kind()) {
-            case MOVE_OFFER -> agent == null ? leave(machine, AgentParts.of(message.body()))
-                    : agent.isOf(message.body()) ? "" : "the offer that it has made before";
-            case MOVE_AWAKE -> {
-                String name = message.body().from(ID_AT).hex();
-                String before = machine.saidIn("none") ? "" : machine.call(name);
-                yield name.equals(before) && name.isEmpty() == machine.saidIn("none") ? ""
-                        : machine.saidIn("none") ? "no name" : "a name, and the same as before";
-            }
-            case MOVE_DATA -> agent == null || agent.send(message.body()) ? "" : "bytes that were asked for";
-            case MOVE_WANT -> agent == null || agent.want(kept, host, message.body()) ? ""
+        if (message.kind() == Kind.MOVE_OFFER && machine.agent.isEmpty()) {
+            return leave(machine, AgentParts.of(message.body()));
+        }
+        if (message.kind() == Kind.MOVE_AWAKE && !machine.is("none")) {
+            String name = message.body().from(ID).hex();
+            machine.name = machine.name.or(() -> Optional.of(name));
+            return !name.isEmpty() && name.equals(machine.name.get()) ? "" : "a name, and the same as before";
+        }
+        return machine.agent.map(agent -> switch (message.kind()) {
+            case MOVE_OFFER -> agent.isOf(message.body()) ? "" : "the offer that it has made before";
+            case MOVE_DATA -> agent.send(message.body()) ? "" : "bytes that were asked for";
+            case MOVE_WANT -> agent.want(kept, host, message.body()) ? ""
                     : "less; of its parts these bytes are there: " + agent.here(kept, host);
             default -> "";
-        };
+        }).orElse("");
     }
 
     /** An agent is offered for the first time: it must not sleep or be away by another move. */
@@ -243,59 +208,53 @@ final class HostMachines {
         if (offered.isEmpty()) {
             return "an offer as in SPEC 9.1";
         }
-        AgentParts agent = offered.get();
-        agent.isOf(kept, machine.key.host());
-        if (AWAY.equals(awake.get(agent.identity()))) {
-            return "none of " + agent.identity() + ", which sleeps or is away by another move";
+        String identity = offered.get().identity();
+        offered.get().has(kept, machine.key.host());
+        boolean isAway = AWAY.equals(awake.get(identity));
+        if (!offered.get().isClone()) {
+            awake.put(identity, AWAY);
         }
-        if (!agent.isClone()) {
-            awake.put(agent.identity(), AWAY);
-        }
-        return "";
+        return isAway ? "none of " + identity + ", which sleeps or is away by another move" : "";
     }
 
     /** A board hands a message to its host. */
     void hear(TraceEvent event) {
-        HostMessage message;
-        try {
-            message = HostMessage.decode(javino.protocol.Bytes.copyOf(event.said().orElse(new byte[0])));
-        } catch (ProtocolException none) {
-            return;
-        }
         String host = hosts.getOrDefault(event.board(), "");
-        boolean isBroadcast = event.text("destination").equals(Address.BROADCAST.toString());
-        boolean isMine = message.to().map(to -> isBroadcast && to.toString().equals(host))
-                .orElse(event.text("destination").equals(host));
-        String word = word(message.kind());
-        if (isMine && !word.isEmpty()) {
-            machines(host, event.text("origin"), message, false).forEach(machine -> hear(machine, word, message));
+        message(Bytes.copyOf(event.said().orElse(new byte[0]))).filter(message -> !word(message).isEmpty()
+                && event.text("destination").equals(message.to().isPresent() ? Address.BROADCAST.toString() : host)
+                && message.to().map(Address::toString).orElse(host).equals(host))
+                .ifPresent(message -> machines(host, event.text("origin"), message, false)
+                        .forEach(machine -> hear(machine, message)));
+    }
+
+    private void hear(HostMachine machine, HostMessage message) {
+        machine.hear(word(message), message.fragment(), message.kind().fragments());
+        switch (message.kind()) {
+            case MOVE_OFFER -> machine.agent = machine.agent.or(() -> AgentParts.of(message.body()));
+            case MOVE_WANT -> machine.agent.ifPresent(agent -> agent.wanted(message.body()));
+            case MOVE_DATA -> machine.agent.ifPresent(agent -> agent.come(kept, machine.key.host(), message.body()));
+            default -> {}
         }
     }
 
-    private void hear(HostMachine machine, String word, HostMessage message) {
-        machine.hear(word, message.fragment(), message.kind().fragments());
-        Consumer<AgentParts> step = switch (message.kind()) {
-            case MOVE_WANT -> agent -> agent.wanted(message.body());
-            case MOVE_DATA -> agent -> agent.come(kept, machine.key.host(), message.body());
-            default -> agent -> {};
-        };
-        machine.agent.ifPresent(step);
-        if (message.kind() == Kind.MOVE_OFFER && machine.agent.isEmpty()) {
-            machine.agent = AgentParts.of(message.body());
+    // Messages
+
+    private static Optional<HostMessage> message(Bytes said) {
+        try {
+            return Optional.of(HostMessage.decode(said));
+        } catch (ProtocolException none) {
+            return Optional.empty();
         }
     }
-
-    // Which machines
 
     /** What the models call a message; empty where they do not speak of it. */
-    private static String word(Kind kind) {
-        return switch (kind) {
+    private static String word(HostMessage message) {
+        return switch (message.kind()) {
             case MESSAGE_1, RENEWAL_1 -> "first";
             case MESSAGE_2, RENEWAL_2 -> "second";
             case MESSAGE_3, RENEWAL_3 -> "third";
-            case MOVE_OFFER, MOVE_WANT, MOVE_DATA, MOVE_READY, MOVE_GO, MOVE_AWAKE, MOVE_CANCELLED, MOVE_REFUSED ->
-                kind.name().substring("MOVE_".length()).toLowerCase(Locale.ROOT);
             case WANT, GROUP, CONTENT, SEQUENCES, REVOCATION_LIST, GROUP_KEY -> "";
+            default -> message.kind().name().substring("MOVE_".length()).toLowerCase(Locale.ROOT);
         };
     }
 
@@ -308,12 +267,10 @@ final class HostMachines {
             default -> "initiator";
         };
         String name = said ? sender : OTHERS.get(sender);
-        boolean isMove = isOfMove(name);
-        if (isMove || word(message.kind()).equals("first")) {
-            int at = isMove ? 0 : ID_AT;
-            return message.body().length() < at + ID_AT ? List.of()
-                    : List.of(machine(new HostMachine.Key(name, host, peer,
-                            message.body().slice(at, at + ID_AT).hex())));
+        if (isOfMove(name) || word(message).equals("first")) {
+            int at = isOfMove(name) ? 0 : ID;
+            return message.body().length() < at + ID ? List.of() : List.of(machine(
+                    new HostMachine.Key(name, host, peer, message.body().slice(at, at + ID).hex())));
         }
         return machines.values().stream().filter(machine -> machine.key.machine().equals(name)
                 && machine.key.host().equals(host) && machine.key.peer().equals(peer)).toList();
