@@ -258,7 +258,8 @@ final class Options {
     private static String logging(Device device) throws IOException {
         return Files.writeString(Path.of("build", device.id() + ".properties"),
                 Files.readString(Path.of("logging.properties"))
-                        + TransitionHandler.configuration(Transitions.LOGGER, Path.of(CONTROL))).toString();
+                        + TransitionHandler.configuration(Transitions.LOGGER, Path.of(CONTROL)))
+                .toString();
     }
 
     private String mas(Device device) {

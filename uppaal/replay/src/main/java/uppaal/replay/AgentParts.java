@@ -96,8 +96,10 @@ final class AgentParts {
 
     /** The part of which these are bytes; nothing where they are none's. */
     private Optional<Part> part(Bytes data) {
-        return data.length() > MOVE + 1 + NUMBER && data.at(MOVE) < parts.size() && end(data) - offset(data) <= MOST_DATA
-                ? Optional.of(parts.get(data.at(MOVE))).filter(part -> end(data) <= part.packed) : Optional.empty();
+        return data.length() > MOVE + 1 + NUMBER && data.at(MOVE) < parts.size()
+                && end(data) - offset(data) <= MOST_DATA
+                        ? Optional.of(parts.get(data.at(MOVE))).filter(part -> end(data) <= part.packed)
+                        : Optional.empty();
     }
 
     private static int offset(Bytes data) {

@@ -24,8 +24,9 @@ import uppaal.document.Document;
  * sides of a move or a handshake have one id. Hosts that tell nothing may say anything.
  */
 final class HostMachines {
-    private static final Map<String, String> OTHERS = Map.of("departure", "arrival", "arrival", "departure", "initiator",
-            "responder", "responder", "initiator");
+    private static final Map<String, String> OTHERS =
+            Map.of("departure", "arrival", "arrival", "departure", "initiator",
+                    "responder", "responder", "initiator");
     private static final Map<String, MachineModel> MODELS = models();
     private static final String AWAY = "";
     /** Of the id of a move in a body; that of a handshake comes behind as many bytes. */
