@@ -61,7 +61,7 @@ class HighwayTest {
             assertTrue(
                     last().matches(
                             "model: trace accepted \\(\\d+ events, [1-9]\\d* messages opened, [1-9]\\d* proofs"
-                                    + "(, [1-9]\\d* messages of moves)?\\)"),
+                                    + "(, [1-9]\\d* states of hosts)?\\)"),
                     this::toString);
             assertEquals(0, status);
         }
@@ -111,7 +111,7 @@ class HighwayTest {
 
         run.assertAllObserved();
         assertTrue(run.says("I am back from ROMA: obstacle at"), run::toString);
-        assertTrue(run.last().contains(" messages of moves)"), run::toString);
+        assertTrue(run.last().contains(" states of hosts)"), run::toString);
         run.assertNothingLeft();
     }
 
