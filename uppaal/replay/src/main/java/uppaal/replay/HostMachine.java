@@ -30,7 +30,7 @@ final class HostMachine {
     /** Where it was ever. */
     private final Set<String> been = new HashSet<>();
     private final Set<String> came = new HashSet<>();
-    private boolean known;
+    private boolean isKnown;
     /** What its agent is called here, as the host has said since it was started. */
     Optional<String> name = Optional.empty();
     /** The agent that moves; nothing where that is not known. */
@@ -56,6 +56,11 @@ final class HostMachine {
         return now().contains(state);
     }
 
+    /** Whether it may ever have been there. */
+    boolean was(String state) {
+        return been.contains(state);
+    }
+
     /** Whether it may have said that. */
     boolean maySay(String word) {
         return been.stream().anyMatch(state -> model.says(state, any -> true).contains(word));
@@ -72,30 +77,36 @@ final class HostMachine {
     /**
      * Its host tells where it is.
      *
+     * @param meant which of the model's states that may be
      * @param isRecorded whether it may have begun before the trace did
      * @param proved whether the other side may have said a word
      * @return from where it came; nothing where it stays, or that is not known
      */
-    Optional<String> tell(String state, boolean isRecorded, Predicate<String> proved) throws RefusedException {
-        Optional<String> from = now().stream().filter(before -> !is(state) && model.leads(before, state, isClone(),
-                word -> came.contains(word) && proved.test(word))).findFirst();
-        if (from.isEmpty() && !is(state) && !(isRecorded && !known && model.isRecorded(state))) {
-            throw new RefusedException(key.host() + " tells that its " + key + " is '" + state + "'; expected "
+    Optional<String> tell(String told, List<String> meant, boolean isRecorded, Predicate<String> proved)
+            throws RefusedException {
+        Predicate<String> known = word -> came.contains(word) && proved.test(word);
+        Set<String> able = meant.stream().filter(state -> is(state) || isRecorded && !isKnown && model.isRecorded(state)
+                || now().stream().anyMatch(from -> model.leads(from, state, isClone(), known)))
+                .collect(Collectors.toSet());
+        if (able.isEmpty()) {
+            throw new RefusedException(key.host() + " tells that its " + key + " is '" + told + "'; expected "
                     + now().stream().sorted().map(before -> "'" + before + "', or from there "
                             + model.expected(before, isClone())).collect(Collectors.joining("; or ")));
         }
-        if (is(state)) {
+        Optional<String> from = now().containsAll(able) ? Optional.empty() : now().stream()
+                .filter(before -> model.leads(before, meant.get(0), isClone(), known)).findFirst();
+        if (now().containsAll(able)) {
             states.remove(states.size() - 1);
         }
-        states.add(Set.of(state));
-        been.add(state);
-        known = true;
+        states.add(able);
+        been.addAll(able);
+        isKnown = true;
         return from;
     }
 
     /** Its host says a word. @return whether it may. */
     boolean say(String word) {
-        known = true;
+        isKnown = true;
         for (int i = 0; i < states.size(); i++) {
             Set<String> able = states.get(i).stream()
                     .filter(state -> model.says(state, came::contains).contains(word)).collect(Collectors.toSet());
@@ -116,7 +127,7 @@ final class HostMachine {
 
     /** Its host may have been killed and started again. */
     void restart() {
-        Set<String> after = now().stream().flatMap(state -> model.killed(state, isClone()).stream())
+        Set<String> after = now().stream().flatMap(state -> model.killed(state, isClone(), came::contains).stream())
                 .collect(Collectors.toSet());
         states.set(states.size() - 1, after);
         been.addAll(after);

@@ -27,6 +27,15 @@ final class HostMachines {
     private static final Map<String, String> OTHERS =
             Map.of("departure", "arrival", "arrival", "departure", "initiator",
                     "responder", "responder", "initiator");
+    /** What hosts tell apart, and the models do not. */
+    private static final Map<String, List<String>> REFINED = Map.ofEntries(Map.entry("sending", List.of("offered")),
+            Map.entry("sent", List.of("offered")), Map.entry("cloned", List.of("gone")),
+            Map.entry("asked", List.of("none")), Map.entry("coming", List.of("coming", "none")),
+            Map.entry("repeating", List.of("coming", "none")), Map.entry("waking", List.of("here")),
+            Map.entry("waiting", List.of("idle")), Map.entry("asking", List.of("open")),
+            Map.entry("closing", List.of("done")), Map.entry("closed", List.of("done")),
+            Map.entry("answering", List.of("half_open")), Map.entry("answered", List.of("half_open")),
+            Map.entry("due", List.of("half_open")));
     private static final Map<String, MachineModel> MODELS = models();
     private static final String AWAY = "";
     /** Of the id of a move in a body; that of a handshake comes behind as many bytes. */
@@ -92,8 +101,15 @@ final class HostMachines {
         String host = event.text("host");
         String state = event.text("state");
         HostMachine.Key key = new HostMachine.Key(event.text("machine"), host, event.text("peer"), event.text("id"));
+        List<String> meant = key.machine().equals("departure") && state.equals("none") ? List.of("over")
+                : REFINED.getOrDefault(state, List.of(state));
         if (!hosts.containsValue(host)) {
             return; // of another emulator
+        }
+        if (key.machine().equals("session")) {
+            require(state.equals("none") || hasAgreed(host, key.peer(), "setting", true), host + " tells that its session"
+                    + " with " + key.peer() + " is '" + state + "'; expected a handshake with it that was 'setting'");
+            return;
         }
         require(OTHERS.containsKey(key.machine()), host + " tells of a machine '" + key.machine()
                 + "'; expected one of " + new TreeSet<>(OTHERS.keySet()));
@@ -103,11 +119,11 @@ final class HostMachines {
         HostMachine machine = machine(key);
         boolean isRecorded =
                 key.machine().equals("departure") || key.machine().equals("arrival") && machine.agent.isEmpty();
-        Optional<String> from = machine.tell(state, isRecorded, word -> mayHaveSaid(
+        Optional<String> from = machine.tell(state, meant, isRecorded, word -> mayHaveSaid(
                 new HostMachine.Key(OTHERS.get(key.machine()), key.peer(), host, key.id()), word));
-        from.ifPresent(before -> covered.add(key.machine() + ": " + before + " -> " + state));
-        if (machine.agent.isPresent()) {
-            follow(machine, machine.agent.get(), from.orElse(state), state);
+        from.ifPresent(before -> covered.add(key.machine() + ": " + before + " -> " + meant.get(0)));
+        if (machine.agent.isPresent() && from.isPresent()) {
+            follow(machine, machine.agent.get(), from.get(), meant.get(0));
         }
     }
 
@@ -121,28 +137,28 @@ final class HostMachines {
         String host = machine.key.host();
         String where = awake.getOrDefault(agent.identity(), AWAY);
         String what = host + " tells that its " + machine.key + " is '" + state + "'; expected ";
-        require(!state.equals("ready") || from.equals(state) || agent.isWhole(kept, host),
+        require(!state.equals("ready") || agent.isWhole(kept, host),
                 what + "it as a whole; of its parts these bytes are there: " + agent.here(kept, host));
-        if (agent.isClone() || from.equals(state)) {
-            return;
-        }
-        require(!state.equals("here") || where.equals(AWAY) || where.equals(host),
+        require(!state.equals("here") || agent.isClone() || where.equals(AWAY) || where.equals(host),
                 what + agent.identity() + " nowhere else; it is awake at " + where);
-        if (state.equals("here") || state.equals("over") && from.equals("offered")) {
+        if (!agent.isClone() && (state.equals("here") || state.equals("over") && from.equals("offered"))) {
             awake.put(agent.identity(), host);
         } else if (state.equals("left") && where.equals(host)) {
             awake.remove(agent.identity());
         }
     }
 
+    private boolean hasAgreed(String host, String peer, String state, boolean ever) {
+        return machines.values().stream().anyMatch(machine -> machine.key.host().equals(host)
+                && machine.key.peer().equals(peer) && (ever ? machine.was(state) : machine.is(state)));
+    }
+
     /** A board has a session key: a handshake with that device must be about to give it. */
     void give(TraceEvent event) throws RefusedException {
         String host = hosts.getOrDefault(event.board(), "");
-        require(!event.text("step").equals("session") || !telling.contains(host) || machines.values().stream()
-                .anyMatch(machine -> machine.key.host().equals(host)
-                        && machine.key.peer().equals(event.text("address")) && machine.is("setting")),
-                event.board() + " has a session key for " + event.text("address")
-                        + "; expected a handshake with it that is 'setting'");
+        require(!event.text("step").equals("session") || !telling.contains(host)
+                || hasAgreed(host, event.text("address"), "setting", false), event.board() + " has a session key for "
+                        + event.text("address") + "; expected a handshake with it that is 'setting'");
     }
 
     /** A board says hello, perhaps to a host that has been started again. */

@@ -98,20 +98,23 @@ final class MachineModel {
     /** Whether it is a state that a killed host finds again. */
     boolean isRecorded(String state) {
         return steps.stream().anyMatch(step -> state(step.to).equals(state))
-                && killed(state, false).equals(Set.of(state));
+                && from(state, true, false).allMatch(Step::isStay);
     }
 
-    /** Where a machine may be when its host was killed. */
-    Set<String> killed(String state, boolean clone) {
+    /** Where a machine may be when its host was killed, perhaps before it told of a step behind what came. */
+    Set<String> killed(String state, boolean clone, Predicate<String> came) {
         Set<String> after = new HashSet<>(Set.of(state));
         from(state, true, clone).forEach(step -> after.add(state(step.to)));
+        from(state, false, clone).filter(step -> step.needs.stream().allMatch(came)).map(step -> state(step.to))
+                .filter(this::isRecorded).forEach(after::add);
         return after;
     }
 
-    /** Whether a step leads to another state, behind what came. */
+    /** Whether a step leads to another state, behind what came; to {@code over} also where nothing has begun or ends. */
     boolean leads(String from, String to, boolean clone, Predicate<String> came) {
         return from(from, false, clone)
-                .anyMatch(step -> state(step.to).equals(to) && step.needs.stream().allMatch(came));
+                .anyMatch(step -> state(step.to).equals(to) && step.needs.stream().allMatch(came))
+                || to.equals("over") && (from.equals(initial) || from(from, false, clone).findAny().isEmpty());
     }
 
     /** What may be said in a state, behind what came. */

@@ -187,9 +187,11 @@ class HostMachinesTest {
             "after away says R 1; away tells arrival none 1 | is 'none'",
             "after away says A 1; away tells arrival ready 1 | is 'ready'",
             "after home says O 1; home tells departure lost 1 | is 'lost'",
+            "after home says O 1; home tells departure sending 1; home tells departure cloned 1 | is 'cloned'",
+            "after home says O 1; home tells session proven 1 | expected a handshake with it that was 'setting'",
             "after home says O 1; home tells courier gone 1 | tells of a machine 'courier'; expected one of [arrival, ",
             // Where a message is missing, or the other side cannot have said it.
-            "drop away hears O 1 | is 'coming'; expected 'none', or from there 'coming' behind 'offer'",
+            "drop away hears O 1 | away's host says 'want'",
             "drop home hears W 1 | home's host says 'data'",
             "drop away hears D 1 | is 'ready'",
             "drop home hears R 1 | SUSS tells that its departure 929240ac with SUBB is 'gone'",
@@ -273,6 +275,15 @@ class HostMachinesTest {
             "after away hears D 1; away restarts; away hears O 1; away tells arrival coming 1; "
                     + "away says W 1 000000000000; cut",
             "after away says A 1; away restarts; away hears G 1; away says A 1 78",
+            "after home hears R 1; home restarts; home says G 1; cut",
+            // States that the models do not tell apart.
+            "after home hears W 1; home tells departure sending 1; home says D 1; home tells departure sent 1; "
+                    + "home says O 1; home tells departure none 1; cut",
+            "after away hears O 1; away tells arrival asked 1; away tells arrival coming 1; away says W 1; "
+                    + "away tells arrival repeating 1; away tells arrival none 1; away says X 1 6e6f; cut",
+            "after away hears G 1; away tells arrival waking 1; away tells arrival here 1; away says A 1; cut",
+            "after home tells departure offered 1; away hears O 1; away tells arrival asked 1; "
+                    + "away tells arrival coming 1; away tells arrival ready 1; away says R 1; cut",
             // Other hosts.
             "after home says G 1; nobody tells departure gone 1",
     })
@@ -330,6 +341,28 @@ class HostMachinesTest {
         lines = Lines.of("hosts/handshake");
         assertEquals("model: trace accepted (66 events, 1 messages opened, 1 proofs, 6 states of hosts)",
                 lines.replayWithKeys("hosts/handshake").verdict());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"open, asking", "half_open, answered", "half_open, due", "done, closing", "done, over"})
+    void handshake_inWordsOfItsHost_isAccepted(String state, String told) {
+        lines = Lines.of("hosts/handshake");
+        lines.where(line -> lines.text(line, "state").equals(state)).stream().sorted((one, other) -> other - one)
+                .forEach(line -> {
+                    JsonObject more = lines.copy(line);
+                    more.addProperty("state", told);
+                    lines.all.add(line, more);
+                    JsonObject session = more.deepCopy();
+                    session.addProperty("machine", "session");
+                    session.addProperty("id", "");
+                    session.addProperty("state", state.equals("done") ? "proven" : "none");
+                    lines.all.add(line + 1, session);
+                });
+        if (told.equals("over")) {
+            int first = lines.where(line -> lines.text(line, "state").equals("over")).get(0);
+            lines = lines.without(line -> line == first);
+        }
+        assertEquals("accepted", refusal());
     }
 
     @ParameterizedTest
