@@ -37,6 +37,9 @@ final class HostMachines {
             Map.entry("answering", List.of("half_open")), Map.entry("answered", List.of("half_open")),
             Map.entry("due", List.of("half_open")));
     private static final Map<String, MachineModel> MODELS = models();
+    /** All transitions that a trace can tell: {@code machine: state -> state}. */
+    static final Set<String> TRANSITIONS = MODELS.entrySet().stream().flatMap(model -> model.getValue().transitions()
+            .stream().map(step -> model.getKey() + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
     private static final String AWAY = "";
     /** Of the id of a move in a body; that of a handshake comes behind as many bytes. */
     private static final int ID = 4;
@@ -64,12 +67,6 @@ final class HostMachines {
 
     private static boolean isOfMove(String machine) {
         return machine.equals("departure") || machine.equals("arrival");
-    }
-
-    /** All transitions that a trace can tell: {@code machine: state -> state}. */
-    static Set<String> transitions() {
-        return MODELS.entrySet().stream().flatMap(model -> model.getValue().transitions().stream()
-                .map(step -> model.getKey() + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** Those that were told. */
@@ -107,8 +104,9 @@ final class HostMachines {
             return; // of another emulator
         }
         if (key.machine().equals("session")) {
-            require(state.equals("none") || hasAgreed(host, key.peer(), "setting", true), host + " tells that its session"
-                    + " with " + key.peer() + " is '" + state + "'; expected a handshake with it that was 'setting'");
+            require(state.equals("none") || hasAgreed(host, key.peer(), "setting", true),
+                    host + " tells that its session with " + key.peer() + " is '" + state
+                            + "'; expected a handshake with it that was 'setting'");
             return;
         }
         require(OTHERS.containsKey(key.machine()), host + " tells of a machine '" + key.machine()
@@ -121,7 +119,8 @@ final class HostMachines {
                 key.machine().equals("departure") || key.machine().equals("arrival") && machine.agent.isEmpty();
         Optional<String> from = machine.tell(state, meant, isRecorded, word -> mayHaveSaid(
                 new HostMachine.Key(OTHERS.get(key.machine()), key.peer(), host, key.id()), word));
-        from.ifPresent(before -> covered.add(key.machine() + ": " + before + " -> " + meant.get(0)));
+        from.map(before -> key.machine() + ": " + before + " -> " + meant.get(0)).filter(TRANSITIONS::contains)
+                .ifPresent(covered::add);
         if (machine.agent.isPresent() && from.isPresent()) {
             follow(machine, machine.agent.get(), from.get(), meant.get(0));
         }
@@ -157,7 +156,8 @@ final class HostMachines {
     void give(TraceEvent event) throws RefusedException {
         String host = hosts.getOrDefault(event.board(), "");
         require(!event.text("step").equals("session") || !telling.contains(host)
-                || hasAgreed(host, event.text("address"), "setting", false), event.board() + " has a session key for "
+                || hasAgreed(host, event.text("address"), "setting", false),
+                event.board() + " has a session key for "
                         + event.text("address") + "; expected a handshake with it that is 'setting'");
     }
 

@@ -110,7 +110,7 @@ final class MachineModel {
         return after;
     }
 
-    /** Whether a step leads to another state, behind what came; to {@code over} also where nothing has begun or ends. */
+    /** Whether a step leads to another state, behind what came; to {@code over} also before the first and the last. */
     boolean leads(String from, String to, boolean clone, Predicate<String> came) {
         return from(from, false, clone)
                 .anyMatch(step -> state(step.to).equals(to) && step.needs.stream().allMatch(came))

@@ -166,7 +166,7 @@ public final class Replay {
 
     /** All transitions of hosts' machines. */
     public static Set<String> transitions() {
-        return HostMachines.transitions();
+        return Set.copyOf(HostMachines.TRANSITIONS);
     }
 
     private void enter(TraceEvent event) {
