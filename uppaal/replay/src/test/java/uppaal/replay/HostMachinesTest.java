@@ -302,7 +302,7 @@ class HostMachinesTest {
 
     @ParameterizedTest
     @CsvSource({"////", "//SU"})
-    void move_toMany_isRefusedWhereItIsSaid_andNotHeard(String many) {
+    void move_toMany_isRefusedAndNotHeard(String many) {
         int go = all("away hears G 1").get(0);
         lines.get(go).addProperty("destination", many);
         assertTrue(refusal().contains("is 'here'"), refusal());
