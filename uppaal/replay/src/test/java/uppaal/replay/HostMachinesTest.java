@@ -269,6 +269,8 @@ class HostMachinesTest {
             "after away tells arrival coming 1; away tells arrival here 3; away says A 3 78",
             "after away says A 1; home tells departure offered 3; away hears O 3; "
                     + "away tells arrival ready 3; away says R 3",
+            "after away says A 1; away tells departure offered 3; home hears O 3; home tells arrival ready 3; "
+                    + "away hears R 3; away tells departure gone 3; home hears G 3; home tells arrival none 3",
             // Computers that start again.
             "after home says G 1; home restarts; home says G 1",
             "after home hears R 1; home restarts; home tells departure gone 1; home says G 1; cut",
