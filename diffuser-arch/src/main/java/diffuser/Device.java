@@ -210,6 +210,11 @@ final class Device implements BoardListener, KeyService.Host {
         return new Transmission(begun.taken(), begun.end().thenApply(this::ended));
     }
 
+    @Override
+    public Transmission send(Address to, HostMessage message) {
+        return context.hosts().send(to, message);
+    }
+
     private Outcome ended(Outcome outcome) {
         if (outcome == Outcome.DELIVERED) {
             communicability.heard();

@@ -36,6 +36,7 @@ import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
 import javino.protocol.Counter;
+import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /**
@@ -82,7 +83,7 @@ public class Diffuser extends AgArch {
         clock = new WallClock("hosts of " + getAgName(), this::stepFailed);
         services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
         moves = service(MoveService.class);
-        hosts = new HostChannel(services, warnings::once);
+        hosts = new HostChannel(services, this::transmitAsIs, warnings::once);
         inbox = new Inbox(new Gate(this::getTS, warnings), questions, intentions, warnings);
         infrastructures = new Infrastructures();
         percepts = new CombinedPercepts();
@@ -295,7 +296,15 @@ public class Diffuser extends AgArch {
      * @return fails with what {@link Failure#of} reads, also where no port was opened.
      */
     public Transmission transmit(Address to, javino.protocol.Message message) {
-        return device().map(board -> board.transmit(to, message)).orElseGet(() -> {
+        return transmission(board -> board.transmit(to, message));
+    }
+
+    private Transmission transmitAsIs(Address to, HostMessage message) {
+        return transmission(board -> board.transmitAsIs(to, message));
+    }
+
+    private Transmission transmission(Function<Device, Transmission> begin) {
+        return device().map(begin).orElseGet(() -> {
             JasonException none = noPort();
             return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
         });
@@ -428,6 +437,7 @@ public class Diffuser extends AgArch {
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfMessagesRefused", inbox.refused());
         status.put("hostMessagesRefused", hosts.refused());
+        status.put("hostMessagesNotSent", hosts.notSent());
         services.forEach(service -> status.putAll(service.status()));
         status.put("rfDelivered", outbox.ended(Outcome.DELIVERED));
         status.put("rfUndelivered", outbox.ended(Outcome.UNDELIVERED));

@@ -1,32 +1,108 @@
 package diffuser;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 
+import javino.board.QueueFullException;
+import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
+import javino.protocol.Outcome;
 
 /**
- * Hands host messages to the libraries that they are for, if {@link Policy} lets them come by that cast and under that
- * key. For any thread.
+ * Sends host messages: one broadcast at a time, and one unicast to each device. Hands those that come to the libraries
+ * that they are for, if {@link Policy} lets them come by that cast and under that key. For any thread.
  */
 public final class HostChannel {
 
+    /** Messages that wait for each address. */
+    static final int MOST_WAITING = 16;
+
     private final Map<HostMessage.Use, HostService> services = new EnumMap<>(HostMessage.Use.class);
+    private final BiFunction<Address, HostMessage, Transmission> transmit;
     private final Consumer<String> warn;
     private final AtomicLong refused = new AtomicLong();
+    private final AtomicLong notSent = new AtomicLong();
+    /** Of each address the first is under way. */
+    private final Map<Address, Deque<Sending>> sendings = new HashMap<>();
+
+    private record Sending(HostMessage message, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
+    }
 
     /**
      * @param services no two for one use.
+     * @param transmit has the board transmit a message.
      * @param warn     is told once or more why a message was dropped.
      */
-    public HostChannel(List<? extends BoardService> services, Consumer<String> warn) {
+    public HostChannel(List<? extends BoardService> services, BiFunction<Address, HostMessage, Transmission> transmit,
+            Consumer<String> warn) {
+        this.transmit = transmit;
         this.warn = warn;
         services.stream().filter(HostService.class::isInstance).map(HostService.class::cast)
                 .forEach(service -> service.uses().forEach(use -> this.services.put(use, service)));
+    }
+
+    /**
+     * Sends a message, when those before it to the same address have ended.
+     *
+     * @return fails as the board's; and with a {@link QueueFullException}, if the same message waits already, or too
+     *         many.
+     */
+    public Transmission send(Address to, HostMessage message) {
+        Sending mine = new Sending(message, new CompletableFuture<>(), new CompletableFuture<>());
+        int before;
+        synchronized (sendings) {
+            Deque<Sending> all = sendings.computeIfAbsent(to, any -> new ArrayDeque<>());
+            before = all.size();
+            boolean same = all.stream().skip(1).anyMatch(other -> other.message.equals(message));
+            if (same || before > MOST_WAITING) {
+                notSent.incrementAndGet();
+                QueueFullException full = new QueueFullException(message.toString(), MOST_WAITING);
+                return new Transmission(CompletableFuture.failedFuture(full), CompletableFuture.failedFuture(full));
+            }
+            all.add(mine);
+        }
+        if (before == 0) {
+            begin(to, mine);
+        }
+        return new Transmission(mine.taken, mine.end);
+    }
+
+    private void begin(Address to, Sending sending) {
+        Transmission begun = transmit.apply(to, sending.message);
+        begun.taken().whenComplete((taken, thrown) -> complete(sending.taken, taken, thrown));
+        begun.end().whenComplete((outcome, thrown) -> {
+            Optional<Sending> next;
+            synchronized (sendings) {
+                sendings.get(to).remove();
+                next = Optional.ofNullable(sendings.get(to).peek());
+                sendings.computeIfPresent(to, (any, rest) -> rest.isEmpty() ? null : rest);
+            }
+            complete(sending.end, outcome, thrown);
+            next.ifPresent(waiting -> begin(to, waiting));
+        });
+    }
+
+    private static <T> void complete(CompletableFuture<T> future, T value, Throwable thrown) {
+        if (thrown == null) {
+            future.complete(value);
+        } else {
+            future.completeExceptionally(thrown);
+        }
+    }
+
+    /** How many messages were not sent, as too many waited. */
+    public long notSent() {
+        return notSent.get();
     }
 
     /**

@@ -7,6 +7,7 @@ import java.util.concurrent.CompletableFuture;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
+import javino.protocol.HostMessage;
 import javino.protocol.Key;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
@@ -23,6 +24,9 @@ public interface KeyService extends HostService {
 
         /** Has the board transmit a message as it is. */
         Transmission transmitAsIs(Address to, Message message);
+
+        /** Sends a host message, as {@link HostChannel#send}. */
+        Transmission send(Address to, HostMessage message);
 
         /** Gives the board the session key of a pair. The device counts as certified from now on. */
         CompletableFuture<?> setSessionKey(Address device, Key key);

@@ -198,6 +198,7 @@ public final class EnrollCommand implements CommandPlugin {
         Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
                 HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
         boolean isNew = identity.take(revocationList);
+        identity.keep();
         print(RevocationList.decode(revocationList)
                 + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
     }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
-import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -12,11 +11,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import java.util.stream.Stream;
+import java.util.function.BiConsumer;
 
 import jason.JasonException;
 
@@ -27,35 +24,28 @@ import diffuser.HostClock;
 import diffuser.KeyService;
 
 import javino.JavinoException;
-import javino.board.RequestFailedException;
+import javino.board.Transitions;
 import javino.board.Transmission;
 import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
-import javino.protocol.Status;
 import javino.protocol.HostMessage;
 
 /**
  * Key agreement for one agent's board: what {@link KeyAgreement} decides, this does with the board. Where there is no
  * certificate for the board's address, or the agent refuses it, it does nothing.
  */
-public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects {
+public final class BoardKeyAgreement implements KeyService {
 
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
 
-    /** Messages to the own group that wait for its key, and how long in ms: a group key server needs some seconds. */
-    private static final int MOST_FOR_GROUP = 8;
-    private static final long GROUP_MILLIS = 30_000;
     private static final long NEVER = Long.MAX_VALUE;
-    /** Between two questions for the key of the group. */
-    private static final long GROUP_AGAIN_MILLIS = 10_000;
 
     private final Path folder;
     private final HostClock clock;
@@ -66,17 +56,12 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
     private int bootEpoch;
     private Set<Address> stored = Set.of();
     private boolean refuses;
-    private boolean keepsGroup;
+    private Identity identity;
     /** Null while nothing is done. */
     private KeyAgreement agreement;
-    /** To whom the board was given session keys; maybe it has lost some. */
-    private final Set<Address> given = new HashSet<>();
     private final Set<Address> met = new HashSet<>();
-    private final Map<Long, PendingMessage> pending = new LinkedHashMap<>();
-    private final Queue<PendingMessage> forGroup = new ArrayDeque<>();
     private final Map<Address, Throwable> failures = new HashMap<>();
     private long alarm = NEVER;
-    private long groupWanted = -GROUP_AGAIN_MILLIS;
     /** Until it is known that this device has no certificate, and where that cannot be known. */
     private volatile boolean sharesGroup = true;
     private volatile Map<Event, Long> events = Map.of();
@@ -150,21 +135,19 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
     }
 
     private void begin(Host board, PendingMessage message) {
-        boolean isMet = agreement != null && board == host;
-        if (isMet && message.to().kind() == Address.Kind.DEVICE && !message.to().equals(self)) {
-            meet(message);
-        } else if (isMet && message.to().equals(group()) && !stored.contains(group())) {
-            awaitGroupKey(message);
-        } else {
+        boolean isOpen = agreement != null && board == host;
+        boolean toGroup = isOpen && message.to().equals(group()) && !stored.contains(group());
+        if (!isOpen || !toGroup && (message.to().kind() != Address.Kind.DEVICE || message.to().equals(self))) {
             message.follow(board.transmitAsIs(message.to(), message.message()));
+            return;
         }
-    }
-
-    private void meet(PendingMessage message) {
+        // The board may have it and wait for the air.
+        after(MessageQueue.MOST_MILLIS, () -> message.end(Outcome.UNDELIVERED));
         try {
-            Optional<Long> ticket = agreement.send(message.to(), message.message(), millis());
-            ticket.ifPresentOrElse(number -> pending.put(number, message), () -> message.fail("queue_full",
-                    "too many messages wait for a key with " + message.to() + " or with others"));
+            if (!(toGroup ? agreement.sendToGroup(message, millis())
+                    : agreement.send(message, message.to(), message.message(), millis()))) {
+                message.fail("queue_full", "too many messages wait for a key with " + message.to() + " or with others");
+            }
         } catch (IllegalArgumentException e) {
             message.fail("too_long", "a message to a device without a stored key has at most 490 bytes; this one has "
                     + message.message().encode().length());
@@ -173,31 +156,6 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
 
     private Address group() {
         return Address.multicast(self.group());
-    }
-
-    private void awaitGroupKey(PendingMessage message) {
-        if (forGroup.size() == MOST_FOR_GROUP) {
-            message.fail("queue_full", MOST_FOR_GROUP + " messages wait for the key of " + group() + " already");
-            return;
-        }
-        forGroup.add(message);
-        wantGroupKey();
-        // The board may have it and wait for the air.
-        after(Peer.MOST_MILLIS, () -> message.end(Outcome.UNDELIVERED));
-        after(GROUP_MILLIS, () -> {
-            if (forGroup.remove(message)) {
-                message.fail("no_key", "the board has no key for " + message.to() + ", and no group key server has"
-                        + " given one within " + GROUP_MILLIS / 1000 + " s");
-            }
-        });
-    }
-
-    private void wantGroupKey() {
-        long now = millis();
-        if (agreement != null && now - groupWanted >= GROUP_AGAIN_MILLIS) {
-            groupWanted = now;
-            agreement.wantGroupKey(now);
-        }
     }
 
     // What the board tells
@@ -232,20 +190,19 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
     private void open() {
         sharesGroup = true;
         try {
-            Optional<Identity> identity = Identity.read(folder, self);
-            if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {
+            Optional<Identity> found = Identity.read(folder, self);
+            if (found.isPresent() && !found.get().certificate().address().equals(self)) {
                 throw new IllegalArgumentException("the identity of " + self + " in " + folder + " is that of "
-                        + identity.get().certificate().address());
+                        + found.get().certificate().address());
             }
-            sharesGroup = identity.isPresent();
-            if (identity.isPresent() && !refuses) {
-                keepsGroup = identity.get().certificate().groupKeyServer();
-                Optional<Key> groupKey = keepsGroup ? keptGroupKey() : Optional.empty();
-                agreement = new KeyAgreement(identity.get(), groupKey, this, new SecureRandom());
-                if (keepsGroup) {
-                    groupKey.filter(key -> !stored.contains(group())).ifPresent(key -> giveGroupKey(group(), key));
-                } else if (!stored.contains(group())) {
-                    wantGroupKey();
+            sharesGroup = found.isPresent();
+            if (found.isPresent() && !refuses) {
+                identity = found.get();
+                Optional<Key> groupKey = Files.exists(groupFile()) && identity.certificate().groupKeyServer()
+                        ? Optional.of(Key.of(Bytes.ofHex(PrivateFile.read(groupFile()).strip()))) : Optional.empty();
+                agreement = new KeyAgreement(identity, groupKey, new SecureRandom());
+                if (!stored.contains(group())) {
+                    agreement.lacksGroupKey(millis());
                 }
             }
         } catch (IOException | IllegalArgumentException e) {
@@ -255,18 +212,14 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
 
     /** Forgets all certified devices, and has the board forget them. */
     private void close() {
-        if (agreement == null) {
-            return;
+        if (agreement != null) {
+            agreement.close();
+            List<Effect> last = agreement.effects();
+            agreement = null;
+            last.forEach(this::perform);
+            met.clear();
+            host.met(met);
         }
-        agreement = null;
-        Stream.concat(pending.values().stream(), forGroup.stream()).forEach(message -> message.fail("no_key",
-                "the board has no key for " + message.to() + ", and agrees on keys with nobody any more"));
-        pending.clear();
-        forGroup.clear();
-        given.forEach(host::deleteKey);
-        given.clear();
-        met.clear();
-        host.met(met);
     }
 
     @Override
@@ -293,7 +246,7 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
             } else if (frame.destination().kind() == Address.Kind.DEVICE) {
                 agreement.noKey(frame.origin(), millis());
             } else {
-                wantGroupKey();
+                agreement.lacksGroupKey(millis());
             }
         });
     }
@@ -325,104 +278,89 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
 
     // What the agreement wants done
 
-    @Override
-    public void broadcast(HostMessage word) {
-        host.transmitAsIs(Address.BROADCAST, word).end()
-                .whenComplete((outcome, thrown) -> execute(() -> inAgreement(all -> all.said(millis()))));
+    private void perform(Effect effect) {
+        if (effect instanceof Effect.Broadcast broadcast) {
+            broadcast(broadcast);
+        } else if (effect instanceof Effect.Unicast unicast) {
+            unicast(unicast);
+        } else if (effect instanceof Effect.Multicast multicast) {
+            PendingMessage message = (PendingMessage) multicast.ticket();
+            message.follow(host.transmitAsIs(message.to(), message.message()));
+        } else if (effect instanceof Effect.SetSessionKey set) {
+            setSessionKey(set.device(), set.key());
+        } else if (effect instanceof Effect.DeleteKey delete) {
+            host.deleteKey(delete.device());
+        } else if (effect instanceof Effect.SetGroupKey set) {
+            setGroupKey(set.key());
+        } else if (effect instanceof Effect.KeepGroupKey kept) {
+            keep("the key of " + group() + " could not be kept, and will be another at the next start",
+                    () -> keepGroupKey(kept.key().bytes().hex()));
+        } else if (effect instanceof Effect.KeepRevocationLists) {
+            keep("a revocation list of the authority could not be kept", identity::keep);
+        } else if (effect instanceof Effect.Met fresh) {
+            met.add(fresh.peer());
+            host.met(met);
+        } else if (effect instanceof Effect.Receive receive) {
+            host.received(receive.from(), receive.content());
+        } else if (effect instanceof Effect.End end) {
+            end((PendingMessage) end.ticket(), end.how());
+        } else {
+            Effect.Transition transition = (Effect.Transition) effect;
+            Transitions.log(transition.machine(), self, transition.peer(), transition.id(), transition.state());
+        }
     }
 
-    @Override
-    public void unicast(Address to, HostMessage word) {
-        Transmission transmission = host.transmitAsIs(to, word);
-        boolean ofAgent = word.kind() == HostMessage.Kind.CONTENT || word.kind().use() == HostMessage.Use.MOVE;
-        // Messages to one device go one after the other.
-        Optional<PendingMessage> message = ofAgent
-                ? pending.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();
-        transmission.taken().thenRun(() -> message.ifPresent(PendingMessage::take));
-        transmission.end().whenComplete((outcome, thrown) -> execute(() -> {
+    private void broadcast(Effect.Broadcast broadcast) {
+        long asked = millis();
+        whenDone(host.send(Address.BROADCAST, broadcast.message()).end(), (outcome, thrown) -> agreement.said(broadcast,
+                thrown == null || !Failure.of(thrown).error().equals("queue_full"), millis() - asked, millis()));
+    }
+
+    private void unicast(Effect.Unicast unicast) {
+        Transmission transmission = host.send(unicast.to(), unicast.message());
+        transmission.taken().thenRun(() -> unicast.ticket().ifPresent(ticket -> ((PendingMessage) ticket).take()));
+        whenDone(transmission.end(), (outcome, thrown) -> {
             if (thrown != null) {
-                failures.put(to, thrown);
+                failures.put(unicast.to(), thrown);
             }
-            inAgreement(all -> all.sent(to, how(outcome, thrown), millis()));
-        }));
+            agreement.sent(unicast.to(), how(outcome, thrown), millis());
+        });
     }
 
     private static KeyAgreement.Sent how(Outcome outcome, Throwable thrown) {
         if (thrown != null) {
-            return isRefused(thrown, Status.NO_KEY) ? KeyAgreement.Sent.NO_KEY : KeyAgreement.Sent.FAILED;
+            return Failure.of(thrown).error().equals("no_key") ? KeyAgreement.Sent.NO_KEY : KeyAgreement.Sent.FAILED;
         }
         return outcome == Outcome.DELIVERED ? KeyAgreement.Sent.DELIVERED : KeyAgreement.Sent.UNDELIVERED;
     }
 
-    private static boolean isRefused(Throwable thrown, Status status) {
-        Throwable cause = thrown instanceof CompletionException ? thrown.getCause() : thrown;
-        return cause instanceof RequestFailedException refused && refused.status() == status;
-    }
-
-    @Override
-    public void setSessionKey(Address device, Key key) {
-        given.add(device);
-        host.setSessionKey(device, key).whenComplete((done, thrown) -> execute(() -> {
+    private void setSessionKey(Address device, Key key) {
+        whenDone(host.setSessionKey(device, key), (done, thrown) -> {
             if (thrown != null) {
-                Throwable why = isRefused(thrown, Status.UNKNOWN_COMMAND) ? noPlace(device) : thrown;
+                boolean noPlace = Failure.of(thrown).error().equals("unknown_command");
+                Throwable why = noPlace ? new Failure("no_place",
+                        "the board has no place for the key with the certified"
+                                + " device " + device + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more")
+                        .toException() : thrown;
                 failures.put(device, why);
                 host.warn(Failure.of(why).message());
             }
-            inAgreement(all -> all.keySet(device, thrown == null, millis()));
-        }));
+            agreement.keySet(device, thrown == null, millis());
+        });
     }
 
-    private static Throwable noPlace(Address device) {
-        return new Failure("no_place", "the board has no place for the key with the certified device " + device
-                + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more").toException();
-    }
-
-    @Override
-    public void deleteKey(Address device) {
-        given.remove(device);
-        host.deleteKey(device);
-    }
-
-    @Override
-    public void setGroupKey(Address group, Key key) {
-        // KeyAgreement calls this when it is made, too.
-        execute(() -> inAgreement(all -> {
-            if (keepsGroup) {
-                keep(key);
-            }
-            giveGroupKey(group, key);
-        }));
-    }
-
-    private void giveGroupKey(Address group, Key key) {
-        host.setGroupKey(group, key).whenComplete((done, thrown) -> execute(() -> {
+    void setGroupKey(Key key) {
+        whenDone(host.setGroupKey(group(), key), (done, thrown) -> {
             if (thrown == null) {
-                stored.add(group);
-                forGroup.forEach(message -> message.follow(host.transmitAsIs(message.to(), message.message())));
-                forGroup.clear();
+                stored.add(group());
+                agreement.groupKeySet();
             } else {
                 host.warn(Failure.of(thrown).message());
             }
-        }));
+        });
     }
 
-    @Override
-    public void met(Address peer, Certificate certificate) {
-        met.add(peer);
-        host.met(met);
-    }
-
-    @Override
-    public void received(Address from, Content content) {
-        host.received(from, content);
-    }
-
-    @Override
-    public void ended(long ticket, Ending how) {
-        PendingMessage message = pending.remove(ticket);
-        if (message == null) {
-            return;
-        }
+    private void end(PendingMessage message, Ending how) {
         String to = message.to().toString();
         switch (how) {
             case DELIVERED -> message.end(Outcome.DELIVERED);
@@ -433,52 +371,52 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
             case EXPIRED -> message.fail(how.atom(), "the certificate of " + to + " has expired");
             case NOT_SENT -> Optional.ofNullable(failures.remove(message.to())).ifPresentOrElse(message::fail,
                     () -> message.fail(how.atom(), "the board has not sent the message to " + to));
+            case NO_GROUP_KEY -> message.fail("no_key", "the board has no key for " + to
+                    + ", and no group key server has given one within 30 s");
+            case CLOSED -> message.fail("no_key",
+                    "the board has no key for " + to + ", and agrees on keys with nobody any more");
         }
     }
 
-    @Override
-    public void warn(String what) {
-        host.warn(what);
+    // Files
+
+    private interface Keeping {
+
+        void keep() throws IOException, JavinoException, InterruptedException;
     }
 
-    // The key of the group, from its server
-
-    private Path groupFile() {
-        return folder.resolve(self.toString().replace('/', '-') + ".group");
-    }
-
-    private void keep(Key key) {
+    private void keep(String failed, Keeping what) {
         try {
-            if (Files.exists(groupFile())) {
-                PrivateFile.change(groupFile(), before -> key.bytes().hex());
-            } else {
-                PrivateFile.create(groupFile(), key.bytes().hex());
-            }
+            what.keep();
         } catch (IOException | JavinoException | IllegalArgumentException e) {
-            host.warn("the key of " + group() + " could not be kept, and will be another at the next start: "
-                    + e.getMessage());
+            host.warn(failed + ": " + e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private Optional<Key> keptGroupKey() throws IOException {
-        return Files.exists(groupFile()) ? Optional.of(Key.of(Bytes.ofHex(PrivateFile.read(groupFile()).strip())))
-                : Optional.empty();
+    private Path groupFile() {
+        return folder.resolve(self.toString().replace('/', '-') + ".group");
+    }
+
+    private void keepGroupKey(String key) throws IOException, JavinoException, InterruptedException {
+        if (Files.exists(groupFile())) {
+            PrivateFile.change(groupFile(), before -> key);
+        } else {
+            PrivateFile.create(groupFile(), key);
+        }
     }
 
     // The thread
 
-    private interface InAgreement {
-
-        void with(KeyAgreement all);
-    }
-
-    /** Nothing, if the agreement has ended meanwhile. */
-    private void inAgreement(InAgreement step) {
-        if (agreement != null) {
-            step.with(agreement);
-        }
+    /** Does a step when something has ended, unless the agreement has ended meanwhile. */
+    private <T> void whenDone(CompletableFuture<T> what, BiConsumer<T, Throwable> step) {
+        KeyAgreement then = agreement;
+        what.whenComplete((done, thrown) -> execute(() -> {
+            if (agreement == then) {
+                step.accept(done, thrown);
+            }
+        }));
     }
 
     private long millis() {
@@ -496,11 +434,12 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
         });
     }
 
-    /** What follows from each step: when the next is due, and with whom there are keys. */
+    /** What follows from each step: what is to be done, when the next is due, and with whom there are keys. */
     private void follow() {
         if (agreement == null) {
             return;
         }
+        agreement.effects().forEach(this::perform);
         events = agreement.events();
         if (met.removeIf(peer -> !agreement.isSecure(peer))) {
             host.met(met);
@@ -510,7 +449,9 @@ public final class BoardKeyAgreement implements KeyService, KeyAgreement.Effects
             alarm = next;
             after(Math.max(0, next - millis()), () -> {
                 alarm = NEVER;
-                inAgreement(all -> all.tick(millis()));
+                if (agreement != null) {
+                    agreement.tick(millis());
+                }
             });
         }
     }

@@ -15,7 +15,11 @@ public enum Ending {
     /** The certificate's last day is past. */
     EXPIRED,
     /** The board does not take the key, or the message. */
-    NOT_SENT;
+    NOT_SENT,
+    /** No group key server has given the key of the group. */
+    NO_GROUP_KEY,
+    /** This host agrees on keys with nobody any more. */
+    CLOSED;
 
     /** The error as an atom of AgentSpeak, such as {@code no_answer}. */
     public String atom() {

@@ -1,91 +1,114 @@
 package keyagreement;
 
-import java.util.HashMap;
-import java.util.Map;
-import javino.board.Transitions;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
+import javino.protocol.Frame;
 import javino.protocol.HostMessage;
 import javino.protocol.HostMessage.Kind;
-import javino.protocol.Frame;
+import javino.protocol.Key;
+import keyagreement.HandshakeState.Deed;
+import keyagreement.HandshakeState.Input;
 import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.Initiator;
+import keyagreement.edhoc.Responder;
+import keyagreement.edhoc.Role;
+import keyagreement.edhoc.Secret;
 
-/** A handshake that is under way with a peer, on either side. */
-abstract class Handshake {
+/** A handshake with a peer, on either side: it is told what happens, says what is due, and tells its peer the rest. */
+final class Handshake {
 
-    static final long NEVER = Long.MAX_VALUE;
-    /** The same fragment again: not before, so that no board takes it for a repeat of its own (SPEC 7.2). */
-    static final long AGAIN_MILLIS = 450;
-    /** Fragments said again in a handshake, at most. */
-    static final int MOST_REPEATS = 12;
-    /** So long after its own last word it has been put off enough, whoever speaks. */
+    /** So long after its own last message it has been put off enough, whoever speaks. */
     private static final long PUT_OFF_MILLIS = 5000;
     /** For what waits to be on the air. */
     private static final long AIR_MILLIS = 30_000;
-    /** So many times what a fragment had to wait for the air, the answer may wait too. */
+    /** So many times what a message had to wait for the air, the answer may wait too. */
     private static final int WAITED_TIMES = 3;
-    /** After a fragment of others, at least, and again as a random part: their next one comes sooner. */
+    /** After a message for others, at least, and again as a random part: their next one comes sooner. */
     private static final int OTHERS_MILLIS = 600;
+    /** From one fragment of message 2 to the next one, and where it is clear that one is lost. */
+    private static final int NEXT_MILLIS = 700;
+    private static final int SOON_MILLIS = 100;
+    /** How often message 1 or a fragment of message 2 is asked for: for a message that waits, of an agent's or not. */
+    private static final int TRIES = 5;
+    private static final int FEW_TRIES = 2;
+    /** How often message 3 is asked for. */
+    private static final int WANTS = 2;
+    /** Of who begins, however busy the air is; and of who answers, from the end of message 2 on. */
+    private static final long LIFE_MILLIS = 60_000;
+    private static final long HALF_OPEN_MILLIS = 10_000;
+    /** The other side may lack message 3 for so long. */
+    private static final int THIRD_KEPT_MILLIS = 15_000;
+    /** Before a fragment is said again: of two with one address, whose boards draw the same, one comes first. */
+    static final int SPREAD_MILLIS = 200;
 
-    /** Where a handshake is. */
-    enum State {
-        OPEN, HALF_OPEN, SETTING, DONE, OVER
-    }
-
-    /** The two ways to agree on a key. */
-    enum Round {
-        /** By certificates. */
-        FULL(Kind.MESSAGE_1, Kind.MESSAGE_2, Kind.MESSAGE_3,
-                1200, 1400),
-        /** By what both have kept. */
-        RENEWAL(Kind.RENEWAL_1, Kind.RENEWAL_2,
-                Kind.RENEWAL_3, 800, 1000);
-
-        final Kind first;
-        final Kind second;
-        final Kind third;
-        final long secondMillis;
-        final long thirdMillis;
-
-        Round(Kind first, Kind second, Kind third,
-                long secondMillis, long thirdMillis) {
-            this.first = first;
-            this.second = second;
-            this.third = third;
-            this.secondMillis = secondMillis;
-            this.thirdMillis = thirdMillis;
-        }
-    }
-
-    private final Shared shared;
-    private final Peer peer;
+    private final Context context;
+    private final Address peer;
     private final Round round;
-    private final Map<Integer, Long> said = new HashMap<>();
-    private int repeats;
-    private long deadline = NEVER;
-    private long latest = NEVER;
+    private final int number;
+    /** Of who answers; else null. */
+    private final Bytes message1;
+    private final Role role;
+    private final Fragments parts;
+    private final Repeats repeats;
+    private final Set<Integer> due = new TreeSet<>();
+    private HandshakeState state;
+    private int tries;
+    private boolean disturbed;
+    private long deadline = Context.NEVER;
+    private long latest = Context.NEVER;
+    private long end = Context.NEVER;
+    private Ending failure = Ending.NO_ANSWER;
+    private Role.Agreed agreed;
+    private Optional<Certificate> certificate;
 
-    Handshake(Shared shared, Peer peer, Round round) {
-        this.shared = shared;
+    private Handshake(Context context, Address peer, Round round, HandshakeState state, Bytes message1, Role role) {
+        this.context = context;
         this.peer = peer;
         this.round = round;
+        this.message1 = message1;
+        this.role = role;
+        parts = new Fragments((isInitiator() ? round.second : round.third).fragments());
+        repeats = new Repeats(context);
+        number = context.handshakes().incrementAndGet();
+        enter(state);
     }
 
-    /** Message 1, which both sides have. */
-    abstract Bytes message1();
-
-    /** Has it known where it is, before anything follows from that. */
-    void log(State state) {
-        Transitions.log(this instanceof InitiatorHandshake ? "initiator" : "responder",
-                shared.identity().certificate().address(), peer.address(),
-                message1().slice(Integer.BYTES, 2 * Integer.BYTES).hex(), state);
+    /** Begins one. @param kept from the last one, for a renewal. @param later if the other side may have begun one. */
+    static Handshake begin(Context context, Address peer, Optional<Secret> kept, boolean later, long now) {
+        Round round = kept.isPresent() ? Round.RENEWAL : Round.FULL;
+        context.count(round == Round.FULL ? Event.BEGUN : Event.RENEWALS_BEGUN);
+        Handshake begun = new Handshake(context, peer, round, HandshakeState.WAITING, null, kept.isPresent()
+                ? Renewal.begin(kept.get(), context.self(), peer, context.random())
+                : new Initiator(context.identity().with(peer), context.random()));
+        begun.end = now + LIFE_MILLIS;
+        if (later) {
+            begun.deadline = now + round.thirdMillis + begun.random(round.thirdMillis);
+        } else {
+            begun.step(Input.LATE, now);
+        }
+        return begun;
     }
 
-    Shared shared() {
-        return shared;
+    /** Answers one. @throws HandshakeException if message 1 is none that can be answered. */
+    static Handshake answer(Context context, Address peer, Optional<Secret> kept, Bytes message1, long now)
+            throws HandshakeException {
+        Role role = kept.isPresent()
+                ? Renewal.answer(kept.get(), context.self(), peer, message1, context.random())
+                : new Responder(context.identity().with(peer), message1, context.random());
+        context.count(Event.ANSWERED);
+        Handshake answered = new Handshake(context, peer, kept.isPresent() ? Round.RENEWAL : Round.FULL,
+                HandshakeState.ANSWERING, message1, role);
+        answered.perform(Deed.SECOND, now);
+        return answered;
     }
 
-    Peer peer() {
+    Address peer() {
         return peer;
     }
 
@@ -93,99 +116,218 @@ abstract class Handshake {
         return round;
     }
 
+    int number() {
+        return number;
+    }
+
+    HandshakeState state() {
+        return state;
+    }
+
     long deadline() {
         return deadline;
     }
 
-    void setDeadline(long when) {
-        deadline = when;
+    /** Why it has failed: what somebody has proved of the address. */
+    Ending failure() {
+        return failure;
     }
 
-    /** Sets the deadline by what has come, which anybody can have said: so nobody can put it off for ever. */
-    void awaitMore(long until) {
-        deadline = Math.min(until, latest);
+    Secret secret() {
+        return agreed.secret();
     }
 
-    /** Puts off what is to be done, as others are on the air. */
+    /** The peer's; nothing if it was known before. */
+    Optional<Certificate> certificate() {
+        return certificate;
+    }
+
+    Key key() {
+        return isInitiator() ? Identity.key(secret(), context.self(), peer)
+                : Identity.key(secret(), peer, context.self());
+    }
+
+    private boolean isInitiator() {
+        return message1 == null;
+    }
+
+    /** Whether it has begun it, and awaits message 2. */
+    boolean isOpen() {
+        return state == HandshakeState.WAITING || state == HandshakeState.OPEN || state == HandshakeState.ASKING;
+    }
+
+    /** Whether a message is of the kind that it awaits. */
+    boolean awaits(Kind kind) {
+        return kind == (isInitiator() ? round.second : round.third);
+    }
+
+    boolean answers(HostMessage first) {
+        return first.kind() == round.first && first.body().equals(message1);
+    }
+
+    // What happens
+
+    /** Takes a step. Tells what is left to its peer; nothing if the input is ignored. */
+    Optional<Deed> step(Input input, long now) {
+        Table.Cell<HandshakeState, Deed> cell = HandshakeState.TABLE.cell(state, input);
+        if (cell.isIgnored()) {
+            return Optional.empty();
+        }
+        if (state != cell.next()) {
+            enter(cell.next());
+        }
+        perform(cell.deed(), now);
+        return Optional.of(cell.deed());
+    }
+
+    private void enter(HandshakeState next) {
+        state = next;
+        Bytes first = isInitiator() ? role.opening() : message1;
+        context.effects().add(new Effect.Transition(isInitiator() ? "initiator" : "responder", peer,
+                first.slice(Integer.BYTES, 2 * Integer.BYTES).hex(), next));
+    }
+
+    /** The deadline is over. @param urgent whether messages of an agent's wait. */
+    Optional<Deed> late(boolean urgent, long now) {
+        boolean lacks = isInitiator() ? parts.lacking().isPresent() : tries < WANTS;
+        tries += !isInitiator() && state == HandshakeState.ANSWERED && lacks ? 1 : 0;
+        Optional<Deed> deed =
+                step(now >= end || isInitiator() && tries >= (round == Round.FULL && urgent ? TRIES : FEW_TRIES)
+                        ? Input.SPENT
+                        : lacks ? Input.LACKING : Input.LATE, now);
+        if (deed.isEmpty()) {
+            deadline = Context.NEVER;
+        }
+        return deed;
+    }
+
+    /** Others are on the air: puts off what is to be done. What is tried meanwhile does not count. */
     void giveWay(long now) {
-        long quiet = now + OTHERS_MILLIS + shared.random().nextInt(OTHERS_MILLIS);
-        deadline = Math.max(deadline, Math.min(quiet, latest));
+        deadline = Math.max(deadline, Math.min(now + OTHERS_MILLIS + random(OTHERS_MILLIS), latest));
+        disturbed = true;
     }
 
-    /**
-     * Says a word, and waits for an answer: so long from the end on, with a random part so that two do not collide
-     * again, and longer where it had to wait for the air itself.
-     */
-    void say(HostMessage word, long wait, long now) {
-        int part = part(word.kind(), word.fragment());
-        if (!mayBeSaid(part, now)) {
-            shared.count(Event.LIMITED);
-            deadline = Math.max(deadline, now + AGAIN_MILLIS);
-            return;
+    /** A part of message 2 or 3 has come. */
+    Optional<Deed> heard(HostMessage part, long now) {
+        if (HandshakeState.TABLE.cell(state, Input.VERIFIED).isIgnored()) {
+            return Optional.empty();
         }
-        boolean taken = shared.broadcasts().say(word, now, (then, took) -> {
-            said.put(part, then);
-            latest = then + PUT_OFF_MILLIS;
-            deadline = then + wait + shared.random().nextInt((int) wait / 3)
-                    + WAITED_TIMES * Math.max(0, took - airMillis(word));
-            wasSaid(word, then);
-        });
-        if (taken) {
-            said.put(part, NEVER);
+        for (Bytes message : parts.add(part.fragment(), part.body())) {
+            try {
+                Role.Agreed proved = role.take(message);
+                certificate = proved.peer().isEmpty() ? Optional.empty()
+                        : Optional.of(Certificate.decode(proved.peer().get().kid()));
+                agreed = proved;
+                return step(Input.VERIFIED, now);
+            } catch (HandshakeException e) {
+                context.count(Event.REFUSED);
+                // What is not proved may be anybody's, and tells nothing.
+                failure = e.reason() == HandshakeException.Reason.NOT_CERTIFIED ? failure
+                        : Ending.valueOf(e.reason().name());
+            }
         }
-        deadline = now + (taken ? AIR_MILLIS : AGAIN_MILLIS);
-    }
-
-    private boolean mayBeSaid(int part, long now) {
-        Long before = said.get(part);
-        if (before == null) {
-            return true;
+        if (step(Input.PART, now).isPresent()) {
+            // Fragments come in their order: one that lacks before this is lost, and the next one follows at once. What
+            // has come anybody can have said, so nobody can put it off for ever.
+            deadline = Math.min(latest, now + random(SOON_MILLIS)
+                    + (parts.lacking().orElse(0) < part.fragment() ? SOON_MILLIS : NEXT_MILLIS));
         }
-        if (before == NEVER || now - before < AGAIN_MILLIS || repeats == MOST_REPEATS) {
-            return false;
+        return Optional.of(Deed.NOTHING);
+    }
+
+    /** The same message 1 has come again. */
+    void again(long now) {
+        if (step(Input.AGAIN, now).isPresent()) {
+            IntStream.range(0, round.second.fragments()).forEach(due::add);
         }
-        repeats++;
-        shared.count(Event.REPEATED);
-        return true;
     }
 
-    /** The word has been on the air. */
-    void wasSaid(HostMessage word, long now) {
+    /** The other side lacks a message, of which it asks for a fragment. */
+    Optional<Deed> wanted(int first, int fragment, long now) {
+        Kind own = isInitiator() ? round.third : round.second;
+        Optional<Deed> deed = first == own.first() && fragment < own.fragments() ? step(Input.WANTED, now)
+                : Optional.empty();
+        deed.ifPresent(each -> due.add(fragment));
+        return deed;
     }
 
-    /** Says all fragments of a message. */
-    void sayAll(Kind kind, Bytes message, long wait, long now) {
-        HostMessage.fragments(kind, peer.address(), message).forEach(word -> say(word, wait, now));
+    /** What it has said has been on the air. @param took since it was to be said. */
+    Optional<Deed> onAir(HostMessage message, long took, long now) {
+        int wait = wait(message.kind());
+        repeats.onAir(message, now);
+        latest = now + PUT_OFF_MILLIS;
+        // A random part, so that two do not collide again; and longer where the message had to wait for the air itself.
+        deadline = now + wait + random(wait / 3) + WAITED_TIMES * Math.max(0, took
+                - Airtime.millis(Frame.HEADER_LENGTH + message.encode().length()));
+        return message.kind() == round.second || message.kind() == round.third ? step(Input.ON_AIR, now)
+                : Optional.empty();
     }
 
-    /** Asks for a fragment. */
-    void want(Kind kind, int fragment, long wait, long now) {
-        say(new HostMessage(Kind.WANT, peer.address(), Bytes.of(kind.first(), fragment)), wait, now);
+    private int wait(Kind kind) {
+        return kind == round.third ? THIRD_KEPT_MILLIS : isInitiator() ? round.secondMillis : round.thirdMillis;
     }
 
-    /** A fragment as a {@code WANT} names it. */
-    static int part(Kind kind, int fragment) {
-        return kind.first() << Byte.SIZE | fragment;
+    /** What it has said will not be on the air, as too much waits for it. */
+    Optional<Deed> refused(HostMessage message, long now) {
+        repeats.refused(message);
+        deadline = now + Repeats.AGAIN_MILLIS;
+        return Optional.empty();
     }
 
-    /** What it takes of the air at 2000 bit/s, in ms. */
-    private static long airMillis(HostMessage word) {
-        return Airtime.millis(Frame.HEADER_LENGTH + word.encode().length());
+    // What it does
+
+    private void perform(Deed deed, long now) {
+        switch (deed) {
+            case FIRST -> {
+                tried();
+                say(round.first, role.opening(), now);
+            }
+            case SECOND -> say(round.second, role.opening(), now);
+            case THIRD -> say(round.third, agreed.answer(), now);
+            case WANT -> {
+                if (isInitiator()) {
+                    tried();
+                }
+                Kind kind = isInitiator() ? round.second : round.third;
+                say(Kind.WANT, Bytes.of(kind.first(), parts.lacking().orElse(0)), now);
+            }
+            case SAY -> {
+                List<HostMessage> all = HostMessage.fragments(round.second, peer, role.opening());
+                due.forEach(i -> say(all.get(i), now));
+                due.clear();
+            }
+            case ANEW -> tries = 0;
+            case LATER -> deadline = now + random(SPREAD_MILLIS);
+            case KEEP -> {
+                end = isInitiator() ? end : now + HALF_OPEN_MILLIS;
+                deadline = isInitiator() ? now + THIRD_KEPT_MILLIS : deadline;
+            }
+            case IDLE -> deadline = end;
+            case KEY -> deadline = Context.NEVER;
+            case NOTHING, FAIL -> {
+            }
+        }
     }
 
-    /** The other side lacks a fragment. Tells whether there is one. */
-    abstract boolean wanted(int part, long now);
+    private void tried() {
+        tries += disturbed ? 0 : 1;
+        disturbed = false;
+    }
 
-    /** The next message of the other side, or a part of it; of the right round. */
-    abstract void heard(HostMessage word, long now);
+    private void say(Kind kind, Bytes message, long now) {
+        HostMessage.fragments(kind, peer, message).forEach(each -> say(each, now));
+    }
 
-    /** The deadline is over. */
-    abstract void late(long now);
+    private void say(HostMessage message, long now) {
+        if (repeats.take(message, now)) {
+            deadline = now + AIR_MILLIS;
+            context.effects().add(new Effect.Broadcast(number, message));
+        } else {
+            deadline = Math.max(deadline, now + Repeats.AGAIN_MILLIS);
+        }
+    }
 
-    /** The board has the key. */
-    abstract void keyIsSet(long now);
-
-    void refused(HandshakeException why) {
-        shared.count(Event.REFUSED);
+    private int random(int below) {
+        return context.random().nextInt(below);
     }
 }

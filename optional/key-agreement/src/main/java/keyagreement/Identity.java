@@ -148,6 +148,16 @@ public final class Identity {
         }
     }
 
+    /** Why a certificate may not be believed now; nothing if it may. */
+    Optional<Reason> refusal(Certificate other) {
+        try {
+            check(other);
+            return Optional.empty();
+        } catch (HandshakeException e) {
+            return Optional.of(e.reason());
+        }
+    }
+
     /**
      * The latest day ever seen in a revocation list, or that of the clock if that is later. The clock's is not kept:
      * one that was years ahead once would end all certificates for ever.
@@ -176,20 +186,30 @@ public final class Identity {
     }
 
     /**
-     * Takes a revocation list that came from anybody, and keeps it in the file.
+     * Takes a revocation list that came from anybody.
      *
-     * @return whether it is newer than all before.
+     * @return whether it is newer than all before: then it is to be kept.
      * @throws HandshakeException if it is forged or of no trusted authority.
      */
-    public synchronized boolean take(Bytes bytes) throws IOException, JavinoException, InterruptedException {
+    public synchronized boolean take(Bytes bytes) throws HandshakeException {
         RevocationList revocationList = verified(bytes);
         if (!isNewer(revocationList, revocationLists)) {
             return false;
         }
-        PrivateFile.change(file, text -> keep(revocationList, Entries.parse(text, file)).format());
         revocationLists.removeIf(each -> each.authority() == revocationList.authority());
         revocationLists.add(revocationList);
         return true;
+    }
+
+    /** Keeps all revocation lists in the file. */
+    public void keep() throws IOException, JavinoException, InterruptedException {
+        PrivateFile.change(file, text -> {
+            Entries entries = Entries.parse(text, file);
+            for (RevocationList each : revocationLists()) {
+                keep(each, entries);
+            }
+            return entries.format();
+        });
     }
 
     private RevocationList verified(Bytes bytes) throws HandshakeException {

@@ -1,14 +1,18 @@
 package keyagreement;
 
 import java.security.SecureRandom;
+import java.util.Optional;
+import javino.protocol.Address;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.HandshakeException.Reason;
 import keyagreement.edhoc.Kdf;
+import keyagreement.edhoc.Role;
 import keyagreement.edhoc.Secret;
 
 /**
- * The messages by which two devices renew a secret that both have kept (SPEC 11.1), each with a proof of 8 bytes.
+ * Renews a secret that two devices have kept (SPEC 11.1): EDHOC's key update with nonces of both, each message with a
+ * proof of 8 bytes.
  *
  * @param pair the addresses of who begins and who answers, 6 bytes.
  */
@@ -18,49 +22,86 @@ record Renewal(Secret kept, Bytes pair) {
     private static final int NONCE_LENGTH = 8;
     private static final int PROOF_LENGTH = 8;
 
-    static Bytes nonce(SecureRandom random) {
+    /** The side that begins. */
+    static Role begin(Secret kept, Address self, Address peer, SecureRandom random) {
+        Renewal renewal = new Renewal(kept, Identity.pair(self, peer));
+        Bytes nonce = nonce(random);
+        return new Role() {
+
+            private Bytes taken;
+
+            @Override
+            public Bytes opening() {
+                return renewal.message1(nonce);
+            }
+
+            @Override
+            public Agreed take(Bytes message2) throws HandshakeException {
+                Renewal next = renewal.updated(nonce, nonceOf(message2));
+                verify(message2, taken == null ? Bytes.join(nonceOf(message2), next.proof(2, Bytes.EMPTY)) : taken);
+                taken = message2;
+                return new Agreed(next.proof(3, Bytes.EMPTY), next.kept, Optional.empty());
+            }
+        };
+    }
+
+    /**
+     * The side that answers.
+     *
+     * @throws HandshakeException if message 1 was made with another secret than this: it is forged, or one side has not
+     *                            got the last message 3.
+     */
+    static Role answer(Secret kept, Address self, Address peer, Bytes message1, SecureRandom random)
+            throws HandshakeException {
+        Renewal renewal = new Renewal(kept, Identity.pair(peer, self));
+        verify(message1, renewal.message1(nonceOf(message1)));
+        Bytes nonce = nonce(random);
+        Renewal next = renewal.updated(nonceOf(message1), nonce);
+        return new Role() {
+
+            @Override
+            public Bytes opening() {
+                return Bytes.join(nonce, next.proof(2, Bytes.EMPTY));
+            }
+
+            @Override
+            public Agreed take(Bytes message3) throws HandshakeException {
+                verify(message3, next.proof(3, Bytes.EMPTY));
+                return new Agreed(Bytes.EMPTY, next.kept, Optional.empty());
+            }
+        };
+    }
+
+    private Bytes message1(Bytes nonce) {
+        return Bytes.join(nonce, proof(1, nonce));
+    }
+
+    private Renewal updated(Bytes initiatorNonce, Bytes responderNonce) {
+        return new Renewal(kept.updated(Bytes.join(initiatorNonce, responderNonce)), pair);
+    }
+
+    private Bytes proof(int message, Bytes nonce) {
+        return kept.export(PROOF_LABEL, Bytes.join(Bytes.of(message), pair, nonce), PROOF_LENGTH);
+    }
+
+    private static Bytes nonce(SecureRandom random) {
         byte[] nonce = new byte[NONCE_LENGTH];
         random.nextBytes(nonce);
         return Bytes.copyOf(nonce);
     }
 
     /** That of a message 1 or 2. */
-    static Bytes nonce(Bytes message) throws HandshakeException {
+    private static Bytes nonceOf(Bytes message) throws HandshakeException {
         if (message.length() != NONCE_LENGTH + PROOF_LENGTH) {
             throw new HandshakeException(Reason.NOT_CERTIFIED, "the message is refused: its length is wrong");
         }
         return message.slice(0, NONCE_LENGTH);
     }
 
-    static void verify(Bytes received, Bytes expected) throws HandshakeException {
+    private static void verify(Bytes received, Bytes expected) throws HandshakeException {
         if (!Kdf.same(received, expected)) {
             throw new HandshakeException(Reason.NOT_CERTIFIED,
                     "the message is refused: it was made with another secret, or it is damaged");
         }
-    }
-
-    Bytes message1(Bytes initiatorNonce) {
-        Bytes context = Bytes.join(Bytes.of(1), pair, initiatorNonce);
-        return Bytes.join(initiatorNonce, kept.export(PROOF_LABEL, context, PROOF_LENGTH));
-    }
-
-    /** What both have after the two nonces. */
-    record Updated(Secret secret, Bytes pair, Bytes responderNonce) {
-
-        Bytes message2() {
-            return Bytes.join(responderNonce, proof(2));
-        }
-
-        Bytes message3() {
-            return proof(3);
-        }
-
-        private Bytes proof(int number) {
-            return secret.export(PROOF_LABEL, Bytes.join(Bytes.of(number), pair), PROOF_LENGTH);
-        }
-    }
-
-    Updated updated(Bytes initiatorNonce, Bytes responderNonce) {
-        return new Updated(kept.updated(Bytes.join(initiatorNonce, responderNonce)), pair, responderNonce);
     }
 }

@@ -62,7 +62,7 @@ final class Forger {
         simulation.random.nextBytes(noise);
         if (kind.equals("SEALED")) {
             return List.of(new SimulatedChannel.Packet(name, to, Bytes.copyOf(noise).slice(0, 16),
-                    Simulation.anyKey(simulation.random), 0));
+                    Simulation.anyKey(simulation.random), 0, null));
         }
         Kind forged = others ? Kind.WANT : Kind.valueOf(kind);
         if (forged == Kind.WANT) {
@@ -72,9 +72,10 @@ final class Forger {
         }
         // A message 1 proves nothing, so a forged one is like any other.
         Bytes message = forged == Kind.MESSAGE_1
-                ? new Initiator(any.with(to), new SecureRandom()).message1()
+                ? new Initiator(any.with(to), new SecureRandom()).opening()
                 : Bytes.copyOf(noise).slice(0, forged.length());
         return HostMessage.fragments(forged, to, message).stream()
-                .map(word -> new SimulatedChannel.Packet(name, Address.BROADCAST, word.encode(), null, 0)).toList();
+                .map(word -> new SimulatedChannel.Packet(name, Address.BROADCAST, word.encode(), null, 0, null))
+                .toList();
     }
 }

@@ -3,10 +3,12 @@ package keyagreement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 
 /** The air that boards share, as far as SPEC 6 and 7 make it slow: airtime, waits, collisions, damage. */
 final class SimulatedChannel {
@@ -41,17 +43,24 @@ final class SimulatedChannel {
         /** Null for a broadcast. */
         final Key key;
         final long nonce;
+        /** Of a host's; else null. */
+        private final CompletableFuture<Outcome> end;
         int attempt;
         private long start;
         private int slots = -1;
         private boolean damaged;
 
-        Packet(Address from, Address to, Bytes message, Key key, long nonce) {
+        Packet(Address from, Address to, Bytes message, Key key, long nonce, CompletableFuture<Outcome> end) {
             this.from = from;
             this.to = to;
             this.message = message;
             this.key = key;
             this.nonce = nonce;
+            this.end = end;
+        }
+
+        void end(boolean delivered) {
+            end.complete(key == null ? Outcome.SENT : delivered ? Outcome.DELIVERED : Outcome.UNDELIVERED);
         }
 
         int bits() {

@@ -16,14 +16,19 @@ import java.util.PriorityQueue;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import diffuser.HostChannel;
+import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.HostMessage;
+import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 
 /**
@@ -164,12 +169,12 @@ final class Simulation {
         return new Attacker.Voice() {
             @Override
             public void broadcast(Address from, Bytes word) {
-                hear(new SimulatedChannel.Packet(from, Address.BROADCAST, word, null, 0));
+                hear(new SimulatedChannel.Packet(from, Address.BROADCAST, word, null, 0, null));
             }
 
             @Override
             public void unicast(Address from, Address to, Bytes noise) {
-                hear(new SimulatedChannel.Packet(from, to, noise, anyKey(random), Long.MAX_VALUE / 2));
+                hear(new SimulatedChannel.Packet(from, to, noise, anyKey(random), Long.MAX_VALUE / 2, null));
             }
 
             private void hear(SimulatedChannel.Packet packet) {
@@ -232,7 +237,7 @@ final class Simulation {
             }
             underWay = null;
             if (packet.key == null || known || ++packet.attempt == ATTEMPTS) {
-                host.later(() -> host.ended(packet, known));
+                host.later(() -> packet.end(known));
             } else {
                 packets.add(packet);
             }
@@ -291,7 +296,7 @@ final class Simulation {
             }
             old.removeIf(packet -> !packet.to.equals(device));
             packets.removeAll(old);
-            old.forEach(packet -> host.later(() -> host.ended(packet, false)));
+            old.forEach(packet -> host.later(() -> packet.end(false)));
             if (old.contains(underWay)) {
                 air.forget(underWay);
                 underWay = null;
@@ -324,29 +329,28 @@ final class Simulation {
             after(BOOT_MILLIS, () -> {
                 deaf = false;
                 host.told(() -> host.agreement.booted(now));
-                lost.forEach(packet -> host.later(() -> host.ended(packet, false)));
+                lost.forEach(packet -> host.later(() -> packet.end(false)));
                 next();
             });
         }
     }
 
     /** A computer with a board and a certificate. */
-    final class Host implements KeyAgreement.Effects {
+    final class Host {
 
         final Address address;
         private final Identity identity;
         final Board board = new Board(this);
         KeyAgreement agreement;
+        private HostChannel channel;
         boolean on;
         long killedAt = -1;
         private int life;
         private long tick;
-        private final Map<Long, Letter> tickets = new HashMap<>();
+        private Optional<Key> keptGroupKey = Optional.empty();
         private Optional<Key> groupKey = Optional.empty();
         final Map<Address, Integer> met = new LinkedHashMap<>();
         int keysSet;
-        private final Set<Address> unicasts = new HashSet<>();
-        private boolean broadcasts;
 
         Host(Identity identity) {
             this.identity = identity;
@@ -357,11 +361,9 @@ final class Simulation {
             on = true;
             life++;
             tick = Long.MAX_VALUE;
-            tickets.clear();
-            unicasts.clear();
-            broadcasts = false;
+            channel = new HostChannel(List.of(), this::transmit, wrong::add);
             board.keys.clear();
-            agreement = new KeyAgreement(identity, groupKey, this, secure());
+            agreement = new KeyAgreement(identity, keptGroupKey, secure());
         }
 
         /** The program ends at once, and starts again some time later. */
@@ -389,16 +391,12 @@ final class Simulation {
         }
 
         Letter send(Address to) {
-            return send(to, new Content(Performative.TELL, "x" + letters++));
-        }
-
-        private Letter send(Address to, Content content) {
+            Content content = new Content(Performative.TELL, "x" + letters++);
             Letter letter = new Letter(address, to, now);
             said.put(content.term(), letter);
             within(() -> {
                 if (on) {
-                    agreement.send(to, content, now).ifPresentOrElse(ticket -> tickets.put(ticket, letter),
-                            () -> letter.isRefused = true);
+                    letter.isRefused = !agreement.send(letter, to, content, now);
                 }
             });
             return letter;
@@ -426,6 +424,9 @@ final class Simulation {
             try {
                 maybeFault("before");
                 what.run();
+                for (List<Effect> due = agreement.effects(); !due.isEmpty(); due = agreement.effects()) {
+                    due.forEach(this::perform);
+                }
             } catch (Killed e) {
                 kill();
             }
@@ -451,16 +452,6 @@ final class Simulation {
             }
         }
 
-        private void ended(SimulatedChannel.Packet packet, boolean known) {
-            if (packet.key == null) {
-                broadcasts = false;
-                agreement.said(now);
-            } else {
-                unicasts.remove(packet.to);
-                agreement.sent(packet.to, known ? KeyAgreement.Sent.DELIVERED : KeyAgreement.Sent.UNDELIVERED, now);
-            }
-        }
-
         void read(SimulatedChannel.Packet packet) {
             try {
                 agreement.received(packet.from, HostMessage.decode(packet.message), now);
@@ -469,86 +460,80 @@ final class Simulation {
             }
         }
 
-        @Override
-        public void broadcast(HostMessage word) {
-            maybeFault("broadcast");
-            if (broadcasts) {
-                wrong.add("a second broadcast at once");
-            }
-            broadcasts = true;
-            later(() -> board.send(new SimulatedChannel.Packet(address, Address.BROADCAST, word.encode(), null, 0)));
-        }
-
-        @Override
-        public void unicast(Address to, HostMessage word) {
-            maybeFault("unicast");
-            if (!unicasts.add(to)) {
-                wrong.add("a second unicast at once to " + to);
-            }
+        private Transmission transmit(Address to, HostMessage message) {
+            CompletableFuture<Outcome> end = new CompletableFuture<>();
             later(() -> {
                 Key key = board.keys.get(to);
-                if (key == null) {
-                    unicasts.remove(to);
-                    agreement.sent(to, KeyAgreement.Sent.NO_KEY, now);
+                if (key == null && !to.equals(Address.BROADCAST)) {
+                    end.completeExceptionally(new IllegalStateException("no key"));
                 } else {
-                    board.send(new SimulatedChannel.Packet(address, to, word.encode(), key, nonces++));
+                    board.send(new SimulatedChannel.Packet(address, to, message.encode(), key, nonces++, end));
+                }
+            });
+            return new Transmission(new CompletableFuture<>(), end);
+        }
+
+        /** Its end is told as long as the program runs. */
+        private void send(Address to, HostMessage message, BiConsumer<Outcome, Throwable> ended) {
+            KeyAgreement then = agreement;
+            channel.send(to, message).end().whenComplete((outcome, thrown) -> {
+                try {
+                    if (on && agreement == then) {
+                        ended.accept(outcome, thrown);
+                    }
+                } catch (RuntimeException e) {
+                    wrong.add(e.toString());
                 }
             });
         }
 
-        @Override
-        public void setSessionKey(Address device, Key key) {
-            maybeFault("key");
-            later(() -> {
-                if (board.lost) {
-                    return;
+        private void perform(Effect effect) {
+            if (effect instanceof Effect.Broadcast broadcast) {
+                maybeFault("broadcast");
+                long asked = now;
+                send(Address.BROADCAST, broadcast.message(), (outcome, thrown) -> agreement.said(broadcast,
+                        thrown == null, now - asked, now));
+            } else if (effect instanceof Effect.Unicast unicast) {
+                maybeFault("unicast");
+                send(unicast.to(), unicast.message(), (outcome, thrown) -> agreement.sent(unicast.to(), thrown != null
+                        ? KeyAgreement.Sent.NO_KEY : KeyAgreement.Sent.valueOf(outcome.name()), now));
+            } else if (effect instanceof Effect.SetSessionKey set) {
+                maybeFault("key");
+                later(() -> {
+                    if (!board.lost) {
+                        boolean done = board.set(set.device(), set.key());
+                        keysSet++;
+                        later(() -> agreement.keySet(set.device(), done, now));
+                    }
+                });
+            } else if (effect instanceof Effect.DeleteKey delete) {
+                later(() -> board.keys.remove(delete.device()));
+            } else if (effect instanceof Effect.SetGroupKey set) {
+                groupKey = Optional.of(set.key());
+                board.eepromWrites++;
+            } else if (effect instanceof Effect.KeepGroupKey kept) {
+                keptGroupKey = Optional.of(kept.key());
+            } else if (effect instanceof Effect.Met fresh) {
+                met.merge(fresh.peer(), 1, Integer::sum);
+            } else if (effect instanceof Effect.Receive receive) {
+                received(receive.from(), receive.content());
+            } else if (effect instanceof Effect.End end) {
+                Letter letter = (Letter) end.ticket();
+                if (letter.end.isPresent()) {
+                    wrong.add("a message ended twice");
                 }
-                boolean done = board.set(device, key);
-                keysSet++;
-                later(() -> agreement.keySet(device, done, now));
-            });
+                letter.end = Optional.of(end.how());
+                letter.endedAt = now;
+            }
         }
 
-        @Override
-        public void deleteKey(Address device) {
-            later(() -> board.keys.remove(device));
-        }
-
-        @Override
-        public void setGroupKey(Address group, Key key) {
-            groupKey = Optional.of(key);
-            board.eepromWrites++;
-        }
-
-        @Override
-        public void met(Address peer, Certificate certificate) {
-            met.merge(peer, 1, Integer::sum);
-        }
-
-        @Override
-        public void received(Address from, Content content) {
+        private void received(Address from, Content content) {
             Letter letter = said.get(content.term());
             if (letter == null || !letter.from.equals(from) || !letter.to.equals(address)) {
                 wrong.add(address + " accepted " + content + " from " + from);
             } else if (!letter.receivedBy.add(address + " " + life)) {
                 wrong.add(content + " came twice to " + address);
             }
-        }
-
-        @Override
-        public void ended(long ticket, Ending how) {
-            Letter letter = tickets.remove(ticket);
-            if (letter == null) {
-                wrong.add("an end of no message");
-                return;
-            }
-            letter.end = Optional.of(how);
-            letter.endedAt = now;
-        }
-
-        @Override
-        public void warn(String what) {
-            wrong.add(what);
         }
 
         String events() {

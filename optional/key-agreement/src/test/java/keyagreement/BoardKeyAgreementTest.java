@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import diffuser.HostChannel;
 import diffuser.HostClock;
 import diffuser.KeyService;
 import java.nio.file.Files;
@@ -19,6 +20,7 @@ import javino.board.BoardOfflineException;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
+import javino.protocol.HostMessage;
 import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Message;
@@ -81,6 +83,7 @@ class BoardKeyAgreementTest {
     /** What a board does of all that it is asked: it takes it, and never has it on the air; or it is not there. */
     private static final class FalseBoard implements KeyService.Host {
 
+        private final HostChannel channel = new HostChannel(List.of(), this::transmitAsIs, warning -> {});
         private boolean off;
         private Supplier<CompletableFuture<?>> groupKeys = CompletableFuture::new;
         private final List<Address> asked = new ArrayList<>();
@@ -91,6 +94,11 @@ class BoardKeyAgreementTest {
             BoardOfflineException gone = new BoardOfflineException("transmit", "it is off");
             return off ? new Transmission(CompletableFuture.failedFuture(gone), CompletableFuture.failedFuture(gone))
                     : new Transmission(CompletableFuture.completedFuture(null), new CompletableFuture<>());
+        }
+
+        @Override
+        public Transmission send(Address to, HostMessage message) {
+            return channel.send(to, message);
         }
 
         @Override
@@ -192,7 +200,7 @@ class BoardKeyAgreementTest {
     void groupMessage_theKeyComesAndTheAirIsNeverFree_isUndelivered() {
         Transmission said = send(GROUP, 1).get(0);
         board.groupKeys = () -> CompletableFuture.completedFuture(null);
-        agreement.setGroupKey(GROUP, Key.ofHex("00112233445566778899aabbccddeeff"));
+        agreement.setGroupKey(Key.ofHex("00112233445566778899aabbccddeeff"));
         time.run(MINUTE / 2);
         assertTrue(board.asked.contains(GROUP));
         assertFalse(said.end().isDone());

@@ -121,7 +121,7 @@ class ForgedRunsTest {
     }
 
     private static void assertInTime(String what, Simulation.Letter letter) {
-        assertTrue(letter.end.isPresent() && letter.endedAt - letter.at <= Peer.MOST_MILLIS, () -> what + ": "
+        assertTrue(letter.end.isPresent() && letter.endedAt - letter.at <= MessageQueue.MOST_MILLIS, () -> what + ": "
                 + letter.from + " learned " + letter.end + " after " + (letter.endedAt - letter.at));
     }
 
@@ -160,7 +160,7 @@ class ForgedRunsTest {
                 }
             });
         }
-        simulation.run(STORM_MILLIS + Peer.MOST_MILLIS);
+        simulation.run(STORM_MILLIS + MessageQueue.MOST_MILLIS);
         letters.removeIf(letter -> letter.isRefused || simulation.host(letter.from).killedAt >= letter.at);
         for (Simulation.Letter letter : letters) {
             assertInTime("seed " + seed, letter);

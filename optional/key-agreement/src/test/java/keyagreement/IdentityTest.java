@@ -23,6 +23,7 @@ import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.HandshakeException.Reason;
 import keyagreement.edhoc.Initiator;
 import keyagreement.edhoc.Responder;
+import keyagreement.edhoc.Role;
 
 /** Handshakes of devices with certificates, genuine and not. */
 class IdentityTest {
@@ -53,14 +54,15 @@ class IdentityTest {
     /** Both ends, each believing that it handshakes to the other. */
     private static Key agree(Identity one, Identity other) throws HandshakeException {
         Initiator initiator = new Initiator(one.with(address(other)), RANDOM);
-        Responder responder = new Responder(other.with(address(one)), initiator.message1(), RANDOM);
-        Bytes message3 = initiator.message3(responder.message2());
-        assertEquals(List.of(37, 88, 63), List.of(initiator.message1().length(), responder.message2().length(),
-                message3.length()));
-        Key key = Identity.key(responder.finish(message3), address(one), address(other));
-        assertEquals(key, Identity.key(initiator.secret(), address(one), address(other)));
-        assertEquals(other.certificate().toBytes(), initiator.peer().kid());
-        assertEquals(one.certificate().toBytes(), responder.peer().kid());
+        Responder responder = new Responder(other.with(address(one)), initiator.opening(), RANDOM);
+        Role.Agreed first = initiator.take(responder.opening());
+        Role.Agreed second = responder.take(first.answer());
+        assertEquals(List.of(37, 88, 63), List.of(initiator.opening().length(), responder.opening().length(),
+                first.answer().length()));
+        Key key = Identity.key(second.secret(), address(one), address(other));
+        assertEquals(key, Identity.key(first.secret(), address(one), address(other)));
+        assertEquals(other.certificate().toBytes(), first.peer().orElseThrow().kid());
+        assertEquals(one.certificate().toBytes(), second.peer().orElseThrow().kid());
         return key;
     }
 
@@ -104,12 +106,12 @@ class IdentityTest {
     void device_withAnotherAddress_isRefused() throws IOException, JavinoException {
         Identity busa = authority.certified("BUSA");
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
-        Responder impostor = new Responder(busa.with(address(supo)), initiator.message1(), RANDOM);
-        assertThrows(HandshakeException.class, () -> initiator.message3(impostor.message2()));
+        Responder impostor = new Responder(busa.with(address(supo)), initiator.opening(), RANDOM);
+        assertThrows(HandshakeException.class, () -> initiator.take(impostor.opening()));
         Initiator caller = new Initiator(busa.with(address(roma)), RANDOM);
-        Responder called = new Responder(roma.with(address(supo)), caller.message1(), RANDOM);
-        Bytes message3 = caller.message3(called.message2());
-        HandshakeException e = assertThrows(HandshakeException.class, () -> called.finish(message3));
+        Responder called = new Responder(roma.with(address(supo)), caller.opening(), RANDOM);
+        Bytes message3 = caller.take(called.opening()).answer();
+        HandshakeException e = assertThrows(HandshakeException.class, () -> called.take(message3));
         assertTrue(e.getMessage().contains("certificate 2 of BUSA"), e.getMessage());
     }
 
@@ -127,6 +129,7 @@ class IdentityTest {
         assertTrue(refused(Reason.REVOKED, supo, roma).contains("revocation list 1"));
         refused(Reason.REVOKED, roma, supo);
         assertFalse(supo.take(revocationList.toBytes()), "it is known");
+        supo.keep();
         Identity again = Identity.read(folder, address(supo)).orElseThrow();
         assertEquals(List.of(revocationList), again.revocationLists());
         refused(Reason.REVOKED, again, roma);
@@ -140,6 +143,7 @@ class IdentityTest {
         agree(supo, busa);
         supo.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
         assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's revocation list"));
+        supo.keep();
         refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);
         agree(supo, roma);
     }
@@ -170,14 +174,14 @@ class IdentityTest {
     void device_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
         supo.take(authority.revoke(roma).toBytes());
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
-        Bytes message2 = new Responder(roma.with(address(supo)), initiator.message1(), RANDOM).message2();
+        Bytes message2 = new Responder(roma.with(address(supo)), initiator.opening(), RANDOM).opening();
         byte[] changed = message2.toArray();
         changed[changed.length - 1] ^= 1;
         HandshakeException e = assertThrows(HandshakeException.class,
-                () -> initiator.message3(Bytes.copyOf(changed)));
+                () -> initiator.take(Bytes.copyOf(changed)));
         assertEquals(Reason.NOT_CERTIFIED, e.reason());
         assertEquals(Reason.REVOKED,
-                assertThrows(HandshakeException.class, () -> initiator.message3(message2)).reason());
+                assertThrows(HandshakeException.class, () -> initiator.take(message2)).reason());
     }
 
     @Test

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.Initiator;
 import keyagreement.edhoc.Responder;
+import keyagreement.edhoc.Role;
 import keyagreement.edhoc.Secret;
 
 class RenewalTest {
@@ -32,58 +33,58 @@ class RenewalTest {
         TestAuthority authority = new TestAuthority(folder);
         Identity roma = authority.certified("ROMA");
         Initiator initiator = new Initiator(authority.certified("SUPO").with(ROMA), RANDOM);
-        Responder responder = new Responder(roma.with(SUPO), initiator.message1(), RANDOM);
-        kept = responder.finish(initiator.message3(responder.message2()));
+        Responder responder = new Responder(roma.with(SUPO), initiator.opening(), RANDOM);
+        kept = responder.take(initiator.take(responder.opening()).answer()).secret();
     }
 
-    private RenewalInitiator begin() {
-        return new RenewalInitiator(kept, SUPO, ROMA, RANDOM);
+    private Role begin() {
+        return Renewal.begin(kept, SUPO, ROMA, RANDOM);
     }
 
-    private RenewalResponder answer(Bytes message1) throws HandshakeException {
-        return new RenewalResponder(kept, ROMA, SUPO, message1, RANDOM);
+    private Role answer(Bytes message1) throws HandshakeException {
+        return Renewal.answer(kept, ROMA, SUPO, message1, RANDOM);
     }
 
     @Test
     void renewal_ofWhatBothHaveKept_givesBothTheSameNewSecret() throws HandshakeException {
-        RenewalInitiator initiator = begin();
-        assertThrows(IllegalStateException.class, initiator::secret);
-        RenewalResponder responder = answer(initiator.message1());
-        Bytes message3 = initiator.message3(responder.message2());
-        assertEquals(message3, initiator.message3(responder.message2()));
-        assertEquals(16, initiator.message1().length());
-        assertEquals(16, responder.message2().length());
+        Role initiator = begin();
+        Role responder = answer(initiator.opening());
+        Bytes message3 = initiator.take(responder.opening()).answer();
+        Secret secret = initiator.take(responder.opening()).secret();
+        assertEquals(message3, initiator.take(responder.opening()).answer());
+        assertEquals(16, initiator.opening().length());
+        assertEquals(16, responder.opening().length());
         assertEquals(8, message3.length());
-        assertEquals(initiator.secret(), responder.finish(message3));
-        assertNotEquals(kept, initiator.secret());
-        assertNotEquals(Identity.key(kept, SUPO, ROMA), Identity.key(initiator.secret(), SUPO, ROMA));
-        assertEquals(kept.updated(Bytes.join(initiator.message1().slice(0, 8), responder.message2().slice(0, 8))),
-                initiator.secret());
+        assertEquals(secret, responder.take(message3).secret());
+        assertNotEquals(kept, secret);
+        assertNotEquals(Identity.key(kept, SUPO, ROMA), Identity.key(secret, SUPO, ROMA));
+        assertEquals(kept.updated(Bytes.join(initiator.opening().slice(0, 8), responder.opening().slice(0, 8))),
+                secret);
     }
 
     @Test
     void message_thatIsChangedReplayedOrTheOwn_isRefused() throws HandshakeException {
-        RenewalInitiator initiator = begin();
-        RenewalResponder responder = answer(initiator.message1());
-        RenewalResponder replayed = answer(initiator.message1());
+        Role initiator = begin();
+        Role responder = answer(initiator.opening());
+        Role replayed = answer(initiator.opening());
         for (int bit = 0; bit < 128; bit++) {
-            Bytes one = flipped(initiator.message1(), bit);
-            Bytes two = flipped(responder.message2(), bit);
+            Bytes one = flipped(initiator.opening(), bit);
+            Bytes two = flipped(responder.opening(), bit);
             assertThrows(HandshakeException.class, () -> answer(one));
-            assertThrows(HandshakeException.class, () -> initiator.message3(two));
+            assertThrows(HandshakeException.class, () -> initiator.take(two));
         }
-        assertThrows(HandshakeException.class, () -> initiator.message3(initiator.message1()));
-        assertThrows(HandshakeException.class, () -> initiator.message3(Bytes.EMPTY));
-        assertThrows(HandshakeException.class, () -> answer(responder.message2()));
+        assertThrows(HandshakeException.class, () -> initiator.take(initiator.opening()));
+        assertThrows(HandshakeException.class, () -> initiator.take(Bytes.EMPTY));
+        assertThrows(HandshakeException.class, () -> answer(responder.opening()));
         assertThrows(HandshakeException.class, () -> answer(Bytes.EMPTY));
-        Bytes message3 = initiator.message3(responder.message2());
-        assertThrows(HandshakeException.class, () -> initiator.message3(replayed.message2()));
-        assertThrows(HandshakeException.class, () -> replayed.finish(message3), "another nonce, another secret");
+        Bytes message3 = initiator.take(responder.opening()).answer();
+        assertThrows(HandshakeException.class, () -> initiator.take(replayed.opening()));
+        assertThrows(HandshakeException.class, () -> replayed.take(message3).secret(), "another nonce, another secret");
         for (int bit = 0; bit < 64; bit++) {
             Bytes three = flipped(message3, bit);
-            assertThrows(HandshakeException.class, () -> responder.finish(three));
+            assertThrows(HandshakeException.class, () -> responder.take(three));
         }
-        assertEquals(initiator.secret(), responder.finish(message3));
+        assertEquals(initiator.take(responder.opening()).secret(), responder.take(message3).secret());
     }
 
     private static Bytes flipped(Bytes message, int bit) {
@@ -94,11 +95,11 @@ class RenewalTest {
 
     @Test
     void renewal_betweenOthersOrTheOtherWayRound_isRefused() {
-        Bytes message1 = begin().message1();
-        assertThrows(HandshakeException.class, () -> new RenewalResponder(kept, SUPO, ROMA, message1, RANDOM));
+        Bytes message1 = begin().opening();
+        assertThrows(HandshakeException.class, () -> Renewal.answer(kept, SUPO, ROMA, message1, RANDOM));
         assertThrows(HandshakeException.class,
-                () -> new RenewalResponder(kept, ROMA, Address.parse("BUSA"), message1, RANDOM));
+                () -> Renewal.answer(kept, ROMA, Address.parse("BUSA"), message1, RANDOM));
         assertThrows(HandshakeException.class,
-                () -> new RenewalResponder(kept.updated(Bytes.EMPTY), ROMA, SUPO, message1, RANDOM));
+                () -> Renewal.answer(kept.updated(Bytes.EMPTY), ROMA, SUPO, message1, RANDOM));
     }
 }

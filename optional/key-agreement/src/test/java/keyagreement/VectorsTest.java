@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.math.BigInteger;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.SecureRandom;
 import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.StreamSupport;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
+import keyagreement.edhoc.Role;
 import keyagreement.edhoc.Secret;
 import keyagreement.edhoc.Secrets;
 
@@ -109,14 +111,28 @@ class VectorsTest {
         Address initiator = address(vector, "initiator");
         Address responder = address(vector, "responder");
         assertEquals(bytes(vector, "key").hex(), key(kept, initiator, responder));
-        Renewal renewal = new Renewal(kept, Identity.pair(initiator, responder));
-        Bytes first = Renewal.nonce(bytes(vector, "message1"));
-        assertEquals(bytes(vector, "message1"), renewal.message1(first));
-        Renewal.Updated updated = renewal.updated(first, Renewal.nonce(bytes(vector, "message2")));
-        assertEquals(bytes(vector, "message2"), updated.message2());
-        assertEquals(bytes(vector, "message3"), updated.message3());
-        assertEquals(Secrets.of(bytes(vector, "updated")), updated.secret());
-        assertEquals(bytes(vector, "updatedKey").hex(), key(updated.secret(), initiator, responder));
+        Role first = Renewal.begin(kept, initiator, responder, drawing(bytes(vector, "message1")));
+        assertEquals(bytes(vector, "message1"), first.opening());
+        Role second = Renewal.answer(kept, responder, initiator, first.opening(),
+                drawing(bytes(vector, "message2")));
+        assertEquals(bytes(vector, "message2"), second.opening());
+        Role.Agreed agreed = first.take(second.opening());
+        assertEquals(bytes(vector, "message3"), agreed.answer());
+        assertEquals(Secrets.of(bytes(vector, "updated")), agreed.secret());
+        assertEquals(agreed.secret(), second.take(agreed.answer()).secret());
+        assertEquals(bytes(vector, "updatedKey").hex(), key(agreed.secret(), initiator, responder));
+    }
+
+    /** Draws the nonce with which a message begins. */
+    private static SecureRandom drawing(Bytes message) {
+        return new SecureRandom() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void nextBytes(byte[] bytes) {
+                System.arraycopy(message.toArray(), 0, bytes, 0, bytes.length);
+            }
+        };
     }
 
     private static String key(Secret secret, Address initiator, Address responder) {

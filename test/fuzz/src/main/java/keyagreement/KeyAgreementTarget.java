@@ -80,13 +80,13 @@ public final class KeyAgreementTarget {
             holds(revocationList.toBytes().equals(bytes), "a revocation list");
             holds(!revocationList.isOf(HOST.authority.keys()), "nobody has signed it");
         });
-        reads(() -> holds(new Responder(HOST, bytes, RANDOM).message2().length() == MESSAGE_2_LENGTH, "message 2"));
+        reads(() -> holds(new Responder(HOST, bytes, RANDOM).opening().length() == MESSAGE_2_LENGTH, "message 2"));
         reads(() -> {
-            new Initiator(HOST, RANDOM).message3(bytes);
+            new Initiator(HOST, RANDOM).take(bytes);
             throw new AssertionError("a message 2 that nobody has made is taken");
         });
         reads(() -> {
-            ANSWERED.finish(bytes);
+            ANSWERED.take(bytes);
             throw new AssertionError("a message 3 that nobody has made is taken");
         });
     }
@@ -107,7 +107,7 @@ public final class KeyAgreementTarget {
 
     private static Responder answered() {
         try {
-            return new Responder(HOST, new Initiator(HOST, RANDOM).message1(), RANDOM);
+            return new Responder(HOST, new Initiator(HOST, RANDOM).opening(), RANDOM);
         } catch (HandshakeException impossible) {
             throw new IllegalStateException(impossible);
         }

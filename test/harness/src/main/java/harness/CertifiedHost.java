@@ -50,7 +50,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         this.self = self;
         this.received = received;
         agreement = new BoardKeyAgreement(identities, clock);
-        hosts = new HostChannel(List.of(agreement), warnings::add);
+        hosts = new HostChannel(List.of(agreement), this::transmitAsIs, warnings::add);
         board.complete(Board.open(link, BoardConfig.create(), this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
@@ -113,6 +113,11 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         Transmission begun = board.join().transmit(to, message);
         latest.add(begun.end());
         return begun;
+    }
+
+    @Override
+    public Transmission send(Address to, HostMessage message) {
+        return hosts.send(to, message);
     }
 
     @Override

@@ -2,13 +2,14 @@ package keyagreement.edhoc;
 
 import java.security.SecureRandom;
 import java.security.interfaces.ECPublicKey;
+import java.util.Optional;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.KeySchedule.Proof;
 import keyagreement.edhoc.KeySchedule.Second;
 import keyagreement.edhoc.KeySchedule.Third;
 
 /** The side that begins EDHOC. */
-public final class Initiator implements InitiatorRole {
+public final class Initiator implements Role {
 
     /** C_I. Nothing here needs connection identifiers, but RFC 9528 has them. */
     private static final Bytes IDENTIFIER = Bytes.of(0x00);
@@ -16,10 +17,8 @@ public final class Initiator implements InitiatorRole {
     private final Party self;
     private final Ephemeral ephemeral;
     private final Bytes message1;
-    private Bytes message2;
-    private Bytes message3;
-    private Credential peer;
-    private Secret secret;
+    private Bytes taken;
+    private Agreed agreed;
 
     /** Begins a run, with a new ephemeral key. */
     public Initiator(Party self, SecureRandom random) {
@@ -36,24 +35,24 @@ public final class Initiator implements InitiatorRole {
 
     /** 37 bytes. */
     @Override
-    public Bytes message1() {
+    public Bytes opening() {
         return message1;
     }
 
-    /** @param message2 88 bytes, where the other's certificate has 42. @return 63 bytes, where the own has 42. */
+    /** @param message2 88 bytes, where the other's certificate has 42. Message 3 has 63, where the own has 42. */
     @Override
-    public Bytes message3(Bytes message2) throws HandshakeException {
+    public Agreed take(Bytes message2) throws HandshakeException {
         // A second answer is never made: it would be sealed with the same key and nonce.
-        if (message3 == null) {
-            verify(message2);
-            this.message2 = message2;
-        } else if (!message2.equals(this.message2)) {
+        if (taken == null) {
+            agreed = verify(message2);
+            taken = message2;
+        } else if (!message2.equals(taken)) {
             throw CborReader.refused("another message 2 was taken");
         }
-        return message3;
+        return agreed;
     }
 
-    private void verify(Bytes received) throws HandshakeException {
+    private Agreed verify(Bytes received) throws HandshakeException {
         CborReader message = new CborReader(received);
         Bytes content = message.bytes();
         message.end();
@@ -71,32 +70,11 @@ public final class Initiator implements InitiatorRole {
         Bytes prk3e2m = second.prk3e2m(P256.agree(ephemeral.secret(), responder.key()));
         proof.verify(second.mac(prk3e2m, cR, responder, proof.externalData()));
         self.admit(responder);
-        peer = responder;
-        answer(second.third(prk3e2m, plaintext2, responder), theirs);
-    }
-
-    private void answer(Third third, ECPublicKey theirs) {
+        Third third = second.third(prk3e2m, plaintext2, responder);
         Credential own = self.own();
         Bytes prk4e3m = third.prk4e3m(P256.agree(self.secret(), theirs));
         Bytes plaintext3 = new Proof(own.kid(), third.mac(prk4e3m, own, Bytes.EMPTY), Bytes.EMPTY).encode();
-        message3 = Cbor.bytes(third.seal(plaintext3));
-        secret = third.secret(prk4e3m, plaintext3, own);
-    }
-
-    @Override
-    public Secret secret() {
-        return taken(secret);
-    }
-
-    /** The other side, as {@link Party#find} gave it. @throws IllegalStateException before a message 2 was taken. */
-    public Credential peer() {
-        return taken(peer);
-    }
-
-    private static <T> T taken(T what) {
-        if (what == null) {
-            throw new IllegalStateException("no message 2 was taken yet");
-        }
-        return what;
+        return new Agreed(Cbor.bytes(third.seal(plaintext3)), third.secret(prk4e3m, plaintext3, own),
+                Optional.of(responder));
     }
 }

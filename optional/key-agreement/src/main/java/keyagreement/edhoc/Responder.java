@@ -2,13 +2,14 @@ package keyagreement.edhoc;
 
 import java.security.SecureRandom;
 import java.security.interfaces.ECPublicKey;
+import java.util.Optional;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.KeySchedule.Proof;
 import keyagreement.edhoc.KeySchedule.Second;
 import keyagreement.edhoc.KeySchedule.Third;
 
 /** The side that answers EDHOC. */
-public final class Responder implements ResponderRole {
+public final class Responder implements Role {
 
     /** C_R. */
     private static final Bytes IDENTIFIER = Bytes.of(0x01);
@@ -17,9 +18,6 @@ public final class Responder implements ResponderRole {
     private final Ephemeral ephemeral;
     private final Bytes message2;
     private final Third third;
-    private Bytes message3;
-    private Credential peer;
-    private Secret secret;
 
     /**
      * Answers a message 1, with a new ephemeral key.
@@ -73,23 +71,13 @@ public final class Responder implements ResponderRole {
 
     /** 88 bytes, where the own certificate has 42. */
     @Override
-    public Bytes message2() {
+    public Bytes opening() {
         return message2;
     }
 
     @Override
-    public Secret finish(Bytes message3) throws HandshakeException {
-        if (secret == null) {
-            verify(message3);
-            this.message3 = message3;
-        } else if (!message3.equals(this.message3)) {
-            throw CborReader.refused("another message 3 was taken");
-        }
-        return secret;
-    }
-
-    private void verify(Bytes received) throws HandshakeException {
-        CborReader message = new CborReader(received);
+    public Agreed take(Bytes message3) throws HandshakeException {
+        CborReader message = new CborReader(message3);
         Bytes ciphertext3 = message.bytes();
         message.end();
         Bytes plaintext3 = third.open(ciphertext3);
@@ -98,15 +86,6 @@ public final class Responder implements ResponderRole {
         Bytes prk4e3m = third.prk4e3m(P256.agree(ephemeral.secret(), initiator.key()));
         proof.verify(third.mac(prk4e3m, initiator, proof.externalData()));
         self.admit(initiator);
-        peer = initiator;
-        secret = third.secret(prk4e3m, plaintext3, initiator);
-    }
-
-    /** The other side, as {@link Party#find} gave it. @throws IllegalStateException before a message 3 was taken. */
-    public Credential peer() {
-        if (peer == null) {
-            throw new IllegalStateException("no message 3 was taken yet");
-        }
-        return peer;
+        return new Agreed(Bytes.EMPTY, third.secret(prk4e3m, plaintext3, initiator), Optional.of(initiator));
     }
 }

@@ -23,24 +23,26 @@ class EdhocTest {
     private static final SecureRandom RANDOM = new SecureRandom();
 
     private static Secret secret(Bytes message3) throws HandshakeException {
-        return Rfc9529.answer(Rfc9529.of("message_1")).finish(message3);
+        return Rfc9529.answer(Rfc9529.of("message_1")).take(message3).secret();
     }
 
     @Test
     void initiator_ofTheTrace_sendsItsMessages() throws HandshakeException {
         Initiator initiator = Rfc9529.start();
-        assertEquals(Rfc9529.of("message_1"), initiator.message1());
-        assertEquals(Rfc9529.of("message_3"), initiator.message3(Rfc9529.of("message_2")));
-        assertEquals(new Secret(Rfc9529.of("prk_out")), initiator.secret());
-        assertEquals(Rfc9529.of("cred_r"), initiator.peer().encoded());
+        assertEquals(Rfc9529.of("message_1"), initiator.opening());
+        Role.Agreed agreed = initiator.take(Rfc9529.of("message_2"));
+        assertEquals(Rfc9529.of("message_3"), agreed.answer());
+        assertEquals(new Secret(Rfc9529.of("prk_out")), agreed.secret());
+        assertEquals(Rfc9529.of("cred_r"), agreed.peer().orElseThrow().encoded());
     }
 
     @Test
     void responder_ofTheTrace_sendsItsMessage() throws HandshakeException {
         Responder responder = Rfc9529.answer(Rfc9529.of("message_1"));
-        assertEquals(Rfc9529.of("message_2"), responder.message2());
-        assertEquals(new Secret(Rfc9529.of("prk_out")), responder.finish(Rfc9529.of("message_3")));
-        assertEquals(Rfc9529.of("cred_i"), responder.peer().encoded());
+        assertEquals(Rfc9529.of("message_2"), responder.opening());
+        Role.Agreed agreed = responder.take(Rfc9529.of("message_3"));
+        assertEquals(new Secret(Rfc9529.of("prk_out")), agreed.secret());
+        assertEquals(Rfc9529.of("cred_i"), agreed.peer().orElseThrow().encoded());
     }
 
     @Test
@@ -107,7 +109,7 @@ class EdhocTest {
     void message2_ofTheInvalidTraces_isRefused() {
         Bytes two = Bytes.ofHex(
                 "5820419701d7f00a26c2dc587a36dd752549f33763c893422c8ea0f955a13a4ff5d54b9862a11de42a95d785386a");
-        assertReason("12 bytes are too much", () -> Rfc9529.start().message3(two));
+        assertReason("12 bytes are too much", () -> Rfc9529.start().take(two));
     }
 
     @ParameterizedTest
@@ -115,7 +117,7 @@ class EdhocTest {
             "byte string and not, 27413248fa5efa2ebf920bf3",
             "4 bytes not 8, 273244fa5efa2e"})
     void plaintext2_ofTheInvalidTraces_isRefused(String why, String plaintext2) {
-        assertReason(why, () -> Rfc9529.start().message3(message2(Bytes.ofHex(plaintext2))));
+        assertReason(why, () -> Rfc9529.start().take(message2(Bytes.ofHex(plaintext2))));
     }
 
     /** A message 2 whose plaintext is anything. */
@@ -143,8 +145,8 @@ class EdhocTest {
         assertReason("another item", () -> Rfc9529.answer(Bytes.join(message1, Bytes.ofHex("f6"))));
         for (String ignored : new String[] {"00", "0040", "0041ff01", "000000", "1903e84161"}) {
             Responder responder = Rfc9529.answer(Bytes.join(message1, Bytes.ofHex(ignored)));
-            assertNotEquals(Rfc9529.of("message_2"), responder.message2());
-            assertThrows(HandshakeException.class, () -> Rfc9529.start().message3(responder.message2()));
+            assertNotEquals(Rfc9529.of("message_2"), responder.opening());
+            assertThrows(HandshakeException.class, () -> Rfc9529.start().take(responder.opening()));
         }
     }
 
@@ -156,20 +158,22 @@ class EdhocTest {
         Bytes prk3e2m = second.prk3e2m(P256.agree(Rfc9529.responder().secret(), P256.withX(Rfc9529.of("g_x"))));
         Bytes padding = Bytes.ofHex("0040");
         Proof right = new Proof(own.kid(), second.mac(prk3e2m, Rfc9529.of("c_r"), own, padding), padding);
-        assertEquals(19, Rfc9529.start().message3(message2(Bytes.join(Rfc9529.of("c_r"), right.encode()))).length());
+        Bytes message2 = message2(Bytes.join(Rfc9529.of("c_r"), right.encode()));
+        assertEquals(19, Rfc9529.start().take(message2).answer().length());
         Proof wrong = new Proof(own.kid(), Rfc9529.of("mac_2"), padding);
         assertReason("has not the key",
-                () -> Rfc9529.start().message3(message2(Bytes.join(Rfc9529.of("c_r"), wrong.encode()))));
+                () -> Rfc9529.start().take(message2(Bytes.join(Rfc9529.of("c_r"), wrong.encode()))));
     }
 
     @Test
     void message_thatIsChangedCutOffOrLonger_isRefusedAndTheGenuineOneStillTaken() throws HandshakeException {
         Initiator initiator = Rfc9529.start();
-        assertNoneTaken(Rfc9529.of("message_2"), initiator::message3);
-        assertEquals(Rfc9529.of("message_3"), initiator.message3(Rfc9529.of("message_2")));
+        assertNoneTaken(Rfc9529.of("message_2"), initiator::take);
+        assertEquals(Rfc9529.of("message_3"), initiator.take(Rfc9529.of("message_2")).answer());
         Responder responder = Rfc9529.answer(Rfc9529.of("message_1"));
-        assertNoneTaken(Rfc9529.of("message_3"), responder::finish);
-        assertEquals(initiator.secret(), responder.finish(Rfc9529.of("message_3")));
+        assertNoneTaken(Rfc9529.of("message_3"), responder::take);
+        assertEquals(initiator.take(Rfc9529.of("message_2")).secret(),
+                responder.take(Rfc9529.of("message_3")).secret());
     }
 
     private interface Taking {
@@ -196,7 +200,7 @@ class EdhocTest {
             byte[] changed = Rfc9529.of("message_1").toArray();
             changed[bit / 8] ^= 1 << bit % 8;
             assertThrows(HandshakeException.class,
-                    () -> Rfc9529.start().message3(Rfc9529.answer(Bytes.copyOf(changed)).message2()));
+                    () -> Rfc9529.start().take(Rfc9529.answer(Bytes.copyOf(changed)).opening()));
         }
     }
 
@@ -214,26 +218,25 @@ class EdhocTest {
                     : i % 3 == 1 ? new byte[] {3, 2, 0x58, 0x20} : new byte[] {0x58, (byte) (bytes.length - 2)};
             System.arraycopy(start, 0, bytes, 0, Math.min(start.length, bytes.length));
             Bytes message = Bytes.copyOf(bytes);
-            assertThrows(HandshakeException.class, () -> initiator.message3(message));
-            assertThrows(HandshakeException.class, () -> responder.finish(message));
-            assertThrows(HandshakeException.class, () -> initiator.message3(Rfc9529.answer(message).message2()));
+            assertThrows(HandshakeException.class, () -> initiator.take(message));
+            assertThrows(HandshakeException.class, () -> responder.take(message));
+            assertThrows(HandshakeException.class, () -> initiator.take(Rfc9529.answer(message).opening()));
         }
     }
 
     @Test
     void message_thatWasTaken_isAnsweredAlikeAndNoOther() throws HandshakeException {
         Initiator initiator = new Initiator(Rfc9529.initiator(), RANDOM);
-        assertThrows(IllegalStateException.class, initiator::secret);
-        Responder responder = new Responder(Rfc9529.responder(), initiator.message1(), RANDOM);
-        assertThrows(IllegalStateException.class, responder::peer);
-        Responder twin = new Responder(Rfc9529.responder(), initiator.message1(), RANDOM);
-        Bytes message3 = initiator.message3(responder.message2());
-        assertEquals(message3, initiator.message3(responder.message2()));
-        assertReason("another message 2 was taken", () -> initiator.message3(twin.message2()));
-        assertEquals(initiator.secret(), responder.finish(message3));
-        assertEquals(initiator.secret(), responder.finish(message3));
-        assertReason("another handshake", () -> twin.finish(message3));
-        assertNotEquals(initiator.message1(), new Initiator(Rfc9529.initiator(), RANDOM).message1());
+        Responder responder = new Responder(Rfc9529.responder(), initiator.opening(), RANDOM);
+        Responder twin = new Responder(Rfc9529.responder(), initiator.opening(), RANDOM);
+        Bytes message3 = initiator.take(responder.opening()).answer();
+        assertEquals(message3, initiator.take(responder.opening()).answer());
+        assertReason("another message 2 was taken", () -> initiator.take(twin.opening()));
+        Secret secret = initiator.take(responder.opening()).secret();
+        assertEquals(secret, responder.take(message3).secret());
+        assertEquals(secret, responder.take(message3).secret());
+        assertReason("another handshake", () -> twin.take(message3));
+        assertNotEquals(initiator.opening(), new Initiator(Rfc9529.initiator(), RANDOM).opening());
     }
 
     /** Also where the other side knows the sender: a message of one run or direction proves nothing in another. */
@@ -241,14 +244,14 @@ class EdhocTest {
     void message_ofAnotherRunOrDirection_isRefused() throws HandshakeException {
         Named both = Rfc9529.initiator().knowing(Rfc9529.initiator());
         Initiator own = new Initiator(both, RANDOM);
-        Responder reflected = new Responder(Rfc9529.responder(), own.message1(), RANDOM);
-        assertReason("nobody has the name", () -> own.message3(reflected.message2()));
-        assertThrows(HandshakeException.class, () -> own.message3(own.message1()));
+        Responder reflected = new Responder(Rfc9529.responder(), own.opening(), RANDOM);
+        assertReason("nobody has the name", () -> own.take(reflected.opening()));
+        assertThrows(HandshakeException.class, () -> own.take(own.opening()));
         Initiator first = new Initiator(Rfc9529.initiator(), RANDOM);
         Initiator second = new Initiator(Rfc9529.initiator(), RANDOM);
-        Bytes answer = new Responder(Rfc9529.responder(), first.message1(), RANDOM).message2();
-        assertThrows(HandshakeException.class, () -> second.message3(answer));
-        assertEquals(19, first.message3(answer).length());
+        Bytes answer = new Responder(Rfc9529.responder(), first.opening(), RANDOM).opening();
+        assertThrows(HandshakeException.class, () -> second.take(answer));
+        assertEquals(19, first.take(answer).answer().length());
     }
 
     @Test
@@ -256,12 +259,12 @@ class EdhocTest {
         Named false1 = new Named(Rfc9529.initiator().own(), P256.secret(P256.ORDER.shiftRight(1)),
                 Rfc9529.initiator().others());
         Initiator initiator = new Initiator(false1, RANDOM);
-        Responder responder = new Responder(Rfc9529.responder(), initiator.message1(), RANDOM);
-        Bytes message3 = initiator.message3(responder.message2());
-        assertReason("has not the key", () -> responder.finish(message3));
+        Responder responder = new Responder(Rfc9529.responder(), initiator.opening(), RANDOM);
+        Bytes message3 = initiator.take(responder.opening()).answer();
+        assertReason("has not the key", () -> responder.take(message3));
         Named false2 = new Named(Rfc9529.responder().own(), false1.secret(), Rfc9529.responder().others());
         Initiator genuine = new Initiator(Rfc9529.initiator(), RANDOM);
-        Responder forger = new Responder(false2, genuine.message1(), RANDOM);
-        assertReason("has not the key", () -> genuine.message3(forger.message2()));
+        Responder forger = new Responder(false2, genuine.opening(), RANDOM);
+        assertReason("has not the key", () -> genuine.take(forger.opening()));
     }
 }

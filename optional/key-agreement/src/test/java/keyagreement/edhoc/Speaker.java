@@ -31,15 +31,16 @@ final class Speaker {
 
     private Secret initiate() throws IOException, HandshakeException {
         Initiator initiator = new Initiator(Rfc9529.initiator(), RANDOM);
-        print(initiator.message1());
-        print(initiator.message3(hear()));
-        return initiator.secret();
+        print(initiator.opening());
+        Role.Agreed agreed = initiator.take(hear());
+        print(agreed.answer());
+        return agreed.secret();
     }
 
     private Secret respond() throws IOException, HandshakeException {
         Responder responder = new Responder(Rfc9529.responder(), hear(), RANDOM);
-        print(responder.message2());
-        return responder.finish(hear());
+        print(responder.opening());
+        return responder.take(hear()).secret();
     }
 
     private Bytes hear() throws IOException {

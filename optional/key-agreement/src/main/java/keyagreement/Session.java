@@ -1,0 +1,30 @@
+package keyagreement;
+
+/** What a host knows of the session key with a peer, as SPEC 11.3 has it; what happens, and what follows. */
+enum Session {
+    NONE, SETTING, UNPROVEN, PROVEN;
+
+    enum Input {
+        VERIFIED, SET_FIRST, SET_SECOND, NOT_SET, SEALED, DELIVERED, UNDELIVERED, NO_KEY, UNOPENED, BOOTED, FORGOTTEN
+    }
+
+    /** Of the message that was under way, it ends or goes again; or a handshake begins. */
+    enum Deed {
+        NOTHING, END, AGAIN, BEGIN
+    }
+
+    static final Table<Session, Input, Deed> TABLE = Table.of(Session.class, Input.class, Deed.class, """
+                    NONE    SETTING  UNPROVEN   PROVEN
+        VERIFIED    SETTING -s       SETTING    SETTING
+        SET_FIRST   -f      UNPROVEN -f         -f
+        SET_SECOND  -f      PROVEN   -f         -f
+        NOT_SET     -f      NONE     -f         -f
+        SEALED      -o      -o       PROVEN     .
+        DELIVERED   .:END   .:END    PROVEN:END .:END
+        UNDELIVERED .:AGAIN .:AGAIN  NONE:AGAIN UNPROVEN:END
+        NO_KEY      .:AGAIN .:AGAIN  NONE:AGAIN NONE:AGAIN
+        UNOPENED    .:BEGIN -s       NONE:BEGIN NONE:BEGIN
+        BOOTED      .       -s       NONE       NONE
+        FORGOTTEN   .       NONE     NONE       NONE
+        """);
+}
