@@ -180,6 +180,11 @@ final class Handshake {
         return Optional.of(cell.deed());
     }
 
+    /** Another one has given the key, or the board has not taken it, or the peer is forgotten. */
+    void drop() {
+        enter(HandshakeState.OVER);
+    }
+
     private void enter(HandshakeState next) {
         state = next;
         Bytes first = isInitiator() ? role.opening() : message1;

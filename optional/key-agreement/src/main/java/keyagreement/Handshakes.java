@@ -130,11 +130,21 @@ final class Handshakes {
             Optional<Deed> deed = run.state() == HandshakeState.OVER ? Optional.empty() : what.apply(run);
             deed.ifPresent(each -> left.add(new Left(run, each, initiated)));
             if (deed.equals(Optional.of(Deed.KEY))) {
-                all().stream().filter(other -> other != run).forEach(other -> other.step(Input.DROPPED, 0));
+                all().stream().filter(other -> other != run).forEach(Handshake::drop);
             }
         }
-        begun = begun == null || begun.state() == HandshakeState.OVER ? null : begun;
-        context.halfOpen().removeIf(run -> run.state() == HandshakeState.OVER);
+        forget();
         return left;
+    }
+
+    /** Ends all. */
+    void drop() {
+        all().forEach(Handshake::drop);
+        forget();
+    }
+
+    private void forget() {
+        begun = begun().filter(run -> run.state() != HandshakeState.OVER).orElse(null);
+        context.halfOpen().removeIf(run -> run.state() == HandshakeState.OVER);
     }
 }

@@ -32,10 +32,10 @@ final class MessageQueue {
 
     static final Table<State, Input, Deed> TABLE = Table.of(State.class, Input.class, Deed.class, """
               WAITING        UNDER_WAY TOLD
-        READY UNDER_WAY:SEND -u        -u
+        READY UNDER_WAY:SEND -n        -n
         END   OVER:TELL      OVER:TELL OVER
-        AGAIN -w             WAITING   OVER
-        LATE  OVER:TELL      TOLD:TELL -t
+        AGAIN -n             WAITING   OVER
+        LATE  OVER:TELL      TOLD:TELL -n
         """);
 
     private final Context context;

@@ -170,7 +170,7 @@ final class Peer {
         }
         step(input);
         if (!done) {
-            handshakes.step(HandshakeState.Input.DROPPED, now);
+            handshakes.drop();
             queue.agreementFailed(Ending.NOT_SENT);
             advance(now);
             return;
@@ -283,7 +283,7 @@ final class Peer {
         if (session == Session.PROVEN) {
             handshakes.step(HandshakeState.Input.DONE, now);
         } else if (lacksThird) {
-            handshakes.step(HandshakeState.Input.DROPPED, now);
+            handshakes.drop();
             kept = null;
         }
         return deed;
@@ -346,7 +346,7 @@ final class Peer {
         groupKeys.lost(address);
         kept = null;
         certificate = null;
-        handshakes.step(HandshakeState.Input.DROPPED, 0);
+        handshakes.drop();
         queue.endAll(why);
     }
 }

@@ -33,7 +33,7 @@ final class RevocationLists {
                SILENT   DUE      SAID
         FIRST  SAID:SAY SAID:SAY .:SAY
         SECOND DUE      .        DUE
-        LATE   -q       SAID:SAY -q
+        LATE   -n       SAID:SAY -n
         HEARD  .        SILENT   .
         NEWER  SAID:SAY SAID:SAY .
         """);

@@ -16,9 +16,9 @@ enum Session {
     static final Table<Session, Input, Deed> TABLE = Table.of(Session.class, Input.class, Deed.class, """
                     NONE    SETTING  UNPROVEN   PROVEN
         VERIFIED    SETTING -s       SETTING    SETTING
-        SET_FIRST   -f      UNPROVEN -f         -f
-        SET_SECOND  -f      PROVEN   -f         -f
-        NOT_SET     -f      NONE     -f         -f
+        SET_FIRST   -n      UNPROVEN -n         -n
+        SET_SECOND  -n      PROVEN   -n         -n
+        NOT_SET     -n      NONE     -n         -n
         SEALED      -o      -o       PROVEN     .
         DELIVERED   .:END   .:END    PROVEN:END .:END
         UNDELIVERED .:AGAIN .:AGAIN  NONE:AGAIN UNPROVEN:END
