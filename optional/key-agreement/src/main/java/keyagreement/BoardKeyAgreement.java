@@ -1,11 +1,7 @@
 package keyagreement;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.SecureRandom;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -13,7 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 import jason.JasonException;
 
@@ -23,13 +21,8 @@ import diffuser.Failure;
 import diffuser.HostClock;
 import diffuser.KeyService;
 
-import javino.JavinoException;
-import javino.board.Transitions;
 import javino.board.Transmission;
-import javino.keyring.PrivateFile;
 import javino.protocol.Address;
-import javino.protocol.Bytes;
-import javino.protocol.Key;
 import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
@@ -45,7 +38,7 @@ public final class BoardKeyAgreement implements KeyService {
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
 
-    private static final long NEVER = Long.MAX_VALUE;
+    private static final Pattern CAPITAL = Pattern.compile("_(.)");
 
     private final Path folder;
     private final HostClock clock;
@@ -56,15 +49,9 @@ public final class BoardKeyAgreement implements KeyService {
     private int bootEpoch;
     private Set<Address> stored = Set.of();
     private boolean refuses;
-    private Identity identity;
-    /** Null while nothing is done. */
-    private KeyAgreement agreement;
-    private final Set<Address> met = new HashSet<>();
-    private final Map<Address, Throwable> failures = new HashMap<>();
-    private long alarm = NEVER;
+    private volatile Optional<OpenAgreement> open = Optional.empty();
     /** Until it is known that this device has no certificate, and where that cannot be known. */
     private volatile boolean sharesGroup = true;
-    private volatile Map<Event, Long> events = Map.of();
     private volatile long ignored;
 
     /** Found by Java's {@link java.util.ServiceLoader}. */
@@ -72,12 +59,8 @@ public final class BoardKeyAgreement implements KeyService {
 
         @Override
         public KeyService of(Diffuser diffuser) {
-            return new BoardKeyAgreement(folder(), diffuser.hostClock());
-        }
-
-        private static Path folder() {
-            String named = System.getProperty(FOLDER_PROPERTY);
-            return named == null ? Identity.defaultFolder() : Path.of(named);
+            return new BoardKeyAgreement(Path.of(System.getProperty(FOLDER_PROPERTY,
+                    Identity.defaultFolder().toString())), diffuser.hostClock());
         }
     }
 
@@ -109,14 +92,14 @@ public final class BoardKeyAgreement implements KeyService {
      */
     public CompletableFuture<Void> welcome(boolean certified) {
         CompletableFuture<Void> done = new CompletableFuture<>();
-        execute(() -> {
+        clock.execute(() -> {
             refuses = !certified;
             if (refuses) {
                 close();
-            } else if (agreement == null && host != null) {
+            } else if (open.isEmpty() && host != null) {
                 open();
             }
-            if (certified && agreement == null && host != null) {
+            if (certified && open.isEmpty() && host != null) {
                 done.completeExceptionally(new Failure("no_certificate",
                         "there is no certificate for " + self + " in " + folder + "; javino enroll --id " + self)
                         .toException());
@@ -130,22 +113,27 @@ public final class BoardKeyAgreement implements KeyService {
     @Override
     public Transmission transmit(Host board, Address to, Message message) {
         PendingMessage mine = new PendingMessage(to, message);
-        execute(() -> begin(board, mine));
+        clock.execute(() -> begin(board, mine));
         return mine.transmission();
     }
 
     private void begin(Host board, PendingMessage message) {
-        boolean isOpen = agreement != null && board == host;
-        boolean toGroup = isOpen && message.to().equals(group()) && !stored.contains(group());
+        boolean isOpen = open.isPresent() && board == host;
+        boolean toGroup = isOpen && message.to().equals(Address.multicast(self.group()))
+                && !stored.contains(message.to());
         if (!isOpen || !toGroup && (message.to().kind() != Address.Kind.DEVICE || message.to().equals(self))) {
             message.follow(board.transmitAsIs(message.to(), message.message()));
             return;
         }
         // The board may have it and wait for the air.
-        after(MessageQueue.MOST_MILLIS, () -> message.end(Outcome.UNDELIVERED));
+        clock.after(MessageQueue.MOST_MILLIS, () -> message.end(Outcome.UNDELIVERED));
+        step(all -> send(all, message, toGroup));
+    }
+
+    private void send(KeyAgreement all, PendingMessage message, boolean toGroup) {
         try {
-            if (!(toGroup ? agreement.sendToGroup(message, millis())
-                    : agreement.send(message, message.to(), message.message(), millis()))) {
+            if (!(toGroup ? all.sendToGroup(message, clock.millis())
+                    : all.send(message, message.to(), message.message(), clock.millis()))) {
                 message.fail("queue_full", "too many messages wait for a key with " + message.to() + " or with others");
             }
         } catch (IllegalArgumentException e) {
@@ -154,15 +142,15 @@ public final class BoardKeyAgreement implements KeyService {
         }
     }
 
-    private Address group() {
-        return Address.multicast(self.group());
+    private void step(Consumer<KeyAgreement> what) {
+        open.ifPresentOrElse(each -> each.step(what), () -> ignored++);
     }
 
     // What the board tells
 
     @Override
     public void online(Host board, Address address, int epoch, List<Reply.StoredKey> keys) {
-        execute(() -> {
+        clock.execute(() -> {
             boolean same = board == host && address.equals(self);
             boolean booted = epoch != bootEpoch;
             if (!same) {
@@ -171,18 +159,18 @@ public final class BoardKeyAgreement implements KeyService {
             host = board;
             self = address;
             bootEpoch = epoch;
-            Set<Address> inEeprom = new HashSet<>();
-            keys.stream().filter(key -> key.role() != Reply.Role.SESSION).forEach(key -> inEeprom.add(key.address()));
-            stored = inEeprom;
-            if (agreement == null) {
-                keys.stream().filter(key -> key.role() == Reply.Role.SESSION)
-                        .forEach(key -> host.deleteKey(key.address()));
+            Map<Boolean, Set<Address>> ofSessions = keys.stream().collect(Collectors.partitioningBy(
+                    key -> key.role() == Reply.Role.SESSION,
+                    Collectors.mapping(Reply.StoredKey::address, Collectors.toSet())));
+            stored = ofSessions.get(false);
+            if (open.isEmpty()) {
+                ofSessions.get(true).forEach(host::deleteKey);
                 open();
             } else {
                 if (booted) {
-                    agreement.booted(millis());
+                    step(all -> all.booted(clock.millis()));
                 }
-                host.met(met);
+                open.get().tellMet();
             }
         });
     }
@@ -190,20 +178,10 @@ public final class BoardKeyAgreement implements KeyService {
     private void open() {
         sharesGroup = true;
         try {
-            Optional<Identity> found = Identity.read(folder, self);
-            if (found.isPresent() && !found.get().certificate().address().equals(self)) {
-                throw new IllegalArgumentException("the identity of " + self + " in " + folder + " is that of "
-                        + found.get().certificate().address());
-            }
-            sharesGroup = found.isPresent();
-            if (found.isPresent() && !refuses) {
-                identity = found.get();
-                Optional<Key> groupKey = Files.exists(groupFile()) && identity.certificate().groupKeyServer()
-                        ? Optional.of(Key.of(Bytes.ofHex(PrivateFile.read(groupFile()).strip()))) : Optional.empty();
-                agreement = new KeyAgreement(identity, groupKey, new SecureRandom());
-                if (!stored.contains(group())) {
-                    agreement.lacksGroupKey(millis());
-                }
+            Optional<Identity> identity = Identity.read(folder, self);
+            sharesGroup = identity.isPresent();
+            if (identity.isPresent() && !refuses) {
+                open = Optional.of(new OpenAgreement(host, identity.get(), stored, clock));
             }
         } catch (IOException | IllegalArgumentException e) {
             host.warn("keys are agreed on with nobody: " + e.getMessage());
@@ -212,14 +190,8 @@ public final class BoardKeyAgreement implements KeyService {
 
     /** Forgets all certified devices, and has the board forget them. */
     private void close() {
-        if (agreement != null) {
-            agreement.close();
-            List<Effect> last = agreement.effects();
-            agreement = null;
-            last.forEach(this::perform);
-            met.clear();
-            host.met(met);
-        }
+        open.ifPresent(OpenAgreement::close);
+        open = Optional.empty();
     }
 
     @Override
@@ -228,25 +200,19 @@ public final class BoardKeyAgreement implements KeyService {
     }
 
     @Override
-    public void received(Address from, HostMessage word) {
-        execute(() -> {
-            if (agreement == null) {
-                ignored++;
-            } else {
-                agreement.received(from, word, millis());
-            }
-        });
+    public void received(Address from, HostMessage message) {
+        clock.execute(() -> step(all -> all.received(from, message, clock.millis())));
     }
 
     @Override
     public void noKey(PollReply.NoKey frame) {
-        execute(() -> {
-            if (agreement == null || stored.contains(frame.origin())) {
+        clock.execute(() -> {
+            if (stored.contains(frame.origin())) {
                 ignored++;
             } else if (frame.destination().kind() == Address.Kind.DEVICE) {
-                agreement.noKey(frame.origin(), millis());
+                step(all -> all.noKey(frame.origin(), clock.millis()));
             } else {
-                agreement.lacksGroupKey(millis());
+                step(all -> all.lacksGroupKey(clock.millis()));
             }
         });
     }
@@ -259,13 +225,10 @@ public final class BoardKeyAgreement implements KeyService {
     @Override
     public Map<String, Object> status() {
         Map<String, Object> status = new LinkedHashMap<>();
-        Map<Event, Long> counted = events;
+        Map<Event, Long> counted = open.map(OpenAgreement::events).orElse(Map.of());
         for (Event event : Event.values()) {
-            StringBuilder name = new StringBuilder("keyAgreement");
-            for (String part : event.name().split("_")) {
-                name.append(part.charAt(0)).append(part.substring(1).toLowerCase(Locale.ROOT));
-            }
-            status.put(name.toString(), counted.getOrDefault(event, 0L));
+            status.put(CAPITAL.matcher("key_agreement_" + event.name().toLowerCase(Locale.ROOT))
+                    .replaceAll(each -> each.group(1).toUpperCase(Locale.ROOT)), counted.getOrDefault(event, 0L));
         }
         status.put("keyAgreementIgnored", ignored);
         return status;
@@ -274,185 +237,5 @@ public final class BoardKeyAgreement implements KeyService {
     @Override
     public void stop() {
         // Its clock is closed with the agent.
-    }
-
-    // What the agreement wants done
-
-    private void perform(Effect effect) {
-        if (effect instanceof Effect.Broadcast broadcast) {
-            broadcast(broadcast);
-        } else if (effect instanceof Effect.Unicast unicast) {
-            unicast(unicast);
-        } else if (effect instanceof Effect.Multicast multicast) {
-            PendingMessage message = (PendingMessage) multicast.ticket();
-            message.follow(host.transmitAsIs(message.to(), message.message()));
-        } else if (effect instanceof Effect.SetSessionKey set) {
-            setSessionKey(set.device(), set.key());
-        } else if (effect instanceof Effect.DeleteKey delete) {
-            host.deleteKey(delete.device());
-        } else if (effect instanceof Effect.SetGroupKey set) {
-            setGroupKey(set.key());
-        } else if (effect instanceof Effect.KeepGroupKey kept) {
-            keep("the key of " + group() + " could not be kept, and will be another at the next start",
-                    () -> keepGroupKey(kept.key().bytes().hex()));
-        } else if (effect instanceof Effect.KeepRevocationLists) {
-            keep("a revocation list of the authority could not be kept", identity::keep);
-        } else if (effect instanceof Effect.Met fresh) {
-            met.add(fresh.peer());
-            host.met(met);
-        } else if (effect instanceof Effect.Receive receive) {
-            host.received(receive.from(), receive.content());
-        } else if (effect instanceof Effect.End end) {
-            end((PendingMessage) end.ticket(), end.how());
-        } else {
-            Effect.Transition transition = (Effect.Transition) effect;
-            Transitions.log(transition.machine(), self, transition.peer(), transition.id(), transition.state());
-        }
-    }
-
-    private void broadcast(Effect.Broadcast broadcast) {
-        long asked = millis();
-        whenDone(host.send(Address.BROADCAST, broadcast.message()).end(), (outcome, thrown) -> agreement.said(broadcast,
-                thrown == null || !Failure.of(thrown).error().equals("queue_full"), millis() - asked, millis()));
-    }
-
-    private void unicast(Effect.Unicast unicast) {
-        Transmission transmission = host.send(unicast.to(), unicast.message());
-        transmission.taken().thenRun(() -> unicast.ticket().ifPresent(ticket -> ((PendingMessage) ticket).take()));
-        whenDone(transmission.end(), (outcome, thrown) -> {
-            if (thrown != null) {
-                failures.put(unicast.to(), thrown);
-            }
-            agreement.sent(unicast.to(), how(outcome, thrown), millis());
-        });
-    }
-
-    private static KeyAgreement.Sent how(Outcome outcome, Throwable thrown) {
-        if (thrown != null) {
-            return Failure.of(thrown).error().equals("no_key") ? KeyAgreement.Sent.NO_KEY : KeyAgreement.Sent.FAILED;
-        }
-        return outcome == Outcome.DELIVERED ? KeyAgreement.Sent.DELIVERED : KeyAgreement.Sent.UNDELIVERED;
-    }
-
-    private void setSessionKey(Address device, Key key) {
-        whenDone(host.setSessionKey(device, key), (done, thrown) -> {
-            if (thrown != null) {
-                boolean noPlace = Failure.of(thrown).error().equals("unknown_command");
-                Throwable why = noPlace ? new Failure("no_place",
-                        "the board has no place for the key with the certified"
-                                + " device " + device + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more")
-                        .toException() : thrown;
-                failures.put(device, why);
-                host.warn(Failure.of(why).message());
-            }
-            agreement.keySet(device, thrown == null, millis());
-        });
-    }
-
-    void setGroupKey(Key key) {
-        whenDone(host.setGroupKey(group(), key), (done, thrown) -> {
-            if (thrown == null) {
-                stored.add(group());
-                agreement.groupKeySet();
-            } else {
-                host.warn(Failure.of(thrown).message());
-            }
-        });
-    }
-
-    private void end(PendingMessage message, Ending how) {
-        String to = message.to().toString();
-        switch (how) {
-            case DELIVERED -> message.end(Outcome.DELIVERED);
-            case UNDELIVERED -> message.end(Outcome.UNDELIVERED);
-            case NO_ANSWER -> message.fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to "
-                    + "be " + to + ": it is out of reach, takes no part, or has no certificate that is trusted here");
-            case REVOKED -> message.fail(how.atom(), "the authority has revoked the certificate of " + to);
-            case EXPIRED -> message.fail(how.atom(), "the certificate of " + to + " has expired");
-            case NOT_SENT -> Optional.ofNullable(failures.remove(message.to())).ifPresentOrElse(message::fail,
-                    () -> message.fail(how.atom(), "the board has not sent the message to " + to));
-            case NO_GROUP_KEY -> message.fail("no_key", "the board has no key for " + to
-                    + ", and no group key server has given one within 30 s");
-            case CLOSED -> message.fail("no_key",
-                    "the board has no key for " + to + ", and agrees on keys with nobody any more");
-        }
-    }
-
-    // Files
-
-    private interface Keeping {
-
-        void keep() throws IOException, JavinoException, InterruptedException;
-    }
-
-    private void keep(String failed, Keeping what) {
-        try {
-            what.keep();
-        } catch (IOException | JavinoException | IllegalArgumentException e) {
-            host.warn(failed + ": " + e.getMessage());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private Path groupFile() {
-        return folder.resolve(self.toString().replace('/', '-') + ".group");
-    }
-
-    private void keepGroupKey(String key) throws IOException, JavinoException, InterruptedException {
-        if (Files.exists(groupFile())) {
-            PrivateFile.change(groupFile(), before -> key);
-        } else {
-            PrivateFile.create(groupFile(), key);
-        }
-    }
-
-    // The thread
-
-    /** Does a step when something has ended, unless the agreement has ended meanwhile. */
-    private <T> void whenDone(CompletableFuture<T> what, BiConsumer<T, Throwable> step) {
-        KeyAgreement then = agreement;
-        what.whenComplete((done, thrown) -> execute(() -> {
-            if (agreement == then) {
-                step.accept(done, thrown);
-            }
-        }));
-    }
-
-    private long millis() {
-        return clock.millis();
-    }
-
-    private void execute(Runnable step) {
-        after(0, step);
-    }
-
-    private void after(long millis, Runnable step) {
-        clock.after(millis, () -> {
-            step.run();
-            follow();
-        });
-    }
-
-    /** What follows from each step: what is to be done, when the next is due, and with whom there are keys. */
-    private void follow() {
-        if (agreement == null) {
-            return;
-        }
-        agreement.effects().forEach(this::perform);
-        events = agreement.events();
-        if (met.removeIf(peer -> !agreement.isSecure(peer))) {
-            host.met(met);
-        }
-        long next = agreement.next();
-        if (next < alarm) {
-            alarm = next;
-            after(Math.max(0, next - millis()), () -> {
-                alarm = NEVER;
-                if (agreement != null) {
-                    agreement.tick(millis());
-                }
-            });
-        }
     }
 }

@@ -47,10 +47,10 @@ final class Handshake {
     /** Before a fragment is said again: of two with one address, whose boards draw the same, one comes first. */
     static final int SPREAD_MILLIS = 200;
 
+    final Address peer;
+    final Round round;
+    final int number;
     private final Context context;
-    private final Address peer;
-    private final Round round;
-    private final int number;
     /** Of who answers; else null. */
     private final Bytes message1;
     private final Role role;
@@ -106,18 +106,6 @@ final class Handshake {
                 HandshakeState.ANSWERING, message1, role);
         answered.perform(Deed.SECOND, now);
         return answered;
-    }
-
-    Address peer() {
-        return peer;
-    }
-
-    Round round() {
-        return round;
-    }
-
-    int number() {
-        return number;
     }
 
     HandshakeState state() {

@@ -32,7 +32,7 @@ final class Handshakes {
     }
 
     private Stream<Handshake> answered() {
-        return context.halfOpen().stream().filter(run -> run.peer().equals(peer));
+        return context.halfOpen().stream().filter(run -> run.peer.equals(peer));
     }
 
     List<Handshake> all() {
@@ -96,7 +96,7 @@ final class Handshakes {
 
     /** The other side lacks a message; or it lacks what it would need for a renewal. */
     List<Left> wanted(int first, int fragment, long now) {
-        return counted(step(run -> first == Kind.MESSAGE_1.first() && run.isOpen() && run.round() == Round.RENEWAL
+        return counted(step(run -> first == Kind.MESSAGE_1.first() && run.isOpen() && run.round == Round.RENEWAL
                 ? run.step(Input.SPENT, now) : run.wanted(first, fragment, now)));
     }
 
@@ -109,7 +109,7 @@ final class Handshakes {
 
     /** What one has said has been on the air; or it will not be, as too much waits for that. */
     List<Left> said(Effect.Broadcast broadcast, boolean onAir, long took, long now) {
-        return step(run -> run.number() != broadcast.handshake() ? Optional.empty()
+        return step(run -> run.number != broadcast.handshake() ? Optional.empty()
                 : onAir ? run.onAir(broadcast.message(), took, now) : run.refused(broadcast.message(), now));
     }
 

@@ -69,15 +69,20 @@ public final class Identity {
      * Reads the identity of a device, which {@code javino enroll} wrote.
      *
      * @return nothing where the device has no certificate.
-     * @throws IllegalArgumentException if the file is damaged, or others may read it.
+     * @throws IllegalArgumentException if the file is damaged, of another device, or others may read it.
      */
     public static Optional<Identity> read(Path folder, Address device) throws IOException {
         Path file = file(folder, device);
-        if (!Files.exists(file)) {
+        Entries entries = Files.exists(file) ? Entries.parse(PrivateFile.read(file), file) : new Entries();
+        if (entries.get(CERTIFICATE).isEmpty()) {
             return Optional.empty();
         }
-        Entries entries = Entries.parse(PrivateFile.read(file), file);
-        return entries.get(CERTIFICATE).isEmpty() ? Optional.empty() : Optional.of(of(file, entries));
+        Identity identity = of(file, entries);
+        if (!identity.certificate.address().equals(device)) {
+            throw new IllegalArgumentException("the identity of " + device + " in " + folder + " is that of "
+                    + identity.certificate.address());
+        }
+        return Optional.of(identity);
     }
 
     static Identity of(Path file, Entries entries) {
@@ -210,6 +215,24 @@ public final class Identity {
             }
             return entries.format();
         });
+    }
+
+    private Path groupFile() {
+        return file.resolveSibling(file.getFileName().toString().replace(".identity", ".group"));
+    }
+
+    /** The key of the group that this device gives, as it was kept last. */
+    Optional<Key> groupKey() throws IOException {
+        return certificate.groupKeyServer() && Files.exists(groupFile())
+                ? Optional.of(Key.of(Bytes.ofHex(PrivateFile.read(groupFile()).strip()))) : Optional.empty();
+    }
+
+    void keepGroupKey(Key key) throws IOException, JavinoException, InterruptedException {
+        if (Files.exists(groupFile())) {
+            PrivateFile.change(groupFile(), before -> key.bytes().hex());
+        } else {
+            PrivateFile.create(groupFile(), key.bytes().hex());
+        }
     }
 
     private RevocationList verified(Bytes bytes) throws HandshakeException {

@@ -13,7 +13,6 @@ import javino.protocol.HostMessage;
 import javino.protocol.HostMessage.Kind;
 import javino.protocol.Key;
 import javino.protocol.Message;
-import javino.protocol.Outcome;
 import keyagreement.edhoc.HandshakeException;
 
 /**
@@ -21,18 +20,9 @@ import keyagreement.edhoc.HandshakeException;
  * revocation lists, the keys of groups. It opens nothing and has no thread: it is told what happens, and
  * {@link #effects} tells what is to be done.
  *
- * <p>A caller with a {@link javino.board.Board}
- * <ul>
- * <li>calls all methods on one thread that is neither the board's nor the agent's (a handshake computes for some
- * milliseconds), with the same clock in ms, which never goes back;
- * <li>does the effects after each call, in their order;
- * <li>deletes at its start the session keys that the board still has ({@link javino.protocol.Reply.Role#SESSION}): they
- * are of an earlier run;
- * <li>passes on {@link javino.board.BoardListener#hostMessage} to {@link #received}, {@code noKey} to {@link #noKey},
- * and {@code online} with another boot epoch than before to {@link #booted};
- * <li>calls {@link #tick} when {@link #next} has come.
- * </ul>
- * It makes no object of this class for a board whose RF id is not that of the certificate.
+ * <p>A caller uses one thread that is neither the board's nor the agent's, as a handshake computes for some ms, and one
+ * clock in ms, which never goes back. It does the effects after each call, in their order. At its start it deletes the
+ * session keys that the board still has, which are of an earlier run.
  */
 public final class KeyAgreement {
 
@@ -45,16 +35,9 @@ public final class KeyAgreement {
     private final Map<Address, Peer> peers = new LinkedHashMap<>(MOST_MET, 0.75f, true);
     private int lastId;
 
-    /** How a unicast ended, as far as the board knows. */
+    /** How a unicast ended: as the board says; or it has not sent it, as it has no key, or for another reason. */
     public enum Sent {
-        /** {@link Outcome#DELIVERED}. */
-        DELIVERED,
-        /** {@link Outcome#UNDELIVERED}. */
-        UNDELIVERED,
-        /** The board has not sent it: {@link javino.protocol.Status#NO_KEY}. */
-        NO_KEY,
-        /** The board has not sent it, for another reason. */
-        FAILED
+        DELIVERED, UNDELIVERED, NO_KEY, FAILED
     }
 
     /**

@@ -134,29 +134,24 @@ final class Peer {
                 step(Session.Input.VERIFIED);
                 context.effects().add(new Effect.SetSessionKey(address, left.run().key()));
             }
-            case FAIL -> {
-                if (!left.initiated()) {
-                    context.count(Event.EXPIRED);
-                    advance(now);
-                } else if (left.run().round() == Round.RENEWAL) {
-                    kept = null;
-                    meet(now);
-                } else {
-                    failed(left.run().failure(), now);
-                }
-            }
+            case FAIL -> failed(left, now);
             case KEEP -> advance(now);
             case NOTHING, FIRST, SECOND, THIRD, WANT, ANEW, LATER, SAY, IDLE -> {
             }
         }
     }
 
-    private void failed(Ending why, long now) {
-        context.count(Event.FAILED);
-        if (handshakes.isHalfOpen()) {
+    private void failed(Handshakes.Left left, long now) {
+        if (left.initiated() && left.run().round == Round.RENEWAL) {
+            kept = null;
+            meet(now);
+            return;
+        }
+        context.count(left.initiated() ? Event.FAILED : Event.EXPIRED);
+        if (!left.initiated() || handshakes.isHalfOpen()) {
             advance(now);
         } else {
-            queue.endWaiting(why);
+            queue.endWaiting(left.run().failure());
         }
     }
 
@@ -179,7 +174,7 @@ final class Peer {
         keysSet++;
         keySetAt = now;
         context.effects().add(new Effect.Met(address));
-        handshakes.step(initiated ? HandshakeState.Input.SET : HandshakeState.Input.DONE, now);
+        handshakes.step(HandshakeState.Input.SET, now);
         advance(now);
         giveGroupKey(now);
         queue(lists.step(initiated ? RevocationLists.Input.FIRST : RevocationLists.Input.SECOND, now), now);
@@ -199,10 +194,7 @@ final class Peer {
 
     /** The board has booted: its session keys are gone. */
     void booted(long now) {
-        if (session != Session.SETTING) {
-            step(Session.Input.BOOTED);
-            handshakes.step(HandshakeState.Input.DONE, now);
-        }
+        step(Session.Input.BOOTED);
         advance(now);
     }
 
@@ -211,6 +203,9 @@ final class Peer {
         if (cell.next() != session) {
             session = cell.next();
             context.effects().add(new Effect.Transition("session", address, "", session));
+        }
+        if (session == Session.PROVEN || input == Session.Input.BOOTED && !cell.isIgnored()) {
+            handshakes.step(HandshakeState.Input.DONE, 0);
         }
         return cell.deed();
     }
@@ -276,25 +271,19 @@ final class Peer {
         }
         boolean lacksThird = how == KeyAgreement.Sent.UNDELIVERED && session == Session.UNPROVEN;
         if (lacksThird && queue.isFirstTry() && handshakes.begun()
-                .flatMap(run -> run.wanted(run.round().third.first(), 0, now)).isPresent()) {
+                .flatMap(run -> run.wanted(run.round.third.first(), 0, now)).isPresent()) {
             return Session.Deed.AGAIN;
         }
-        Session.Deed deed = step(input);
-        if (session == Session.PROVEN) {
-            handshakes.step(HandshakeState.Input.DONE, now);
-        } else if (lacksThird) {
+        if (lacksThird) {
             handshakes.drop();
             kept = null;
         }
-        return deed;
+        return step(input);
     }
 
     /** A sealed message of the peer. */
     void opened(HostMessage message, long now) {
         step(Session.Input.SEALED);
-        if (session == Session.PROVEN) {
-            handshakes.step(HandshakeState.Input.DONE, now);
-        }
         switch (message.kind()) {
             case CONTENT -> content(message.body());
             case GROUP_KEY -> groupKeys.take(certificate, message.body());
@@ -339,7 +328,7 @@ final class Peer {
 
     /** Forgets all that is kept of the peer, and has the board forget it; what waits ends. */
     void forget(Ending why) {
-        if (isSecure()) {
+        if (isSecure() || keysSet > 0) {
             context.effects().add(new Effect.DeleteKey(address));
         }
         step(Session.Input.FORGOTTEN);

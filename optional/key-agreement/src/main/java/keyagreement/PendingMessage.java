@@ -37,12 +37,21 @@ record PendingMessage(Address to, Message message, CompletableFuture<Void> taken
         end.complete(how);
     }
 
-    /** It will not be sent; or, if the board had it before, it may have arrived all the same. */
-    void fail(Throwable why) {
-        if (taken.completeExceptionally(why)) {
-            end.completeExceptionally(why);
-        } else {
-            end.complete(Outcome.UNDELIVERED);
+    /** @param failure why the board has not sent it; null if that is not known. */
+    void end(Ending how, Throwable failure) {
+        switch (how) {
+            case DELIVERED -> end(Outcome.DELIVERED);
+            case UNDELIVERED -> end(Outcome.UNDELIVERED);
+            case NO_ANSWER -> fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to be " + to
+                    + ": it is out of reach, takes no part, or has no certificate that is trusted here");
+            case REVOKED -> fail(how.atom(), "the authority has revoked the certificate of " + to);
+            case EXPIRED -> fail(how.atom(), "the certificate of " + to + " has expired");
+            case NOT_SENT -> fail(failure != null ? failure
+                    : new Failure(how.atom(), "the board has not sent the message to " + to).toException());
+            case NO_GROUP_KEY -> fail("no_key", "the board has no key for " + to
+                    + ", and no group key server has given one within 30 s");
+            case CLOSED ->
+                fail("no_key", "the board has no key for " + to + ", and agrees on keys with nobody any more");
         }
     }
 
@@ -50,15 +59,24 @@ record PendingMessage(Address to, Message message, CompletableFuture<Void> taken
         fail(new Failure(error, message).toException());
     }
 
+    /** It will not be sent; or, if the board had it before, it may have arrived all the same. */
+    private void fail(Throwable why) {
+        if (taken.completeExceptionally(why)) {
+            end.completeExceptionally(why);
+        } else {
+            end.complete(Outcome.UNDELIVERED);
+        }
+    }
+
     /** It ends as the other does. */
     void follow(Transmission other) {
-        other.taken().whenComplete((nothing, thrown) -> {
+        other.taken().thenRun(this::take);
+        other.end().whenComplete((how, thrown) -> {
             if (thrown == null) {
-                take();
+                end(how);
             } else {
                 fail(thrown);
             }
         });
-        other.end().thenAccept(this::end);
     }
 }

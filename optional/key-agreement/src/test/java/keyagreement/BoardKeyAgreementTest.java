@@ -197,10 +197,15 @@ class BoardKeyAgreementTest {
     }
 
     @Test
-    void groupMessage_theKeyComesAndTheAirIsNeverFree_isUndelivered() {
+    void groupMessage_theKeyComesAndTheAirIsNeverFree_isUndelivered(@TempDir Path servers) throws Exception {
+        new TestAuthority(servers).groupKeyServer("BUSB");
+        CompletableFuture<Void> set = new CompletableFuture<>();
+        board.groupKeys = () -> set;
+        agreement = new BoardKeyAgreement(servers, time);
+        agreement.online(board, Address.parse("BUSB"), 1, List.of());
         Transmission said = send(GROUP, 1).get(0);
-        board.groupKeys = () -> CompletableFuture.completedFuture(null);
-        agreement.setGroupKey(Key.ofHex("00112233445566778899aabbccddeeff"));
+        assertFalse(board.asked.contains(GROUP));
+        set.complete(null);
         time.run(MINUTE / 2);
         assertTrue(board.asked.contains(GROUP));
         assertFalse(said.end().isDone());

@@ -113,7 +113,7 @@ class TablesTest {
         Bytes message1 = onAir(run).body();
         Role role = kept.isPresent() ? Renewal.answer(kept.get(), SUPO, ROMA, message1, RANDOM)
                 : new Responder(other.with(ROMA), message1, RANDOM);
-        List<HostMessage> second = parts(run.round().second, role);
+        List<HostMessage> second = parts(run.round.second, role);
         if (state == HandshakeState.ASKING) {
             run.heard(new HostMessage(second.get(0).kind(), second.get(0).to(), 0,
                     Bytes.copyOf(new byte[second.get(0).body().length()])), now);
@@ -173,7 +173,8 @@ class TablesTest {
                 long deadline = run.deadline();
                 Table.Cell<HandshakeState, Deed> cell = HandshakeState.TABLE.cell(state, input);
                 String what = round + ", " + state + " at " + input;
-                assertEquals(cell.isIgnored() ? Optional.empty() : Optional.of(cell.deed()), run.step(input, now), what);
+                assertEquals(cell.isIgnored() ? Optional.empty() : Optional.of(cell.deed()), run.step(input, now),
+                        what);
                 assertEquals(cell.next(), run.state(), what);
                 assertEquals(said(state, input, run), said().stream().map(HostMessage::kind).toList(), what);
                 assertTrue(!cell.isIgnored() || run.deadline() == deadline, what);
@@ -185,14 +186,14 @@ class TablesTest {
     private static List<Kind> said(HandshakeState state, Input input, Handshake run) {
         boolean late = input == Input.LATE || input == Input.LACKING;
         return switch (state) {
-            case WAITING, ASKING -> late ? List.of(run.round().first) : List.of();
-            case OPEN -> input == Input.LATE ? List.of(run.round().first)
+            case WAITING, ASKING -> late ? List.of(run.round.first) : List.of();
+            case OPEN -> input == Input.LATE ? List.of(run.round.first)
                     : input == Input.LACKING ? List.of(Kind.WANT) : List.of();
-            case SETTING -> input == Input.SET ? List.of(run.round().third) : List.of();
-            case CLOSED -> input == Input.WANTED ? List.of(run.round().third) : List.of();
+            case SETTING -> input == Input.SET ? List.of(run.round.third) : List.of();
+            case CLOSED -> input == Input.WANTED ? List.of(run.round.third) : List.of();
             case ANSWERED -> input == Input.LACKING || input == Input.UNOPENED ? List.of(Kind.WANT) : List.of();
             case DUE -> late || input == Input.SPENT
-                    ? Collections.nCopies(run.round().second.fragments(), run.round().second) : List.of();
+                    ? Collections.nCopies(run.round.second.fragments(), run.round.second) : List.of();
             case CLOSING, ANSWERING, OVER -> List.of();
         };
     }

@@ -22,9 +22,8 @@ import javino.protocol.Bytes;
 import keyagreement.edhoc.HandshakeException.Reason;
 
 /**
- * The curve P-256 (NIST SP 800-186 section 3.2.1.3). What touches secrets, key generation and agreement, is the JDK's.
- * The JDK offers no arithmetic with points: {@link #combine} is ours, and its time depends on its numbers. They are
- * public, all of them: whoever hears a certificate can compute the same.
+ * The curve P-256 (NIST SP 800-186 section 3.2.1.3), by the JDK, which adds no points: in {@link #combine} that is ours,
+ * and its time depends on its numbers. They are public: whoever hears a certificate can compute the same.
  */
 public final class P256 {
 
@@ -44,29 +43,34 @@ public final class P256 {
     private P256() {
     }
 
-    private static ECParameterSpec curve() {
+    private interface Computation<T> {
+
+        T compute() throws GeneralSecurityException;
+    }
+
+    private static <T> T compute(Computation<T> what) {
         try {
-            AlgorithmParameters parameters = AlgorithmParameters.getInstance("EC");
-            parameters.init(new ECGenParameterSpec("secp256r1"));
-            return parameters.getParameterSpec(ECParameterSpec.class);
+            return what.compute();
         } catch (GeneralSecurityException e) {
-            throw missing(e);
+            throw new IllegalStateException("this JDK lacks P-256 (its module is jdk.crypto.ec)", e);
         }
     }
 
-    private static IllegalStateException missing(GeneralSecurityException e) {
-        return new IllegalStateException("this JDK lacks P-256 (its module is jdk.crypto.ec)", e);
+    private static ECParameterSpec curve() {
+        return compute(() -> {
+            AlgorithmParameters parameters = AlgorithmParameters.getInstance("EC");
+            parameters.init(new ECGenParameterSpec("secp256r1"));
+            return parameters.getParameterSpec(ECParameterSpec.class);
+        });
     }
 
     /** A new key pair. */
     public static KeyPair generate(SecureRandom random) {
-        try {
+        return compute(() -> {
             KeyPairGenerator generator = KeyPairGenerator.getInstance("EC");
-            generator.initialize(new ECGenParameterSpec("secp256r1"), random);
+            generator.initialize(CURVE, random);
             return generator.generateKeyPair();
-        } catch (GeneralSecurityException e) {
-            throw missing(e);
-        }
+        });
     }
 
     /** A secret key. @throws IllegalArgumentException if the number is not 1…{@link #ORDER} - 1. */
@@ -74,23 +78,18 @@ public final class P256 {
         if (number.signum() <= 0 || number.compareTo(ORDER) >= 0) {
             throw new IllegalArgumentException("a secret key of P-256 is greater than 0 and less than the order");
         }
-        try {
-            return (ECPrivateKey) KeyFactory.getInstance("EC").generatePrivate(new ECPrivateKeySpec(number, CURVE));
-        } catch (GeneralSecurityException e) {
-            throw missing(e);
-        }
+        return compute(() -> (ECPrivateKey) KeyFactory.getInstance("EC")
+                .generatePrivate(new ECPrivateKeySpec(number, CURVE)));
     }
 
     /** Diffie-Hellman: the x-coordinate of the common point, 32 bytes. */
     public static Bytes agree(ECPrivateKey own, ECPublicKey other) {
-        try {
+        return compute(() -> {
             KeyAgreement agreement = KeyAgreement.getInstance("ECDH");
             agreement.init(own);
             agreement.doPhase(other, true);
             return Bytes.copyOf(agreement.generateSecret());
-        } catch (GeneralSecurityException e) {
-            throw missing(e);
-        }
+        });
     }
 
     /** The x-coordinate of a secret's own point. */
@@ -152,97 +151,69 @@ public final class P256 {
      */
     public static ECPublicKey combine(BigInteger factor, ECPublicKey point, ECPublicKey other)
             throws HandshakeException {
-        Jacobian base = Jacobian.of(point.getW());
-        Jacobian product = Jacobian.INFINITY;
-        for (int i = factor.bitLength() - 1; i >= 0; i--) {
-            product = product.twice();
-            product = factor.testBit(i) ? product.plus(base) : product;
-        }
-        Jacobian sum = product.plus(Jacobian.of(other.getW()));
-        if (sum.z().signum() == 0) {
+        ECPoint sum = sum(multiple(factor.mod(ORDER), point), other.getW());
+        if (sum.equals(ECPoint.POINT_INFINITY)) {
             throw new HandshakeException(Reason.NOT_CERTIFIED, "the certificate gives no public key");
         }
-        return key(sum.affine());
+        return key(sum);
+    }
+
+    /** Diffie-Hellman gives its x-coordinate; that of the next multiple tells which of the two points it is. */
+    private static ECPoint multiple(BigInteger factor, ECPublicKey point) throws HandshakeException {
+        if (factor.signum() == 0) {
+            return ECPoint.POINT_INFINITY;
+        }
+        ECPoint one = withX(agree(secret(factor), point)).getW();
+        ECPoint next = sum(one, point.getW());
+        boolean right = next.equals(ECPoint.POINT_INFINITY) ? factor.equals(ORDER.subtract(BigInteger.ONE))
+                : !factor.equals(ORDER.subtract(BigInteger.ONE))
+                        && bytes(next.getAffineX()).equals(agree(secret(factor.add(BigInteger.ONE)), point));
+        return right ? one : new ECPoint(one.getAffineX(), P.subtract(one.getAffineY()));
+    }
+
+    private static ECPoint sum(ECPoint one, ECPoint other) {
+        if (one.equals(ECPoint.POINT_INFINITY)) {
+            return other;
+        }
+        BigInteger x = one.getAffineX();
+        BigInteger y = one.getAffineY();
+        if (x.equals(other.getAffineX()) && !y.equals(other.getAffineY())) {
+            return ECPoint.POINT_INFINITY;
+        }
+        BigInteger slope = one.equals(other)
+                ? x.pow(2).multiply(THREE).subtract(THREE).multiply(y.shiftLeft(1).modInverse(P))
+                : other.getAffineY().subtract(y).multiply(other.getAffineX().subtract(x).modInverse(P));
+        BigInteger sum = slope.pow(2).subtract(x).subtract(other.getAffineX()).mod(P);
+        return new ECPoint(sum, slope.multiply(x.subtract(sum)).subtract(y).mod(P));
     }
 
     /** ECDSA with SHA-256 (FIPS 186-5): 64 bytes, r and s. */
     public static Bytes sign(ECPrivateKey secret, Bytes text) {
-        try {
+        return compute(() -> {
             Signature signature = Signature.getInstance(ECDSA);
             signature.initSign(secret);
             signature.update(text.toArray());
             return Bytes.copyOf(signature.sign());
-        } catch (GeneralSecurityException e) {
-            throw missing(e);
-        }
+        });
     }
 
     /** Whether a signature is that of this key. */
     public static boolean verify(ECPublicKey key, Bytes text, Bytes signed) {
-        try {
+        return compute(() -> {
             Signature signature = Signature.getInstance(ECDSA);
             signature.initVerify(key);
             signature.update(text.toArray());
-            return signature.verify(signed.toArray());
-        } catch (SignatureException e) {
-            // Out of range, or of another length.
-            return false;
-        } catch (GeneralSecurityException e) {
-            throw missing(e);
-        }
+            try {
+                return signature.verify(signed.toArray());
+            } catch (SignatureException e) {
+                // Out of range, or of another length.
+                return false;
+            }
+        });
     }
 
     private static ECPublicKey key(ECPoint point) {
-        try {
-            return (ECPublicKey) KeyFactory.getInstance("EC").generatePublic(new ECPublicKeySpec(point, CURVE));
-        } catch (GeneralSecurityException e) {
-            throw missing(e);
-        }
-    }
-
-    /** A point (x/z², y/z³), or infinity where z is 0; Guide to Elliptic Curve Cryptography, section 3.2.2. */
-    private record Jacobian(BigInteger x, BigInteger y, BigInteger z) {
-
-        static final Jacobian INFINITY = new Jacobian(BigInteger.ONE, BigInteger.ONE, BigInteger.ZERO);
-
-        static Jacobian of(ECPoint point) {
-            return new Jacobian(point.getAffineX(), point.getAffineY(), BigInteger.ONE);
-        }
-
-        ECPoint affine() {
-            BigInteger inverse = z.modInverse(P);
-            BigInteger square = inverse.multiply(inverse).mod(P);
-            return new ECPoint(x.multiply(square).mod(P), y.multiply(square).multiply(inverse).mod(P));
-        }
-
-        Jacobian twice() {
-            BigInteger yy = y.multiply(y).mod(P);
-            BigInteger zz = z.multiply(z).mod(P);
-            BigInteger s = x.multiply(yy).shiftLeft(2).mod(P);
-            // The slope of a curve with a = -3.
-            BigInteger m = x.subtract(zz).multiply(x.add(zz)).multiply(THREE).mod(P);
-            BigInteger doubledX = m.multiply(m).subtract(s.shiftLeft(1)).mod(P);
-            BigInteger doubledY = m.multiply(s.subtract(doubledX)).subtract(yy.multiply(yy).shiftLeft(3)).mod(P);
-            return new Jacobian(doubledX, doubledY, y.multiply(z).shiftLeft(1).mod(P));
-        }
-
-        /** @param other with z = 1. */
-        Jacobian plus(Jacobian other) {
-            if (z.signum() == 0) {
-                return other;
-            }
-            BigInteger zz = z.multiply(z).mod(P);
-            BigInteger h = other.x.multiply(zz).subtract(x).mod(P);
-            BigInteger r = other.y.multiply(zz).multiply(z).subtract(y).mod(P);
-            if (h.signum() == 0) {
-                return r.signum() == 0 ? twice() : INFINITY;
-            }
-            BigInteger hh = h.multiply(h).mod(P);
-            BigInteger hhh = hh.multiply(h).mod(P);
-            BigInteger v = x.multiply(hh).mod(P);
-            BigInteger sumX = r.multiply(r).subtract(hhh).subtract(v.shiftLeft(1)).mod(P);
-            BigInteger sumY = r.multiply(v.subtract(sumX)).subtract(y.multiply(hhh)).mod(P);
-            return new Jacobian(sumX, sumY, z.multiply(h).mod(P));
-        }
+        return compute(() -> (ECPublicKey) KeyFactory.getInstance("EC")
+                .generatePublic(new ECPublicKeySpec(point, CURVE)));
     }
 }
