@@ -195,8 +195,8 @@ public final class EnrollCommand implements CommandPlugin {
         Bytes revocationList = Entries.read(what.revocationList).get(Identity.REVOCATION_LIST).orElseThrow(
                 () -> new JavinoException(
                         what.revocationList + " has no revocation list; javino ca revoke writes one"));
-        Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
-                HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
+        Identity identity = Identity.read(folder, id)
+                .orElseThrow(() -> new HandshakeException(id + " has no certificate in " + folder));
         boolean isNew = identity.take(revocationList);
         identity.keep();
         print(RevocationList.decode(revocationList)

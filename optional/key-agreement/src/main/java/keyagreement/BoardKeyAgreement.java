@@ -2,6 +2,7 @@ package keyagreement;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,7 +12,6 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
 import jason.JasonException;
 
@@ -47,7 +47,7 @@ public final class BoardKeyAgreement implements KeyService {
     private Host host;
     private Address self;
     private int bootEpoch;
-    private Set<Address> stored = Set.of();
+    private final Set<Address> stored = new HashSet<>();
     private boolean refuses;
     private volatile Optional<OpenAgreement> open = Optional.empty();
     /** Until it is known that this device has no certificate, and where that cannot be known. */
@@ -64,19 +64,13 @@ public final class BoardKeyAgreement implements KeyService {
         }
     }
 
-    /**
-     * @param folder where the identities of devices are, as {@code javino enroll} puts them.
-     */
+    /** @param folder where the identities of devices are, as {@code javino enroll} puts them. */
     public BoardKeyAgreement(Path folder, HostClock clock) {
         this.folder = folder;
         this.clock = clock;
     }
 
-    /**
-     * The one of an agent with a board.
-     *
-     * @throws JasonException if it has none.
-     */
+    /** The one of an agent with a board. @throws JasonException if it has none. */
     public static BoardKeyAgreement of(Diffuser diffuser) throws JasonException {
         return diffuser.service(BoardKeyAgreement.class).orElseThrow(() -> new Failure("no_certificate",
                 "another library agrees on keys here").toException());
@@ -159,12 +153,11 @@ public final class BoardKeyAgreement implements KeyService {
             host = board;
             self = address;
             bootEpoch = epoch;
-            Map<Boolean, Set<Address>> ofSessions = keys.stream().collect(Collectors.partitioningBy(
-                    key -> key.role() == Reply.Role.SESSION,
-                    Collectors.mapping(Reply.StoredKey::address, Collectors.toSet())));
-            stored = ofSessions.get(false);
+            stored.clear();
+            keys.stream().filter(key -> key.role() != Reply.Role.SESSION).forEach(key -> stored.add(key.address()));
             if (open.isEmpty()) {
-                ofSessions.get(true).forEach(host::deleteKey);
+                keys.stream().filter(key -> key.role() == Reply.Role.SESSION)
+                        .forEach(key -> host.deleteKey(key.address()));
                 open();
             } else {
                 if (booted) {

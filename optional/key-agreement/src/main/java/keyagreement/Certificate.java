@@ -8,7 +8,6 @@ import javino.protocol.Bytes;
 import keyagreement.edhoc.Cbor;
 import keyagreement.edhoc.Credential;
 import keyagreement.edhoc.HandshakeException;
-import keyagreement.edhoc.HandshakeException.Reason;
 import keyagreement.edhoc.Kdf;
 import keyagreement.edhoc.P256;
 
@@ -45,7 +44,7 @@ public record Certificate(Address address, int serial, boolean groupKeyServer, L
     public static Certificate decode(Bytes bytes) throws HandshakeException {
         Address address = bytes.length() == LENGTH ? new Address((int) bytes.number(0, 3)) : Address.BROADCAST;
         if (address.kind() != Address.Kind.DEVICE || bytes.at(5) > 1) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "no certificate: " + bytes);
+            throw new HandshakeException("no certificate: " + bytes);
         }
         return new Certificate(address, (int) bytes.number(3, 5), bytes.at(5) == 1, Days.decode(bytes, 6), bytes.at(8),
                 bytes.from(POINT_AT));

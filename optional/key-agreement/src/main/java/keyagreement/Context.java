@@ -39,7 +39,7 @@ record Context(Identity identity, SecureRandom random, List<Effect> effects, Map
     /** Takes one more; the oldest makes room for it. */
     void open(Handshake run) {
         if (halfOpen.size() == MOST_HALF_OPEN) {
-            halfOpen.poll();
+            halfOpen.poll().drop();
             count(Event.EXPIRED);
         }
         halfOpen.add(run);

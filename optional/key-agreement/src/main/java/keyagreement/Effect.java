@@ -7,7 +7,7 @@ import javino.protocol.HostMessage;
 import javino.protocol.Key;
 
 /** What {@link KeyAgreement} wants done. */
-public sealed interface Effect {
+sealed interface Effect {
 
     /**
      * To send a host message to all, and to call {@link KeyAgreement#said}, however that ends.

@@ -3,7 +3,7 @@ package keyagreement;
 import java.util.Locale;
 
 /** What became of a message to a certified device. */
-public enum Ending {
+enum Ending {
     /** The device's host has taken it. */
     DELIVERED,
     /** There is no proof of that; it may have arrived all the same. */
@@ -22,7 +22,7 @@ public enum Ending {
     CLOSED;
 
     /** The error as an atom of AgentSpeak, such as {@code no_answer}. */
-    public String atom() {
-        return name().toLowerCase(Locale.ROOT);
+    String atom() {
+        return this == NO_GROUP_KEY || this == CLOSED ? "no_key" : name().toLowerCase(Locale.ROOT);
     }
 }

@@ -270,36 +270,40 @@ final class Handshake {
     // What it does
 
     private void perform(Deed deed, long now) {
-        switch (deed) {
+        deadline = switch (deed) {
+            case NOTHING, FAIL -> deadline;
+            case ANEW -> {
+                tries = 0;
+                yield deadline;
+            }
             case FIRST -> {
                 tried();
-                say(round.first, role.opening(), now);
+                yield say(HostMessage.fragments(round.first, peer, role.opening()), now);
             }
-            case SECOND -> say(round.second, role.opening(), now);
-            case THIRD -> say(round.third, agreed.answer(), now);
+            case SECOND -> say(HostMessage.fragments(round.second, peer, role.opening()), now);
+            case THIRD -> say(HostMessage.fragments(round.third, peer, agreed.answer()), now);
             case WANT -> {
                 if (isInitiator()) {
                     tried();
                 }
                 Kind kind = isInitiator() ? round.second : round.third;
-                say(Kind.WANT, Bytes.of(kind.first(), parts.lacking().orElse(0)), now);
+                yield say(List.of(new HostMessage(Kind.WANT, peer,
+                        Bytes.of(kind.first(), parts.lacking().orElse(0)))), now);
             }
             case SAY -> {
                 List<HostMessage> all = HostMessage.fragments(round.second, peer, role.opening());
-                due.forEach(i -> say(all.get(i), now));
+                List<HostMessage> wanted = due.stream().map(all::get).toList();
                 due.clear();
+                yield say(wanted, now);
             }
-            case ANEW -> tries = 0;
-            case LATER -> deadline = now + random(SPREAD_MILLIS);
+            case LATER -> now + random(SPREAD_MILLIS);
             case KEEP -> {
                 end = isInitiator() ? end : now + HALF_OPEN_MILLIS;
-                deadline = isInitiator() ? now + THIRD_KEPT_MILLIS : deadline;
+                yield isInitiator() ? now + THIRD_KEPT_MILLIS : deadline;
             }
-            case IDLE -> deadline = end;
-            case KEY -> deadline = Context.NEVER;
-            case NOTHING, FAIL -> {
-            }
-        }
+            case IDLE -> end;
+            case KEY -> Context.NEVER;
+        };
     }
 
     private void tried() {
@@ -307,17 +311,17 @@ final class Handshake {
         disturbed = false;
     }
 
-    private void say(Kind kind, Bytes message, long now) {
-        HostMessage.fragments(kind, peer, message).forEach(each -> say(each, now));
-    }
-
-    private void say(HostMessage message, long now) {
-        if (repeats.take(message, now)) {
-            deadline = now + AIR_MILLIS;
-            context.effects().add(new Effect.Broadcast(number, message));
-        } else {
-            deadline = Math.max(deadline, now + Repeats.AGAIN_MILLIS);
+    /** Tells until when an answer is awaited. */
+    private long say(List<HostMessage> messages, long now) {
+        long until = deadline;
+        for (HostMessage message : messages) {
+            boolean taken = repeats.take(message, now);
+            until = taken ? now + AIR_MILLIS : Math.max(until, now + Repeats.AGAIN_MILLIS);
+            if (taken) {
+                context.effects().add(new Effect.Broadcast(number, message));
+            }
         }
+        return until;
     }
 
     private int random(int below) {

@@ -46,7 +46,7 @@ public final class Identity {
         secret = P256.secret(P256.number(entries.get(SECRET).orElse(Bytes.EMPTY)));
         credential = certificate.credential(authority(certificate.authority()));
         if (!P256.publicX(secret).equals(P256.x(credential.key()))) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "the secret is not that of the certificate");
+            throw new HandshakeException("the secret is not that of the certificate");
         }
         for (Bytes revocationList : entries.all(REVOCATION_LIST)) {
             verified(revocationList);
@@ -120,10 +120,10 @@ public final class Identity {
             public Credential find(Bytes kid) throws HandshakeException {
                 Certificate theirs = Certificate.decode(kid);
                 if (!theirs.address().equals(other)) {
-                    throw refused("the " + theirs + " is not that of " + other);
+                    throw new HandshakeException("the " + theirs + " is not that of " + other);
                 }
                 if (theirs.address().equals(certificate.address())) {
-                    throw refused("the " + theirs + " is for this device's own address");
+                    throw new HandshakeException("the " + theirs + " is for this device's own address");
                 }
                 return theirs.credential(authority(theirs.authority()));
             }
@@ -178,11 +178,7 @@ public final class Identity {
 
     private AuthorityKeys authority(int id) throws HandshakeException {
         return authorities.stream().filter(keys -> keys.id() == id).findFirst()
-                .orElseThrow(() -> refused("authority " + id + " is not trusted here"));
-    }
-
-    private static HandshakeException refused(String what) {
-        return new HandshakeException(Reason.NOT_CERTIFIED, what);
+                .orElseThrow(() -> new HandshakeException("authority " + id + " is not trusted here"));
     }
 
     /** The newest revocation list of each authority that was trusted, to be handed on. */
@@ -238,7 +234,7 @@ public final class Identity {
     private RevocationList verified(Bytes bytes) throws HandshakeException {
         RevocationList revocationList = RevocationList.decode(bytes);
         if (!revocationList.isOf(authority(revocationList.authority()))) {
-            throw refused("the " + revocationList + " is not signed by its authority");
+            throw new HandshakeException("the " + revocationList + " is not signed by its authority");
         }
         return revocationList;
     }

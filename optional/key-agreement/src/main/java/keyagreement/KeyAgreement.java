@@ -24,7 +24,7 @@ import keyagreement.edhoc.HandshakeException;
  * clock in ms, which never goes back. It does the effects after each call, in their order. At its start it deletes the
  * session keys that the board still has, which are of an earlier run.
  */
-public final class KeyAgreement {
+final class KeyAgreement {
 
     /** Hosts that were met, and others of which something came or for which something waits. */
     static final int MOST_MET = 64;
@@ -35,24 +35,15 @@ public final class KeyAgreement {
     private final Map<Address, Peer> peers = new LinkedHashMap<>(MOST_MET, 0.75f, true);
     private int lastId;
 
-    /** How a unicast ended: as the board says; or it has not sent it, as it has no key, or for another reason. */
-    public enum Sent {
-        DELIVERED, UNDELIVERED, NO_KEY, FAILED
-    }
-
-    /**
-     * @param identity the device's own.
-     * @param groupKey of a group key server, what {@link Effect.KeepGroupKey} had it keep last; else nothing.
-     * @param random   for keys, nonces and waits.
-     */
-    public KeyAgreement(Identity identity, Optional<Key> groupKey, SecureRandom random) {
+    /** @param groupKey of a group key server, what {@link Effect.KeepGroupKey} had it keep last; else nothing. */
+    KeyAgreement(Identity identity, Optional<Key> groupKey, SecureRandom random) {
         context = new Context(identity, random);
         groupKeys = new GroupKeys(context, groupKey);
         lastId = random.nextInt();
     }
 
     /** What is to be done, since this was asked last. */
-    public List<Effect> effects() {
+    List<Effect> effects() {
         List<Effect> effects = List.copyOf(context.effects());
         context.effects().clear();
         return effects;
@@ -61,14 +52,13 @@ public final class KeyAgreement {
     // What the agent wants
 
     /**
-     * Sends a message to a device with which there is no stored key; where there is no session key, hosts agree on one
-     * first. {@link Effect.End} tells how it ended, within {@value MessageQueue#MOST_MILLIS} ms, whatever happens.
+     * Sends a message to a device, when there is a session key. {@link Effect.End} tells how it ended, within
+     * {@value MessageQueue#MOST_MILLIS} ms, whatever happens.
      *
-     * @param message of a content, up to 490 bytes.
      * @return false if there are too many messages, which is told nowhere else.
-     * @throws IllegalArgumentException if the address is no other device's, or the content is too long.
+     * @throws IllegalArgumentException if the address is no other device's, or a content has more than 490 bytes.
      */
-    public boolean send(Object ticket, Address to, Message message, long now) {
+    boolean send(Object ticket, Address to, Message message, long now) {
         if (to.kind() != Address.Kind.DEVICE || to.equals(context.self())) {
             throw new IllegalArgumentException("a message goes to another device, not to " + to);
         }
@@ -79,22 +69,22 @@ public final class KeyAgreement {
     }
 
     /** Keeps a message to the own group until the board has its key; as {@link #send}. */
-    public boolean sendToGroup(Object ticket, long now) {
+    boolean sendToGroup(Object ticket, long now) {
         return groupKeys.send(ticket, now);
     }
 
     /** The board has no key of the own group. */
-    public void lacksGroupKey(long now) {
+    void lacksGroupKey(long now) {
         groupKeys.want(now);
     }
 
-    /** Whether there is a session key with a device, as far as is known. */
-    public boolean isSecure(Address device) {
+    /** Whether there is a session key, as far as is known. */
+    boolean isSecure(Address device) {
         return peers.containsKey(device) && peers.get(device).isSecure();
     }
 
     /** Ends all: the board is to forget all session keys. */
-    public void close() {
+    void close() {
         peers.values().forEach(peer -> peer.forget(Ending.CLOSED));
         groupKeys.end(Ending.CLOSED);
     }
@@ -102,7 +92,7 @@ public final class KeyAgreement {
     // What the board tells
 
     /** A host message came: a broadcast, or sealed by a session key. */
-    public void received(Address from, HostMessage message, long now) {
+    void received(Address from, HostMessage message, long now) {
         Optional<Address> to = message.to();
         if (from.equals(context.self())) {
             context.count(Event.MALFORMED);
@@ -170,14 +160,14 @@ public final class KeyAgreement {
     }
 
     private void opened(Address from, HostMessage message, long now) {
-        Optional<Peer> peer = known(from).filter(Peer::isMet);
+        Optional<Peer> peer = Optional.ofNullable(peers.get(from)).filter(Peer::isMet);
         if (peer.isEmpty()) {
+            context.count(Event.STRAY);
             return;
         }
+        peer.get().opened(message, now);
         if (message.kind() == Kind.REVOCATION_LIST) {
             revocationList(message.body(), now);
-        } else {
-            peer.get().opened(message, now);
         }
     }
 
@@ -197,57 +187,52 @@ public final class KeyAgreement {
     }
 
     /** The board has heard a sealed frame for itself, and has no key for its origin. */
-    public void noKey(Address origin, long now) {
+    void noKey(Address origin, long now) {
         peer(origin).ifPresent(peer -> peer.noKey(now));
     }
 
     /** The board has booted: all session keys are gone. */
-    public void booted(long now) {
+    void booted(long now) {
         List.copyOf(peers.values()).forEach(peer -> peer.booted(now));
     }
 
-    /**
-     * A broadcast of {@link Effect.Broadcast} has ended.
-     *
-     * @param onAir false if it was not taken, as too many waited.
-     * @param took  since the effect.
-     */
-    public void said(Effect.Broadcast broadcast, boolean onAir, long took, long now) {
+    /** A broadcast has ended, so long after its effect; not on the air if it was not taken, as too many waited. */
+    void said(Effect.Broadcast broadcast, boolean onAir, long took, long now) {
         List.copyOf(peers.values()).forEach(peer -> peer.said(broadcast, onAir, took, now));
     }
 
-    /** A unicast of {@link Effect.Unicast} has ended. */
-    public void sent(Address to, Sent how, long now) {
+    /** A unicast of {@link Effect.Unicast} has ended: as the board says; or it has not sent it: NO_KEY, FAILED. */
+    void sent(Address to, Session.Input how, long now) {
         Optional.ofNullable(peers.get(to)).ifPresent(peer -> peer.sent(how, now));
     }
 
     /** {@link Effect.SetSessionKey} is done, or was refused. */
-    public void keySet(Address device, boolean done, long now) {
+    void keySet(Address device, boolean done, long now) {
         Optional.ofNullable(peers.get(device)).ifPresent(peer -> peer.keySet(done, now));
         leavesRoom(true, MOST_MET + 1);
     }
 
     /** {@link Effect.SetGroupKey} is done. */
-    public void groupKeySet() {
+    void groupKeySet() {
         groupKeys.set();
     }
 
     // Time
 
     /** When {@link #tick} is to be called, unless something happens before. {@link Long#MAX_VALUE} for never. */
-    public long next() {
+    long next() {
         return LongStream.concat(LongStream.of(groupKeys.next()), peers.values().stream().mapToLong(Peer::next)).min()
                 .getAsLong();
     }
 
     /** Does what is due. */
-    public void tick(long now) {
+    void tick(long now) {
         List.copyOf(peers.values()).forEach(peer -> peer.tick(now));
         groupKeys.tick(now);
     }
 
     /** How often each has happened; what has not is absent. */
-    public Map<Event, Long> events() {
+    Map<Event, Long> events() {
         return new EnumMap<>(context.events());
     }
 }

@@ -140,11 +140,11 @@ final class OpenAgreement {
         transmission.taken().thenRun(() -> unicast.ticket().ifPresent(ticket -> ((PendingMessage) ticket).take()));
         whenDone(transmission.end(), (outcome, thrown) -> {
             if (thrown == null) {
-                agreement.sent(unicast.to(), KeyAgreement.Sent.valueOf(outcome.name()), clock.millis());
+                agreement.sent(unicast.to(), Session.Input.valueOf(outcome.name()), clock.millis());
             } else {
                 failures.put(unicast.to(), thrown);
-                agreement.sent(unicast.to(), Failure.of(thrown).error().equals("no_key") ? KeyAgreement.Sent.NO_KEY
-                        : KeyAgreement.Sent.FAILED, clock.millis());
+                agreement.sent(unicast.to(), Failure.of(thrown).error().equals("no_key") ? Session.Input.NO_KEY
+                        : Session.Input.FAILED, clock.millis());
             }
         });
     }

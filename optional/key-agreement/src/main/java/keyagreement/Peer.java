@@ -127,17 +127,15 @@ final class Peer {
 
     /** Does what a handshake leaves to it. */
     private void after(Handshakes.Left left, long now) {
-        switch (left.deed()) {
-            case KEY -> {
-                certificate = left.run().certificate().orElse(certificate);
-                kept = left.run().secret();
-                step(Session.Input.VERIFIED);
-                context.effects().add(new Effect.SetSessionKey(address, left.run().key()));
-            }
-            case FAIL -> failed(left, now);
-            case KEEP -> advance(now);
-            case NOTHING, FIRST, SECOND, THIRD, WANT, ANEW, LATER, SAY, IDLE -> {
-            }
+        if (left.deed() == HandshakeState.Deed.KEY) {
+            certificate = left.run().certificate().orElse(certificate);
+            kept = left.run().secret();
+            step(Session.Input.VERIFIED);
+            context.effects().add(new Effect.SetSessionKey(address, left.run().key()));
+        } else if (left.deed() == HandshakeState.Deed.FAIL) {
+            failed(left, now);
+        } else if (left.deed() == HandshakeState.Deed.KEEP) {
+            advance(now);
         }
     }
 
@@ -204,7 +202,7 @@ final class Peer {
             session = cell.next();
             context.effects().add(new Effect.Transition("session", address, "", session));
         }
-        if (session == Session.PROVEN || input == Session.Input.BOOTED && !cell.isIgnored()) {
+        if (!cell.isIgnored() && (session == Session.PROVEN || session == Session.NONE)) {
             handshakes.step(HandshakeState.Input.DONE, 0);
         }
         return cell.deed();
@@ -229,66 +227,55 @@ final class Peer {
         if (!queue.isWaiting() || queue.isUnderWay()) {
             return;
         }
-        switch (session) {
-            case NONE -> meet(now);
-            case SETTING -> {
-            }
-            case UNPROVEN, PROVEN -> {
-                // The other side can have the key only when message 3 has been on the air.
-                if (handshakes.begun().filter(run -> run.state() == HandshakeState.CLOSING).isEmpty()) {
-                    keysThen = keysSet;
-                    queue.send();
-                }
-            }
+        // The other side can have the key only when message 3 has been on the air.
+        boolean closing = handshakes.begun().filter(run -> run.state() == HandshakeState.CLOSING).isPresent();
+        if (session == Session.NONE) {
+            meet(now);
+        } else if (session != Session.SETTING && !closing) {
+            keysThen = keysSet;
+            queue.send();
         }
     }
 
     /** What became of the message under way. */
-    void sent(KeyAgreement.Sent how, long now) {
+    void sent(Session.Input how, long now) {
         if (!queue.isUnderWay()) {
             return;
         }
-        Ending ending = switch (how) {
-            case DELIVERED -> Ending.DELIVERED;
-            case UNDELIVERED -> Ending.UNDELIVERED;
-            case NO_KEY, FAILED -> Ending.NOT_SENT;
-        };
-        switch (deed(how, now)) {
-            case END -> queue.end(ending);
-            case AGAIN -> queue.again(ending);
-            case NOTHING, BEGIN -> throw new IllegalStateException("a message must end or be sent again");
+        Ending ending = how == Session.Input.DELIVERED ? Ending.DELIVERED
+                : how == Session.Input.UNDELIVERED ? Ending.UNDELIVERED : Ending.NOT_SENT;
+        if (deed(how, now) == Session.Deed.AGAIN) {
+            queue.again(ending);
+        } else {
+            queue.end(ending);
         }
         advance(now);
     }
 
-    private Session.Deed deed(KeyAgreement.Sent how, long now) {
-        if (how == KeyAgreement.Sent.FAILED) {
-            return Session.Deed.END;
-        }
-        Session.Input input = Session.Input.valueOf(how.name());
+    private Session.Deed deed(Session.Input how, long now) {
         if (keysThen != keysSet) {
-            return Session.TABLE.cell(Session.SETTING, input).deed();
+            return Session.TABLE.cell(Session.SETTING, how).deed();
         }
-        boolean lacksThird = how == KeyAgreement.Sent.UNDELIVERED && session == Session.UNPROVEN;
-        if (lacksThird && queue.isFirstTry() && handshakes.begun()
-                .flatMap(run -> run.wanted(run.round.third.first(), 0, now)).isPresent()) {
-            return Session.Deed.AGAIN;
-        }
-        if (lacksThird) {
+        if (how == Session.Input.UNDELIVERED && session == Session.UNPROVEN) {
+            if (queue.isFirstTry() && handshakes.begun()
+                    .flatMap(run -> run.wanted(run.round.third.first(), 0, now)).isPresent()) {
+                return Session.Deed.AGAIN;
+            }
             handshakes.drop();
             kept = null;
         }
-        return step(input);
+        return step(how);
     }
 
     /** A sealed message of the peer. */
     void opened(HostMessage message, long now) {
         step(Session.Input.SEALED);
-        switch (message.kind()) {
-            case CONTENT -> content(message.body());
-            case GROUP_KEY -> groupKeys.take(certificate, message.body());
-            case SEQUENCES -> queue(lists.heard(message.body(), now), now);
-            default -> throw new IllegalArgumentException("not for a peer: " + message);
+        if (message.kind() == Kind.CONTENT) {
+            content(message.body());
+        } else if (message.kind() == Kind.GROUP_KEY) {
+            groupKeys.take(certificate, message.body());
+        } else if (message.kind() == Kind.SEQUENCES) {
+            queue(lists.heard(message.body(), now), now);
         }
     }
 

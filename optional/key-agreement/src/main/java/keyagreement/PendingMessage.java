@@ -39,19 +39,21 @@ record PendingMessage(Address to, Message message, CompletableFuture<Void> taken
 
     /** @param failure why the board has not sent it; null if that is not known. */
     void end(Ending how, Throwable failure) {
-        switch (how) {
-            case DELIVERED -> end(Outcome.DELIVERED);
-            case UNDELIVERED -> end(Outcome.UNDELIVERED);
-            case NO_ANSWER -> fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to be " + to
-                    + ": it is out of reach, takes no part, or has no certificate that is trusted here");
-            case REVOKED -> fail(how.atom(), "the authority has revoked the certificate of " + to);
-            case EXPIRED -> fail(how.atom(), "the certificate of " + to + " has expired");
-            case NOT_SENT -> fail(failure != null ? failure
-                    : new Failure(how.atom(), "the board has not sent the message to " + to).toException());
-            case NO_GROUP_KEY -> fail("no_key", "the board has no key for " + to
-                    + ", and no group key server has given one within 30 s");
-            case CLOSED ->
-                fail("no_key", "the board has no key for " + to + ", and agrees on keys with nobody any more");
+        String error = switch (how) {
+            case DELIVERED, UNDELIVERED -> "";
+            case NO_ANSWER -> "the board has no key for " + to + ", and nobody has proved to be " + to
+                    + ": it is out of reach, takes no part, or has no certificate that is trusted here";
+            case REVOKED -> "the authority has revoked the certificate of " + to;
+            case EXPIRED -> "the certificate of " + to + " has expired";
+            case NOT_SENT -> "the board has not sent the message to " + to;
+            case NO_GROUP_KEY ->
+                "the board has no key for " + to + ", and no group key server has given one within 30 s";
+            case CLOSED -> "the board has no key for " + to + ", and agrees on keys with nobody any more";
+        };
+        if (error.isEmpty()) {
+            end(Outcome.valueOf(how.name()));
+        } else {
+            fail(failure != null ? failure : new Failure(how.atom(), error).toException());
         }
     }
 

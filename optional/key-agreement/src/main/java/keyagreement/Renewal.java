@@ -5,7 +5,6 @@ import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.HandshakeException;
-import keyagreement.edhoc.HandshakeException.Reason;
 import keyagreement.edhoc.Kdf;
 import keyagreement.edhoc.Role;
 import keyagreement.edhoc.Secret;
@@ -93,15 +92,14 @@ record Renewal(Secret kept, Bytes pair) {
     /** That of a message 1 or 2. */
     private static Bytes nonceOf(Bytes message) throws HandshakeException {
         if (message.length() != NONCE_LENGTH + PROOF_LENGTH) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "the message is refused: its length is wrong");
+            throw new HandshakeException("the message is refused: its length is wrong");
         }
         return message.slice(0, NONCE_LENGTH);
     }
 
     private static void verify(Bytes received, Bytes expected) throws HandshakeException {
         if (!Kdf.same(received, expected)) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED,
-                    "the message is refused: it was made with another secret, or it is damaged");
+            throw new HandshakeException("the message is refused: it was made with another secret, or it is damaged");
         }
     }
 }

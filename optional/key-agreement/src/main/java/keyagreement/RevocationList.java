@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.HandshakeException;
-import keyagreement.edhoc.HandshakeException.Reason;
 import keyagreement.edhoc.P256;
 
 /**
@@ -42,14 +41,13 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
     public static RevocationList decode(Bytes bytes) throws HandshakeException {
         int serialsLength = bytes.length() - HEADER_LENGTH - SIGNATURE_LENGTH;
         if (serialsLength < 0 || serialsLength % 2 != 0 || serialsLength > 2 * MAX_SERIALS) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED,
-                    "no revocation list: it has " + bytes.length() + " bytes");
+            throw new HandshakeException("no revocation list: it has " + bytes.length() + " bytes");
         }
         List<Integer> serials = new ArrayList<>();
         for (int at = HEADER_LENGTH; at < HEADER_LENGTH + serialsLength; at += 2) {
             int serial = (int) bytes.number(at, at + 2);
             if (at > HEADER_LENGTH && serial <= serials.get(serials.size() - 1)) {
-                throw new HandshakeException(Reason.NOT_CERTIFIED, "no revocation list: its serials do not rise");
+                throw new HandshakeException("no revocation list: its serials do not rise");
             }
             serials.add(serial);
         }

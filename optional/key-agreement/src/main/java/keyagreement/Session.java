@@ -5,7 +5,8 @@ enum Session {
     NONE, SETTING, UNPROVEN, PROVEN;
 
     enum Input {
-        VERIFIED, SET_FIRST, SET_SECOND, NOT_SET, SEALED, DELIVERED, UNDELIVERED, NO_KEY, UNOPENED, BOOTED, FORGOTTEN
+        VERIFIED, SET_FIRST, SET_SECOND, NOT_SET, SEALED, DELIVERED, UNDELIVERED, NO_KEY, FAILED,
+        UNOPENED, BOOTED, FORGOTTEN
     }
 
     /** Of the message that was under way, it ends or goes again; or a handshake begins. */
@@ -23,6 +24,7 @@ enum Session {
         DELIVERED   .:END   .:END    PROVEN:END .:END
         UNDELIVERED .:AGAIN .:AGAIN  NONE:AGAIN UNPROVEN:END
         NO_KEY      .:AGAIN .:AGAIN  NONE:AGAIN NONE:AGAIN
+        FAILED      .:END   .:END    .:END      .:END
         UNOPENED    .:BEGIN -s       NONE:BEGIN NONE:BEGIN
         BOOTED      .       -s       NONE       NONE
         FORGOTTEN   .       NONE     NONE       NONE

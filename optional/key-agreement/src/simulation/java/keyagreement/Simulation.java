@@ -19,7 +19,6 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import diffuser.HostChannel;
 import javino.board.Transmission;
 import javino.protocol.Address;
@@ -496,7 +495,7 @@ final class Simulation {
             } else if (effect instanceof Effect.Unicast unicast) {
                 maybeFault("unicast");
                 send(unicast.to(), unicast.message(), (outcome, thrown) -> agreement.sent(unicast.to(), thrown != null
-                        ? KeyAgreement.Sent.NO_KEY : KeyAgreement.Sent.valueOf(outcome.name()), now));
+                        ? Session.Input.NO_KEY : Session.Input.valueOf(outcome.name()), now));
             } else if (effect instanceof Effect.SetSessionKey set) {
                 maybeFault("key");
                 later(() -> {
@@ -534,11 +533,6 @@ final class Simulation {
             } else if (!letter.receivedBy.add(address + " " + life)) {
                 wrong.add(content + " came twice to " + address);
             }
-        }
-
-        String events() {
-            return address + " " + agreement.events().entrySet().stream().map(Object::toString)
-                    .collect(Collectors.joining(" "));
         }
     }
 }

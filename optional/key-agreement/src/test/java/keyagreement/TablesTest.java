@@ -197,4 +197,109 @@ class TablesTest {
             case CLOSING, ANSWERING, OVER -> List.of();
         };
     }
+
+    /** What a peer's session was last told to be. */
+    private Session session = Session.NONE;
+    private final List<Effect> done = new ArrayList<>();
+
+    private List<Effect> effects() {
+        List<Effect> effects = List.copyOf(context.effects());
+        context.effects().clear();
+        done.addAll(effects);
+        effects.stream().filter(Effect.Transition.class::isInstance).map(Effect.Transition.class::cast)
+                .filter(each -> each.machine().equals("session")).forEach(each -> session = (Session) each.state());
+        return effects;
+    }
+
+    /** Has all that was said come to the air, until nothing more is said. */
+    private List<HostMessage> onAir(Peer peer) {
+        List<HostMessage> said = new ArrayList<>();
+        for (List<Effect> effects = effects(); !effects.isEmpty(); effects = effects()) {
+            now += 1000;
+            effects.stream().filter(Effect.Broadcast.class::isInstance).map(Effect.Broadcast.class::cast)
+                    .forEach(each -> {
+                        said.add(each.message());
+                        peer.said(each, true, 0, now);
+                    });
+        }
+        return said;
+    }
+
+    /** The other side begins a handshake with the peer's host, and ends it. */
+    private void meet(Peer peer) throws Exception {
+        Initiator initiator = new Initiator(other.with(ROMA), RANDOM);
+        onAir(peer);
+        peer.handshake(new HostMessage(Kind.MESSAGE_1, ROMA, initiator.opening()), now);
+        Bytes message2 = onAir(peer).stream().map(HostMessage::body).reduce(Bytes.EMPTY, Bytes::join);
+        if (message2.length() > 0) {
+            peer.handshake(new HostMessage(Kind.MESSAGE_3, ROMA, initiator.take(message2).answer()), now);
+        }
+        effects();
+    }
+
+    /** A peer in a state, with a message under way. */
+    private Peer peer(Session state) throws Exception {
+        context = new Context(context.identity(), RANDOM);
+        now += 100_000;
+        Peer peer = new Peer(context, new GroupKeys(context, Optional.empty()), SUPO);
+        session = Session.NONE;
+        peer.send("ticket", new HostMessage(Kind.CONTENT, Bytes.of(1, 2, 3)), now);
+        Role role = new Responder(other.with(ROMA), onAir(peer).get(0).body(), RANDOM);
+        parts(Kind.MESSAGE_2, role).forEach(part -> peer.handshake(part, now));
+        peer.keySet(true, now);
+        onAir(peer);
+        now += 2000;
+        switch (state) {
+            case NONE -> peer.booted(now);
+            case SETTING -> meet(peer);
+            case UNPROVEN -> peer.giveWay(now);
+            case PROVEN -> peer.opened(new HostMessage(Kind.SEQUENCES, Bytes.EMPTY), now);
+        }
+        effects();
+        assertEquals(state, session);
+        done.clear();
+        return peer;
+    }
+
+    private void happens(Session.Input input, Peer peer) throws Exception {
+        switch (input) {
+            case VERIFIED -> meet(peer);
+            case SET_FIRST, SET_SECOND -> peer.keySet(true, now);
+            case NOT_SET -> peer.keySet(false, now);
+            case SEALED -> peer.opened(new HostMessage(Kind.SEQUENCES, Bytes.EMPTY), now);
+            case DELIVERED, UNDELIVERED, NO_KEY, FAILED -> peer.sent(input, now);
+            case UNOPENED -> peer.noKey(now);
+            case BOOTED -> peer.booted(now);
+            case FORGOTTEN -> peer.forget(Ending.CLOSED);
+        }
+    }
+
+    @Test
+    void peer_inEachState_doesWithEachInputWhatTheTableHas() throws Exception {
+        for (Session state : Session.values()) {
+            for (Session.Input input : Session.Input.values()) {
+                String what = state + " at " + input;
+                Peer peer = peer(state);
+                if (state == Session.UNPROVEN && input == Session.Input.UNDELIVERED) {
+                    happens(input, peer);
+                    assertEquals(List.of(Kind.MESSAGE_3), onAir(peer).stream().map(HostMessage::kind).toList());
+                }
+                happens(input, peer);
+                effects();
+                // The other side has begun: so the board was being given the key of a second one.
+                boolean second = state == Session.SETTING && input == Session.Input.SET_FIRST;
+                Table.Cell<Session, Session.Deed> cell = Session.TABLE.cell(state,
+                        second ? Session.Input.SET_SECOND : input);
+                assertEquals(cell.next(), session, what);
+                boolean ended = done.stream().anyMatch(Effect.End.class::isInstance);
+                assertEquals(cell.deed() == Session.Deed.END || input == Session.Input.FORGOTTEN, ended, what);
+                boolean begins = done.stream().anyMatch(effect -> effect instanceof Effect.Broadcast broadcast
+                        && broadcast.message().kind().first() <= Kind.RENEWAL_1.first()
+                        && broadcast.message().kind() != Kind.MESSAGE_2
+                        && broadcast.message().kind() != Kind.MESSAGE_3);
+                // For the message under way, or for the next.
+                assertEquals(cell.next() == Session.NONE && cell.deed() != Session.Deed.NOTHING, begins, what);
+            }
+        }
+    }
 }

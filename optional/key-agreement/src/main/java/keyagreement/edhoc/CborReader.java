@@ -1,7 +1,6 @@
 package keyagreement.edhoc;
 
 import javino.protocol.Bytes;
-import keyagreement.edhoc.HandshakeException.Reason;
 
 /**
  * Reads a sequence of the items that {@link Cbor} writes. It refuses all else: other items, longer forms of the same
@@ -123,6 +122,6 @@ final class CborReader {
     }
 
     static HandshakeException refused(String what) {
-        return new HandshakeException(Reason.NOT_CERTIFIED, "the message is refused: " + what);
+        return new HandshakeException("the message is refused: " + what);
     }
 }

@@ -28,6 +28,11 @@ public final class HandshakeException extends JavinoException {
         this.reason = reason;
     }
 
+    /** Of what proves nothing. */
+    public HandshakeException(String message) {
+        this(Reason.NOT_CERTIFIED, message);
+    }
+
     /** Why. */
     public Reason reason() {
         return reason;

@@ -1,7 +1,6 @@
 package keyagreement.edhoc;
 
 import javino.protocol.Bytes;
-import keyagreement.edhoc.HandshakeException.Reason;
 
 /** What both sides of EDHOC compute, by method 3 and suite 2; the names are those of RFC 9528 sections 4 and 5. */
 final class KeySchedule {
@@ -30,8 +29,7 @@ final class KeySchedule {
         /** @throws HandshakeException if the MAC is another. */
         void verify(Bytes expected) throws HandshakeException {
             if (!Kdf.same(mac, expected)) {
-                throw new HandshakeException(Reason.NOT_CERTIFIED,
-                        "the message is refused: its sender has not the key of its certificate, or it is damaged");
+                throw CborReader.refused("its sender has not the key of its certificate, or it is damaged");
             }
         }
     }
@@ -103,8 +101,8 @@ final class KeySchedule {
 
         /** PLAINTEXT_3. */
         Bytes open(Bytes ciphertext3) throws HandshakeException {
-            return cipher().open(ciphertext3, associated()).orElseThrow(() -> new HandshakeException(
-                    Reason.NOT_CERTIFIED, "the message is refused: it is damaged, or of another handshake"));
+            return cipher().open(ciphertext3, associated()).orElseThrow(
+                    () -> CborReader.refused("it is damaged, or of another handshake"));
         }
 
         private Ccm cipher() {

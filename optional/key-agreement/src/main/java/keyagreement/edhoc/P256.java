@@ -19,7 +19,6 @@ import java.security.spec.ECPrivateKeySpec;
 import java.security.spec.ECPublicKeySpec;
 import javax.crypto.KeyAgreement;
 import javino.protocol.Bytes;
-import keyagreement.edhoc.HandshakeException.Reason;
 
 /**
  * The curve P-256 (NIST SP 800-186 section 3.2.1.3), by the JDK, which adds no points: in {@link #combine} that is ours,
@@ -106,12 +105,12 @@ public final class P256 {
     public static ECPublicKey decompress(Bytes point) throws HandshakeException {
         BigInteger x = point.length() == POINT_LENGTH ? number(point.from(1)) : P;
         if (x.compareTo(P) >= 0 || point.at(0) >> 1 != 1) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "no point of P-256: " + point);
+            throw new HandshakeException("no point of P-256: " + point);
         }
         BigInteger square = x.pow(3).subtract(x.multiply(THREE)).add(CURVE.getCurve().getB()).mod(P);
         BigInteger y = square.modPow(P.add(BigInteger.ONE).shiftRight(2), P);
         if (!y.modPow(BigInteger.TWO, P).equals(square)) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "no point of P-256: " + point);
+            throw new HandshakeException("no point of P-256: " + point);
         }
         boolean odd = (point.at(0) & 1) == 1;
         return key(new ECPoint(x, y.testBit(0) == odd ? y : P.subtract(y)));
@@ -153,7 +152,7 @@ public final class P256 {
             throws HandshakeException {
         ECPoint sum = sum(multiple(factor.mod(ORDER), point), other.getW());
         if (sum.equals(ECPoint.POINT_INFINITY)) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "the certificate gives no public key");
+            throw new HandshakeException("the certificate gives no public key");
         }
         return key(sum);
     }

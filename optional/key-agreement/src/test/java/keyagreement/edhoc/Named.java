@@ -4,7 +4,6 @@ import java.math.BigInteger;
 import java.security.interfaces.ECPrivateKey;
 import java.util.Map;
 import javino.protocol.Bytes;
-import keyagreement.edhoc.HandshakeException.Reason;
 
 /** A party that knows others by name. */
 record Named(Credential own, ECPrivateKey secret, Map<Bytes, Credential> others) implements Party {
@@ -22,7 +21,7 @@ record Named(Credential own, ECPrivateKey secret, Map<Bytes, Credential> others)
     @Override
     public Credential find(Bytes kid) throws HandshakeException {
         if (!others.containsKey(kid)) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "nobody has the name " + kid);
+            throw new HandshakeException("nobody has the name " + kid);
         }
         return others.get(kid);
     }
