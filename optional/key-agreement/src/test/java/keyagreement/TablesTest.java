@@ -302,4 +302,18 @@ class TablesTest {
             }
         }
     }
+
+    @Test
+    void outcome_underAKeyThatWasReplaced_changesNoStateAndTheMessageGoesAgain() throws Exception {
+        for (Session.Input input : List.of(Session.Input.UNDELIVERED, Session.Input.NO_KEY)) {
+            Peer peer = peer(Session.SETTING);
+            peer.keySet(true, now);
+            effects();
+            done.clear();
+            happens(input, peer);
+            effects();
+            assertEquals(Session.PROVEN, session, input.name());
+            assertEquals(List.of(Effect.Unicast.class), done.stream().map(Object::getClass).toList(), input.name());
+        }
+    }
 }
