@@ -172,6 +172,10 @@ public final class BoardKeyAgreement implements KeyService {
         sharesGroup = true;
         try {
             Optional<Identity> identity = Identity.read(folder, self);
+            if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {
+                throw new IllegalArgumentException("the identity of " + self + " in " + folder + " is that of "
+                        + identity.get().certificate().address());
+            }
             sharesGroup = identity.isPresent();
             if (identity.isPresent() && !refuses) {
                 open = Optional.of(new OpenAgreement(host, identity.get(), stored, clock));

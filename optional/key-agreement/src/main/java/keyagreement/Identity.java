@@ -69,20 +69,12 @@ public final class Identity {
      * Reads the identity of a device, which {@code javino enroll} wrote.
      *
      * @return nothing where the device has no certificate.
-     * @throws IllegalArgumentException if the file is damaged, of another device, or others may read it.
+     * @throws IllegalArgumentException if the file is damaged, or others may read it.
      */
     public static Optional<Identity> read(Path folder, Address device) throws IOException {
         Path file = file(folder, device);
         Entries entries = Files.exists(file) ? Entries.parse(PrivateFile.read(file), file) : new Entries();
-        if (entries.get(CERTIFICATE).isEmpty()) {
-            return Optional.empty();
-        }
-        Identity identity = of(file, entries);
-        if (!identity.certificate.address().equals(device)) {
-            throw new IllegalArgumentException("the identity of " + device + " in " + folder + " is that of "
-                    + identity.certificate.address());
-        }
-        return Optional.of(identity);
+        return entries.get(CERTIFICATE).isEmpty() ? Optional.empty() : Optional.of(of(file, entries));
     }
 
     static Identity of(Path file, Entries entries) {
@@ -120,10 +112,10 @@ public final class Identity {
             public Credential find(Bytes kid) throws HandshakeException {
                 Certificate theirs = Certificate.decode(kid);
                 if (!theirs.address().equals(other)) {
-                    throw new HandshakeException("the " + theirs + " is not that of " + other);
+                    throw refused("the " + theirs + " is not that of " + other);
                 }
                 if (theirs.address().equals(certificate.address())) {
-                    throw new HandshakeException("the " + theirs + " is for this device's own address");
+                    throw refused("the " + theirs + " is for this device's own address");
                 }
                 return theirs.credential(authority(theirs.authority()));
             }
@@ -174,6 +166,10 @@ public final class Identity {
 
     private LocalDate latestListedDay() {
         return revocationLists.stream().map(RevocationList::day).max(LocalDate::compareTo).orElse(LocalDate.EPOCH);
+    }
+
+    private static HandshakeException refused(String what) {
+        return new HandshakeException(what);
     }
 
     private AuthorityKeys authority(int id) throws HandshakeException {

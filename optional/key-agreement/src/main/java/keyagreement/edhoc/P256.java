@@ -21,8 +21,8 @@ import javax.crypto.KeyAgreement;
 import javino.protocol.Bytes;
 
 /**
- * The curve P-256 (NIST SP 800-186 section 3.2.1.3), by the JDK, which adds no points: in {@link #combine} that is ours,
- * and its time depends on its numbers. They are public: whoever hears a certificate can compute the same.
+ * The curve P-256 (NIST SP 800-186 section 3.2.1.3), by the JDK, which adds no points: in {@link #combine} that is
+ * ours, and its time depends on its numbers. They are public: whoever hears a certificate can compute the same.
  */
 public final class P256 {
 
