@@ -34,7 +34,7 @@ import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /** The moves by one agent's board: what {@link Moves} decides, this does in the MAS around it. */
-public final class BoardMoves implements MoveService, Moves.Air, Mas {
+public final class BoardMoves implements MoveService, Mas {
 
     /** Between two looks at whether a plan lets agents in. */
     private static final long LOOK_NANOS = Duration.ofSeconds(1).toNanos();
@@ -107,7 +107,7 @@ public final class BoardMoves implements MoveService, Moves.Air, Mas {
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-            moves = new Moves(clock, this, folder, this, inhabitants.limits(), new SecureRandom());
+            moves = new Moves(clock, folder, this, inhabitants.limits(), new SecureRandom());
             moves.start();
         }
         return moves;
@@ -230,7 +230,7 @@ public final class BoardMoves implements MoveService, Moves.Air, Mas {
     }
 
     @Override
-    public void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException {
+    public void check(List<Bytes> texts) throws RefusedException {
         Inhabitants.mind(texts);
     }
 

@@ -176,11 +176,6 @@ class Folder implements AutoCloseable {
         }
     }
 
-    /** Whether the text of a hash is here. */
-    boolean has(Bytes hash) {
-        return Files.exists(part(hash));
-    }
-
     /** The text of a hash, if it is here and undamaged. */
     Optional<Bytes> text(Bytes hash) {
         Path file = part(hash);
@@ -207,19 +202,28 @@ class Folder implements AutoCloseable {
         }
     }
 
-    /** How many packed bytes have come of a part which is not here as a whole. */
-    int here(Bytes hash) {
+    /** How many packed bytes of a part are here. */
+    int here(Part part) {
         try {
-            return Files.exists(partial(hash)) ? (int) Files.size(partial(hash)) : 0;
+            return Files.exists(part(part.hash())) ? part.packed()
+                    : Files.exists(partial(part.hash())) ? (int) Files.size(partial(part.hash())) : 0;
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    /** Those packed bytes. */
-    Bytes partially(Bytes hash) {
+    /** The text of a part that is here as a whole. @throws RefusedException if it is damaged, and here no longer. */
+    Bytes whole(Part part) throws RefusedException {
+        Optional<Bytes> text = text(part.hash());
+        if (text.isPresent()) {
+            return text.get();
+        }
         try {
-            return Files.exists(partial(hash)) ? Bytes.copyOf(Files.readAllBytes(partial(hash))) : Bytes.EMPTY;
+            return part.unpack(Files.exists(partial(part.hash()))
+                    ? Bytes.copyOf(Files.readAllBytes(partial(part.hash()))) : Bytes.EMPTY);
+        } catch (RefusedException e) {
+            forget(part.hash());
+            throw e;
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

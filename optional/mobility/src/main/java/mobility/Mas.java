@@ -9,9 +9,14 @@ import diffuser.Failure;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
+import javino.protocol.Outcome;
 
-/** The MAS around the moves of one board, as {@link Moves} sees it. Called on their thread; must not block. */
+/** The board of some moves and the MAS around it, as {@link Moves} sees them. Called on their thread; must not block. */
 interface Mas {
+
+    /** @return the outcome; fails if the board does not take the message. On any thread. */
+    CompletableFuture<Outcome> send(Address to, HostMessage message);
 
     /**
      * Whether the agent with the board lets another in.
@@ -22,7 +27,7 @@ interface Mas {
     CompletableFuture<Void> admit(Move move, boolean returns);
 
     /** Whether these texts are an agent that can live here. @throws RefusedException if not. */
-    void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException;
+    void check(List<Bytes> texts) throws RefusedException;
 
     /**
      * Lets an agent live here.
@@ -50,4 +55,12 @@ interface Mas {
 
     /** What the user should know. */
     void warn(String what);
+
+    /**
+     * A machine has reached a state: what is recorded is on the disk, and nothing that follows is said yet.
+     *
+     * @param id which one it is of all such machines with that peer.
+     */
+    default void reached(String machine, Address peer, String id, Enum<?> state) {
+    }
 }

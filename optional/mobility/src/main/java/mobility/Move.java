@@ -146,6 +146,16 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         return protocol == Protocol.INQUILINISM;
     }
 
+    /** Whether the agent sleeps here, and may wake here. */
+    boolean isOpen() {
+        return state == State.OFFERED || state == State.READY;
+    }
+
+    /** Whether it brings another agent, and the original stays. */
+    boolean isClone() {
+        return protocol == Protocol.CLONING;
+    }
+
     /** Whether the agent sleeps here and its move has not ended. */
     boolean isUnderWay() {
         return state == State.OFFERED || state == State.GONE;

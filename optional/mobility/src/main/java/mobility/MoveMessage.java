@@ -30,7 +30,7 @@ record MoveMessage(int move, Said said) {
     private static final int MOST_REASON = 400;
 
     /** One kind of message. */
-    sealed interface Said permits Offer, Want, Data, Ready, Go, Awake, Cancelled, Refused {
+    sealed interface Said extends Event permits Offer, Want, Data, Ready, Go, Awake, Cancelled, Refused {
 
         /** Each kind is called as its class. */
         default HostMessage.Kind kind() {

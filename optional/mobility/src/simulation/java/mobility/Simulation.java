@@ -161,7 +161,7 @@ final class Simulation {
     }
 
     /** A computer with a MAS. */
-    final class Side implements Mas, HostClock, Moves.Air {
+    final class Side implements Mas, HostClock {
 
         final Address address;
         private final Path place;
@@ -170,6 +170,8 @@ final class Simulation {
         /** The agents that are awake, with what they are. */
         final Map<String, List<Bytes>> awake = new HashMap<>();
         final List<String> told = new ArrayList<>();
+        /** What the machines of its moves have come to. */
+        final List<Enum<?>> reached = new ArrayList<>();
         /** Names of agents that the program starts. */
         final Map<String, List<Bytes>> program = new HashMap<>();
         /** Of agents that are at home here: the tokens that were ever drawn for them. */
@@ -212,7 +214,7 @@ final class Simulation {
                     awake.put(agent.getKey(), agent.getValue());
                 }
             }
-            moves = new Moves(this, this, folder, this, Moves.Limits.USUAL, random);
+            moves = new Moves(this, folder, this, Moves.Limits.USUAL, random);
             within(moves::start);
             if (random.nextDouble() < twice) {
                 // The program ended before it could tell the board that it has the message.
@@ -384,7 +386,7 @@ final class Simulation {
         }
 
         @Override
-        public void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException {
+        public void check(List<Bytes> texts) throws RefusedException {
             if (refusal != null) {
                 throw refusal;
             }
@@ -436,6 +438,11 @@ final class Simulation {
         @Override
         public void warn(String what) {
             told.add(what);
+        }
+
+        @Override
+        public void reached(String machine, Address peer, String id, Enum<?> state) {
+            reached.add(state);
         }
 
         /** Moves an agent; until it has gone it sleeps, and where it stays it wakes. */

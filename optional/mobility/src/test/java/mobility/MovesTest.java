@@ -108,9 +108,9 @@ class MovesTest {
     void depart_nobodyThere_staysAfterPatience() {
         simulation.contact = false;
         move();
-        simulation.runUntil(Moves.PATIENCE_MILLIS - 1);
+        simulation.runUntil(Departure.PATIENCE_MILLIS - 1);
         assertEquals(0, simulation.awake(AGENT));
-        simulation.runUntil(Moves.PATIENCE_MILLIS + 1);
+        simulation.runUntil(Departure.PATIENCE_MILLIS + 1);
         assertEquals(List.of("stayed undelivered"), station.told);
         assertOnlyAt(station, bus);
     }
@@ -430,7 +430,7 @@ class MovesTest {
             }
             simulation.runUntil(simulation.millis() + 20_000);
         }
-        simulation.runUntil(simulation.millis() + 2 * Moves.FORGET_MILLIS);
+        simulation.runUntil(simulation.millis() + 2 * Arrival.FORGET_MILLIS);
         try (Stream<Path> parts = Files.list(folder.resolve("SUBB").resolve("parts"))) {
             assertTrue(parts.count() <= 64, "they do not fill the disk");
         }

@@ -135,7 +135,7 @@ class ReturnsTest {
         station.depart(AGENT, Protocol.MUTUALISM, Simulation.BUS);
         simulation.runUntil(simulation.millis() + 1_000);
         simulation.forge(station, Simulation.BUS, Protocol.MUTUALISM, record(station, Move.State.OFFERED).identity());
-        simulation.runUntil(simulation.millis() + 2 * Moves.PATIENCE_MILLIS);
+        simulation.runUntil(simulation.millis() + 2 * Departure.PATIENCE_MILLIS);
         assertOnlyAt(station);
     }
 

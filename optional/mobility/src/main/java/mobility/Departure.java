@@ -1,0 +1,193 @@
+package mobility;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+
+import diffuser.Failure;
+import diffuser.Texts;
+
+import javino.protocol.Bytes;
+
+/**
+ * A move of an agent that leaves.
+ *
+ * @param move   null in NONE.
+ * @param packed its parts.
+ * @param there  how many bytes of each part are there.
+ * @param most   the most bytes that were ever there, as far as is known; less than none before an answer.
+ */
+record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> packed, List<Integer> there, long most)
+        implements Machine {
+
+    /** A sender that has heard nothing new for so long gives up, as long as the agent may come back. */
+    static final long PATIENCE_MILLIS = 60_000;
+    /** Why the board here does not send, where it will not later either. */
+    private static final Set<String> HOPELESS =
+            Set.of("no_key", "bad_destination", "too_long", "legacy_board", "no_radio", "nonce_exhausted");
+
+    /** SPEC 9.3. */
+    enum State {
+        NONE(null), OFFERED(Move.State.OFFERED), SENDING(Move.State.OFFERED), SENT(Move.State.OFFERED),
+        GONE(Move.State.GONE), CLONED(null), AWAY(Move.State.AWAY);
+
+        private final Move.State recorded;
+
+        State(Move.State recorded) {
+            this.recorded = recorded;
+        }
+    }
+
+    static final Departure UNKNOWN = new Departure(State.NONE, null, null, List.of(), List.of(), -1);
+    private static final Set<State> OPEN = EnumSet.range(State.OFFERED, State.SENT);
+    private static final Set<State> ON_DATA = EnumSet.of(State.SENDING, State.SENT);
+    private static final Set<State> OVER = EnumSet.of(State.NONE);
+
+    static final Table<State, Departure> TABLE = new Table<State, Departure>(State.class)
+            .on(OPEN, MoveMessage.Want.class, ON_DATA, "", Departure::wanted)
+            .on(EnumSet.of(State.SENDING), Event.Delivered.class, ON_DATA, "", Departure::delivered)
+            .on(EnumSet.of(State.SENDING), Event.Undelivered.class, EnumSet.of(State.OFFERED), "",
+                    (sending, event, facts) -> List.of(sending.become(State.OFFERED)))
+            .on(OPEN, Event.NotTaken.class, EnumSet.of(State.OFFERED, State.SENT, State.NONE),
+                    "none if the board never will", Departure::notTaken)
+            .on(OPEN, MoveMessage.Ready.class, EnumSet.of(State.GONE, State.CLONED), "", Departure::go)
+            .on(OPEN, MoveMessage.Refused.class, OVER, "the agent stays", Departure::refused)
+            .on(EnumSet.of(State.OFFERED, State.SENDING, State.SENT, State.CLONED), Event.Expired.class, OVER,
+                    "the agent stays", Departure::expired)
+            .on(EnumSet.of(State.GONE, State.CLONED), MoveMessage.Ready.class, Set.of(), "go at once",
+                    (gone, event, facts) -> List.of(Course::hurry))
+            .on(EnumSet.of(State.GONE), MoveMessage.Awake.class, EnumSet.of(State.AWAY, State.NONE),
+                    "away at its home; the agent is removed", Departure::awake)
+            .on(EnumSet.of(State.GONE), Event.Superseded.class, OVER, "the agent is removed",
+                    (gone, event, facts) -> gone.left(State.NONE, ""))
+            .on(EnumSet.of(State.CLONED), MoveMessage.Awake.class, OVER, "",
+                    (cloned, event, facts) -> List.of(cloned.become(State.NONE), cloned.arrived(event.agent())))
+            .on(EnumSet.of(State.AWAY), Event.Superseded.class, OVER, "",
+                    (away, event, facts) -> List.of(away.become(State.NONE)))
+            .on(EnumSet.of(State.NONE), MoveMessage.Ready.class, Set.of(), "cancelled",
+                    (none, event, facts) -> List.of(course -> course.answer(new MoveMessage.Cancelled())))
+            .ignore(List.of(MoveMessage.Want.class, MoveMessage.Refused.class, MoveMessage.Ready.class), "too late")
+            .ignore(List.of(MoveMessage.Awake.class), "go was not said, or too late")
+            .ignore(List.of(Event.Delivered.class, Event.Undelivered.class, Event.NotTaken.class),
+                    "it is said until answered")
+            .ignore(List.of(Event.Expired.class, Event.Superseded.class), "the agent is not between");
+
+    Departure {
+        move = state.recorded == null ? move : move.in(state.recorded);
+    }
+
+    /** @param move as it begins, or as its record says. */
+    static Departure of(Move move, List<Bytes> texts) {
+        List<Bytes> packed = texts.stream().map(Part::pack).toList();
+        List<Part> parts = IntStream.range(0, texts.size())
+                .mapToObj(i -> new Part(move.parts().get(i), packed.get(i).length(), texts.get(i).length())).toList();
+        return new Departure(State.valueOf(move.state().name()), move,
+                new MoveMessage.Offer(move.protocol(), parts, move.identity()), packed, List.of(), -1);
+    }
+
+    @Override
+    public List<Consumer<Course>> step(Event event, Facts facts) {
+        return TABLE.step(this, event, facts);
+    }
+
+    /** A clone has none: its original never sleeps. */
+    @Override
+    public Optional<Move> record() {
+        return state.recorded == null || move.isClone() ? Optional.empty() : Optional.of(move);
+    }
+
+    @Override
+    public Optional<MoveMessage.Said> message() {
+        return switch (state) {
+            case NONE, AWAY -> Optional.empty();
+            case OFFERED, SENT -> Optional.of(offer);
+            case SENDING -> data().map(data -> data);
+            case GONE, CLONED -> Optional.of(new MoveMessage.Go());
+        };
+    }
+
+    @Override
+    public long patience() {
+        return OPEN.contains(state) || state == State.CLONED ? PATIENCE_MILLIS : 0;
+    }
+
+    private Optional<MoveMessage.Data> data() {
+        return IntStream.range(0, packed.size()).filter(part -> there.get(part) < packed.get(part).length()).boxed()
+                .findFirst().map(part -> {
+                    int from = there.get(part);
+                    int to = Math.min(packed.get(part).length(), from + MoveMessage.MOST_DATA);
+                    return new MoveMessage.Data(part, from, packed.get(part).slice(from, to));
+                });
+    }
+
+    private Consumer<Course> become(State next) {
+        Departure machine = new Departure(next, move, offer, packed, there, most);
+        return course -> course.become(machine);
+    }
+
+    private List<Consumer<Course>> wanted(MoveMessage.Want want, Facts facts) {
+        return want.offsets().size() == packed.size() ? sendFrom(want.offsets()) : List.of(Course::drop);
+    }
+
+    private List<Consumer<Course>> delivered(Event.Delivered event, Facts facts) {
+        MoveMessage.Data data = data().orElseThrow();
+        List<Integer> next = new ArrayList<>(there);
+        next.set(data.part(), data.offset() + data.bytes().length());
+        List<Consumer<Course>> effects = new ArrayList<>(sendFrom(next));
+        effects.add(course -> course.report(next, offer.parts()));
+        return effects;
+    }
+
+    private List<Consumer<Course>> sendFrom(List<Integer> offsets) {
+        long sum = offsets.stream().mapToLong(Integer::longValue).sum();
+        Departure sending = new Departure(State.SENDING, move, offer, packed, offsets, Math.max(most, sum));
+        Consumer<Course> become = sending.become(sending.data().isPresent() ? State.SENDING : State.SENT);
+        // Only what is new there prolongs the patience, or it would never end where nothing long comes.
+        return sum > most ? List.of(become, Course::await) : List.of(become);
+    }
+
+    private List<Consumer<Course>> notTaken(Event.NotTaken event, Facts facts) {
+        String error = event.why().error();
+        // Its own words have the whole message in them, in hexadecimal.
+        return HOPELESS.contains(error)
+                ? stay(error,
+                        move.name() + " has stayed: this board will not send to " + move.key().peer() + ", " + error)
+                : List.of(become(state == State.SENDING ? State.OFFERED : state));
+    }
+
+    private List<Consumer<Course>> go(MoveMessage.Ready event, Facts facts) {
+        return move.isClone() ? List.of(become(State.CLONED), Course::await)
+                : List.of(become(State.GONE), Course::endEarlier);
+    }
+
+    private List<Consumer<Course>> awake(MoveMessage.Awake awake, Facts facts) {
+        // Where it is at home, it is known by its token when it comes back.
+        return left(move.isOurs() || facts.isHome(move.identity()) ? State.AWAY : State.NONE, awake.agent());
+    }
+
+    private List<Consumer<Course>> left(State next, String name) {
+        return List.of(Course::endEarlier, become(next), Course::remove, arrived(name));
+    }
+
+    private Consumer<Course> arrived(String name) {
+        return course -> course.arrived(name.isEmpty() ? move.identity().name() : name);
+    }
+
+    private List<Consumer<Course>> refused(MoveMessage.Refused refused, Facts facts) {
+        return stay(refused.error(), move.key().peer() + " does not take " + move.name() + " in: "
+                + Texts.withoutCommands(refused.reason()));
+    }
+
+    private List<Consumer<Course>> expired(Event.Expired event, Facts facts) {
+        return stay("undelivered", move.name() + " has stayed: nothing of it came to " + move.key().peer() + " for "
+                + PATIENCE_MILLIS / 1_000 + " s" + (state == State.CLONED ? "; a clone may have come to be" : ""));
+    }
+
+    private List<Consumer<Course>> stay(String error, String why) {
+        return List.of(become(State.NONE), course -> course.stay(new Failure(error, why)));
+    }
+}

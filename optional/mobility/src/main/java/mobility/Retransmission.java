@@ -1,0 +1,90 @@
+package mobility;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Function;
+
+import diffuser.Failure;
+import diffuser.HostClock;
+
+import javino.protocol.Outcome;
+
+/** Says a message of a move until it is answered (SPEC 9.3). On the thread of the {@link HostClock}. */
+final class Retransmission {
+
+    /** After a message was delivered, until it is said again. */
+    static final long ANSWER_MILLIS = 3_000;
+    /** After a message was not delivered, until it is said again, at first and at most. */
+    static final long LEAST_PAUSE_MILLIS = 2_000;
+    private static final long MOST_PAUSE_MILLIS = 30_000;
+
+    private final HostClock clock;
+    private final Function<MoveMessage.Said, CompletableFuture<Outcome>> send;
+    private final Consumer<Event> told;
+    private Optional<MoveMessage.Said> message = Optional.empty();
+    private CompletableFuture<Outcome> underWay = CompletableFuture.completedFuture(Outcome.DELIVERED);
+    private long pause;
+    /** What was begun for an earlier message says no more. */
+    private int turn;
+
+    /** @param told what has become of the message, each time that it was said. */
+    Retransmission(HostClock clock, Function<MoveMessage.Said, CompletableFuture<Outcome>> send,
+            Consumer<Event> told) {
+        this.clock = clock;
+        this.send = send;
+        this.told = told;
+    }
+
+    /** Says a message, or none, in the place of the one before; after so long. */
+    void say(Optional<MoveMessage.Said> next, long after) {
+        message = next;
+        pause = LEAST_PAUSE_MILLIS;
+        if (after == 0) {
+            say();
+        } else {
+            sayAfter(after);
+        }
+    }
+
+    /** The other side is there: no pause is needed. */
+    void hurry() {
+        if (underWay.isDone()) {
+            say();
+        }
+    }
+
+    private void say() {
+        int mine = ++turn;
+        message.ifPresent(said -> {
+            underWay = send.apply(said);
+            underWay.whenComplete((outcome, thrown) -> clock.execute(() -> {
+                if (mine == turn) {
+                    ended(outcome, thrown);
+                }
+            }));
+        });
+    }
+
+    private void ended(Outcome outcome, Throwable thrown) {
+        if (outcome == Outcome.DELIVERED) {
+            pause = LEAST_PAUSE_MILLIS;
+            sayAfter(ANSWER_MILLIS);
+            told.accept(new Event.Delivered());
+            return;
+        }
+        sayAfter(pause);
+        // Where the board has too much to send, the other side may well be there.
+        pause = thrown == null ? Math.min(MOST_PAUSE_MILLIS, 2 * pause) : LEAST_PAUSE_MILLIS;
+        told.accept(thrown == null ? new Event.Undelivered() : new Event.NotTaken(Failure.of(thrown)));
+    }
+
+    private void sayAfter(long millis) {
+        int mine = ++turn;
+        clock.after(millis, () -> {
+            if (mine == turn) {
+                say();
+            }
+        });
+    }
+}
