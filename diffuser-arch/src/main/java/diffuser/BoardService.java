@@ -18,6 +18,6 @@ public interface BoardService {
     /** What it adds to the agent's status. */
     Map<String, Object> status();
 
-    /** The agent is stopped. */
+    /** The agent is stopped; called on the thread of its {@link HostClock}, on which nothing new comes any more. */
     void stop();
 }

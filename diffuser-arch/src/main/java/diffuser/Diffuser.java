@@ -418,8 +418,10 @@ public class Diffuser extends AgArch {
      */
     @Override
     public void stop() {
-        services.forEach(BoardService::stop);
-        clock.execute(clock::close);
+        clock.execute(() -> {
+            clock.close();
+            services.forEach(BoardService::stop);
+        });
         CompletableFuture<Void> closed;
         synchronized (ending) {
             ended = true;

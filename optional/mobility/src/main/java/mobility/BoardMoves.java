@@ -14,7 +14,6 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 
-import jason.JasonException;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
@@ -121,36 +120,25 @@ public final class BoardMoves implements MoveService, Mas {
      * @return completes with its name there; fails with what {@link Failure#of} reads.
      */
     CompletableFuture<String> depart(String agent, Protocol protocol, Address to, List<Bytes> texts) {
-        CompletableFuture<String> end = new CompletableFuture<>();
-        clock.execute(() -> {
+        return CompletableFuture.supplyAsync(() -> {
+            Optional<Address> here = diffuser.address();
+            if (!diffuser.hasRadio() || here.isEmpty()) {
+                return CompletableFuture.<String>failedFuture((diffuser.hasRadio()
+                        ? new Failure("no_rf_id", "the board has no address yet; set one with .setMyRFId")
+                        : new Failure("no_radio", "agents move by a board's radio, which this one has not"))
+                                .toException());
+            }
             try {
-                if (!diffuser.hasRadio()) {
-                    throw new Failure("no_radio", "agents move by a board's radio, which this one has not")
-                            .toException();
-                }
-                Optional<Address> here = diffuser.address();
-                if (here.isEmpty()) {
-                    throw new Failure("no_rf_id", "the board has no address yet; set one with .setMyRFId")
-                            .toException();
-                }
                 Moves all = opened();
                 if (agent.equals(name())) {
                     folder.keepBoard(String.valueOf(diffuser.getStatus().get("port")), here.get());
                 }
-                all.depart(agent, protocol, here.get(), to, texts).whenComplete((there, thrown) -> {
-                    if (thrown == null) {
-                        end.complete(there);
-                    } else {
-                        end.completeExceptionally(thrown);
-                    }
-                });
+                return all.depart(agent, protocol, here.get(), to, texts);
             } catch (UncheckedIOException e) {
-                end.completeExceptionally(new Failure("disk", e.getCause().getMessage()).toException());
-            } catch (JasonException e) {
-                end.completeExceptionally(e);
+                return CompletableFuture.<String>failedFuture(
+                        new Failure("disk", e.getCause().getMessage()).toException());
             }
-        });
-        return end;
+        }, clock::execute).thenCompose(end -> end);
     }
 
     // What the board asks
@@ -188,12 +176,10 @@ public final class BoardMoves implements MoveService, Mas {
 
     @Override
     public void stop() {
-        clock.execute(() -> {
-            if (moves != null) {
-                moves.close();
-                folder.close();
-            }
-        });
+        if (moves != null) {
+            moves.close();
+            folder.close();
+        }
     }
 
     // Air

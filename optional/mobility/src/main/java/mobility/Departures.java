@@ -102,22 +102,16 @@ public final class Departures {
     /** Another agent of this MAS, in its next cycle. */
     private static CompletableFuture<String> move(BoardMoves moves, TransitionSystem ts, Protocol protocol,
             Address to) {
-        CompletableFuture<String> end = new CompletableFuture<>();
-        ts.runAtBeginOfNextCycle(() -> {
+        return CompletableFuture.supplyAsync(() -> {
             try {
-                depart(moves, ts, protocol, to, image(ts, null, protocol)).whenComplete((name, thrown) -> {
-                    if (thrown == null) {
-                        end.complete(name);
-                    } else {
-                        end.completeExceptionally(thrown);
-                    }
-                });
-            } catch (JasonException | RuntimeException e) {
-                end.completeExceptionally(e);
+                return depart(moves, ts, protocol, to, image(ts, null, protocol));
+            } catch (JasonException e) {
+                return CompletableFuture.<String>failedFuture(e);
             }
-        });
-        ts.getAgArch().wakeUpDeliberate();
-        return end;
+        }, step -> {
+            ts.runAtBeginOfNextCycle(step::run);
+            ts.getAgArch().wakeUpDeliberate();
+        }).thenCompose(end -> end);
     }
 
     /** @throws JasonException cannot_travel, if something holds the agent here. */

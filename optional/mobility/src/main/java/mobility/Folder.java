@@ -3,12 +3,11 @@ package mobility;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -45,6 +44,19 @@ class Folder implements AutoCloseable {
 
     private final Path place;
     private final FileChannel lock;
+
+    /** What the disk does. */
+    private interface Access<T> {
+        T run() throws IOException;
+    }
+
+    private static <T> T on(Access<T> disk) {
+        try {
+            return disk.run();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 
     /**
      * Opens a folder, which is made if it is not there.
@@ -91,25 +103,25 @@ class Folder implements AutoCloseable {
     }
 
     private static List<Path> files(Path place) {
-        if (!Files.isDirectory(place)) {
-            return List.of();
-        }
-        try (Stream<Path> files = Files.list(place)) {
-            return files.filter(each -> each.toString().endsWith(RECORD)).sorted().toList();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        return Files.isDirectory(place) ? list(place).filter(each -> each.toString().endsWith(RECORD)).sorted().toList()
+                : List.of();
+    }
+
+    private static Stream<Path> list(Path place) {
+        try (Stream<Path> files = on(() -> Files.list(place))) {
+            return files.toList().stream();
         }
     }
 
     private static Optional<Move> read(Path file) {
-        try {
-            String name = file.getFileName().toString();
-            return Optional.of(Move.of(name.substring(0, name.length() - RECORD.length()), load(file)));
-        } catch (IllegalArgumentException | CharacterCodingException e) {
-            return Optional.empty();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return on(() -> {
+            try {
+                String name = file.getFileName().toString();
+                return Optional.of(Move.of(name.substring(0, name.length() - RECORD.length()), load(file)));
+            } catch (IllegalArgumentException | CharacterCodingException e) {
+                return Optional.empty();
+            }
+        });
     }
 
     /** Whether there is a record of a move, readable or not. */
@@ -124,12 +136,10 @@ class Folder implements AutoCloseable {
 
     private static void store(Properties properties, Path file) {
         StringWriter text = new StringWriter();
-        try {
+        on(() -> {
             properties.store(text, null);
-            replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+            return replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
+        });
     }
 
     private static Properties load(Path file) throws IOException {
@@ -142,13 +152,7 @@ class Folder implements AutoCloseable {
 
     /** Deletes the record of a move, if there is one. */
     void delete(Move.Key key) {
-        try {
-            if (Files.deleteIfExists(place.resolve(key + RECORD))) {
-                flush(place);
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        on(() -> Files.deleteIfExists(place.resolve(key + RECORD)) ? flush(place) : place);
     }
 
     /** Keeps by which board the moves go, for an agent that leaves its own board behind. */
@@ -167,114 +171,68 @@ class Folder implements AutoCloseable {
     /** Does something with the port and the address of {@link #keepBoard}, if there are any. */
     void board(BiConsumer<String, Address> step) {
         if (hasBoard(place)) {
-            try {
-                Properties board = load(place.resolve(BOARD));
-                step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
+            Properties board = on(() -> load(place.resolve(BOARD)));
+            step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
         }
     }
 
     /** The text of a hash, if it is here and undamaged. */
     Optional<Bytes> text(Bytes hash) {
-        Path file = part(hash);
-        try {
-            return Files.exists(file)
-                    ? Optional.of(Bytes.copyOf(Files.readAllBytes(file))).filter(text -> Part.hash(text).equals(hash))
-                    : Optional.empty();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return bytes(part(hash)).filter(text -> Part.hash(text).equals(hash));
+    }
+
+    private static Optional<Bytes> bytes(Path file) {
+        return Files.exists(file) ? Optional.of(Bytes.copyOf(on(() -> Files.readAllBytes(file)))) : Optional.empty();
     }
 
     /** Keeps a text. */
     void keep(Bytes hash, Bytes text) {
-        try {
+        on(() -> {
             if (text(hash).isPresent()) {
                 Files.setLastModifiedTime(part(hash), FileTime.fromMillis(System.currentTimeMillis()));
             } else {
                 replace(part(hash), text.toArray());
             }
-            Files.deleteIfExists(partial(hash));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+            return Files.deleteIfExists(partial(hash));
+        });
     }
 
     /** How many packed bytes of a part are here. */
     int here(Part part) {
-        try {
-            return Files.exists(part(part.hash())) ? part.packed()
-                    : Files.exists(partial(part.hash())) ? (int) Files.size(partial(part.hash())) : 0;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        Path partial = partial(part.hash());
+        return Files.exists(part(part.hash())) ? part.packed()
+                : Files.exists(partial) ? on(() -> (int) Files.size(partial)) : 0;
     }
 
     /** The text of a part that is here as a whole. @throws RefusedException if it is damaged, and here no longer. */
     Bytes whole(Part part) throws RefusedException {
-        Optional<Bytes> text = text(part.hash());
-        if (text.isPresent()) {
-            return text.get();
-        }
         try {
-            return part.unpack(Files.exists(partial(part.hash()))
-                    ? Bytes.copyOf(Files.readAllBytes(partial(part.hash()))) : Bytes.EMPTY);
+            Optional<Bytes> text = text(part.hash());
+            return text.isPresent() ? text.get() : part.unpack(bytes(partial(part.hash())).orElse(Bytes.EMPTY));
         } catch (RefusedException e) {
             forget(part.hash());
             throw e;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
     }
 
     /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells a fault. */
     void append(Bytes hash, Bytes packed) {
-        try {
-            Files.write(partial(hash), packed.toArray(), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        on(() -> Files.write(partial(hash), packed.toArray(), StandardOpenOption.CREATE, StandardOpenOption.APPEND));
     }
 
     /** Forgets the packed bytes of a part, and its text if that is damaged. */
     void forget(Bytes hash) {
-        try {
-            Files.deleteIfExists(partial(hash));
-            if (text(hash).isEmpty()) {
-                Files.deleteIfExists(part(hash));
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        on(() -> Files.deleteIfExists(partial(hash)) | text(hash).isEmpty() && Files.deleteIfExists(part(hash)));
     }
 
     /** Deletes the oldest of those texts that no record names, where there are too many. */
     void tidy() {
         Set<String> needed = records().stream().flatMap(move -> move.parts().stream()).map(Bytes::hex)
                 .collect(Collectors.toSet());
-        try (Stream<Path> files = Files.list(place.resolve("parts"))) {
-            List<Path> spare = files.filter(file -> !needed.contains(hash(file)))
-                    .sorted(Comparator.comparing(Folder::written).reversed()).toList();
-            for (Path file : spare.stream().skip(MOST_SPARE).toList()) {
-                Files.deleteIfExists(file);
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String hash(Path file) {
-        return file.getFileName().toString().replace(PARTIAL, "").replace(NEW, "");
-    }
-
-    private static FileTime written(Path file) {
-        try {
-            return Files.getLastModifiedTime(file);
-        } catch (IOException e) {
-            return FileTime.fromMillis(0);
-        }
+        list(place.resolve("parts"))
+                .filter(file -> !needed.contains(file.getFileName().toString().replaceFirst("[.].*", "")))
+                .sorted(Comparator.comparingLong((Path file) -> file.toFile().lastModified()).reversed())
+                .skip(MOST_SPARE).forEach(file -> on(() -> Files.deleteIfExists(file)));
     }
 
     private Path part(Bytes hash) {
@@ -285,38 +243,28 @@ class Folder implements AutoCloseable {
         return place.resolve("parts").resolve(hash.hex() + PARTIAL);
     }
 
-    private static void replace(Path file, byte[] bytes) throws IOException {
+    private static Path replace(Path file, byte[] bytes) throws IOException {
         Path fresh = file.resolveSibling(file.getFileName() + NEW);
-        try (FileChannel channel = FileChannel.open(fresh, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
-                StandardOpenOption.TRUNCATE_EXISTING)) {
-            for (ByteBuffer rest = ByteBuffer.wrap(bytes); rest.hasRemaining();) {
-                channel.write(rest);
-            }
-            channel.force(true);
-        }
-        try {
-            Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException e) {
-            Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING);
-        }
-        flush(file.getParent());
+        Files.write(fresh, bytes, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
+                StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.SYNC);
+        return flush(Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE).getParent());
     }
 
     /** So that the file's name is on the disk, too; Windows has no such call. */
-    private static void flush(Path directory) throws IOException {
+    private static Path flush(Path directory) throws IOException {
         try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
             channel.force(true);
-        } catch (java.nio.file.AccessDeniedException e) {
-            return;
+        } catch (AccessDeniedException e) {
+            return directory;
         }
+        return directory;
     }
 
     @Override
     public void close() {
-        try {
+        on(() -> {
             lock.close();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+            return lock;
+        });
     }
 }

@@ -28,7 +28,7 @@ import javino.protocol.ProtocolException;
  * The moves of agents by one board (SPEC 9): what is said when, and what is written before. It knows neither Jason nor
  * boards, so that a test can end it at any step and begin a new one with the same folder.
  *
- * <p>All but {@link #depart}, {@link #received} and the counters is for the one thread of the {@link HostClock}.
+ * <p>All but the counters is for the one thread of the {@link HostClock}.
  */
 final class Moves implements Machine.Facts {
 
@@ -64,7 +64,6 @@ final class Moves implements Machine.Facts {
     /** All that are recorded or under way, in the order in which they began. */
     private final Map<Move.Key, Course> courses = new LinkedHashMap<>();
     private final Map<Count, Long> counts = new ConcurrentHashMap<>();
-    private boolean closed;
 
     Moves(HostClock clock, Folder folder, Mas mas, Limits limits, RandomGenerator random) {
         this.clock = clock;
@@ -121,7 +120,6 @@ final class Moves implements Machine.Facts {
 
     /** Says and does nothing more, as if the program had ended. */
     void close() {
-        closed = true;
         courses.values().forEach(Course::close);
     }
 
@@ -132,27 +130,25 @@ final class Moves implements Machine.Facts {
     }
 
     /**
-     * Moves an agent, which sleeps already unless it is cloned. For any thread.
+     * Moves an agent, which sleeps already unless it is cloned.
      *
      * @param here this device's own address.
      * @return the name that it has there; fails with a JasonException of {@link Failure}, when it may wake here.
      */
     CompletableFuture<String> depart(String agent, Protocol protocol, Address here, Address to, List<Bytes> texts) {
         CompletableFuture<String> end = new CompletableFuture<>();
-        execute(() -> {
-            try {
-                Move move = departing(agent, protocol, here, to, texts);
-                texts.forEach(text -> folder.keep(Part.hash(text), text));
-                Departure machine = Departure.of(move, texts);
-                machine.record().ifPresent(folder::write);
-                new Course(this, move.key(), machine, Optional.of(end), texts).goOn();
-            } catch (UncheckedIOException e) {
-                end.completeExceptionally(
-                        new Failure("disk", "the move cannot be recorded: " + e.getMessage()).toException());
-            } catch (JasonException e) {
-                end.completeExceptionally(e);
-            }
-        });
+        try {
+            Move move = departing(agent, protocol, here, to, texts);
+            texts.forEach(text -> folder.keep(Part.hash(text), text));
+            Departure machine = Departure.of(move, texts);
+            machine.record().ifPresent(folder::write);
+            new Course(this, move.key(), machine, Optional.of(end), texts).goOn();
+        } catch (UncheckedIOException e) {
+            end.completeExceptionally(
+                    new Failure("disk", "the move cannot be recorded: " + e.getMessage()).toException());
+        } catch (JasonException e) {
+            end.completeExceptionally(e);
+        }
         return end;
     }
 
@@ -196,32 +192,21 @@ final class Moves implements Machine.Facts {
         come(agent).toList().forEach(course -> course.step(new Event.Superseded()));
     }
 
-    /** What another device has said of a move. For any thread. */
+    /** What another device has said of a move. */
     void received(Address from, HostMessage message) {
-        execute(() -> {
-            try {
-                MoveMessage read = MoveMessage.decode(message);
-                Move.Key key =
-                        new Move.Key(Departure.TABLE.events().contains(read.said().getClass()), from, read.move());
-                if (courses.containsKey(key) || !folder.hasRecord(key)) {
-                    step(key, read.said());
-                } else {
-                    // It is damaged: whatever is answered could be wrong.
-                    note(Count.DROPPED);
-                }
-            } catch (ProtocolException e) {
+        try {
+            MoveMessage read = MoveMessage.decode(message);
+            Move.Key key = new Move.Key(Departure.TABLE.events().contains(read.said().getClass()), from, read.move());
+            if (courses.containsKey(key) || !folder.hasRecord(key)) {
+                step(key, read.said());
+            } else {
+                // It is damaged: whatever is answered could be wrong.
                 note(Count.DROPPED);
-                mas.warn("dropped a message of a move from " + from + ": " + e.getMessage());
             }
-        });
-    }
-
-    private void execute(Runnable step) {
-        clock.execute(() -> {
-            if (!closed) {
-                step.run();
-            }
-        });
+        } catch (ProtocolException e) {
+            note(Count.DROPPED);
+            mas.warn("dropped a message of a move from " + from + ": " + e.getMessage());
+        }
     }
 
     void step(Move.Key key, Event event) {

@@ -1,12 +1,15 @@
 package mobility;
 
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.util.Arrays;
-import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
+import java.util.zip.DeflaterInputStream;
 import java.util.zip.Inflater;
+import java.util.zip.InflaterInputStream;
 
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
@@ -39,8 +42,7 @@ record Part(Bytes hash, int packed, int length) {
     /** The hash of a text. */
     static Bytes hash(Bytes text) {
         try {
-            byte[] whole = MessageDigest.getInstance("SHA-256").digest(text.toArray());
-            return Bytes.copyOf(Arrays.copyOf(whole, HASH_LENGTH));
+            return Bytes.copyOf(MessageDigest.getInstance("SHA-256").digest(text.toArray())).slice(0, HASH_LENGTH);
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
@@ -54,16 +56,11 @@ record Part(Bytes hash, int packed, int length) {
     /** A text, packed. */
     static Bytes pack(Bytes text) {
         Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION, true);
-        try {
-            deflater.setDictionary(dictionary());
-            deflater.setInput(text.toArray());
-            deflater.finish();
-            byte[] room = new byte[mostPacked(text.length())];
-            int length = 0;
-            while (!deflater.finished()) {
-                length += deflater.deflate(room, length, room.length - length);
-            }
-            return Bytes.copyOf(Arrays.copyOf(room, length));
+        deflater.setDictionary(dictionary());
+        try (var packing = new DeflaterInputStream(new ByteArrayInputStream(text.toArray()), deflater)) {
+            return Bytes.copyOf(packing.readAllBytes());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         } finally {
             deflater.end();
         }
@@ -76,30 +73,20 @@ record Part(Bytes hash, int packed, int length) {
      */
     Bytes unpack(Bytes bytes) throws RefusedException {
         Inflater inflater = new Inflater(true);
-        try {
-            inflater.setDictionary(dictionary());
-            inflater.setInput(bytes.toArray());
+        inflater.setDictionary(dictionary());
+        try (var unpacking = new InflaterInputStream(new ByteArrayInputStream(bytes.toArray()), inflater)) {
             // With room for one byte more, so that a longer text shows.
-            byte[] room = new byte[length + 1];
-            int got = 0;
-            while (got < room.length && !inflater.finished()) {
-                int more = inflater.inflate(room, got, room.length - got);
-                if (more == 0 && (inflater.needsInput() || inflater.needsDictionary())) {
-                    break;
-                }
-                got += more;
-            }
-            Bytes text = Bytes.copyOf(Arrays.copyOf(room, got));
-            if (!inflater.finished() || got != length || !hash(text).equals(hash)) {
-                throw new RefusedException("damaged", "a part of the agent is not what was offered");
-            }
+            Bytes text = Bytes.copyOf(unpacking.readNBytes(length + 1));
             text.text();
-            return text;
-        } catch (DataFormatException | ProtocolException e) {
-            throw new RefusedException("damaged", "a part of the agent is not what was offered");
+            if (inflater.finished() && text.length() == length && hash(text).equals(hash)) {
+                return text;
+            }
+        } catch (IOException | ProtocolException e) {
+            // What is no packed text is no part either.
         } finally {
             inflater.end();
         }
+        throw new RefusedException("damaged", "a part of the agent is not what was offered");
     }
 
     private static byte[] dictionary() {

@@ -150,7 +150,7 @@ final class Simulation {
     }
 
     void deliver(Side at, Address from, int number, MoveMessage.Said said) {
-        at.moves.received(from, new MoveMessage(number, said).encode());
+        at.hear(from, new MoveMessage(number, said).encode());
         runUntil(now);
     }
 
@@ -326,6 +326,10 @@ final class Simulation {
             // Nothing is done any more while it is off.
         }
 
+        void hear(Address from, HostMessage message) {
+            execute(() -> moves.received(from, message));
+        }
+
         @Override
         public CompletableFuture<Outcome> send(Address to, HostMessage message) {
             HostMessage.Kind type = message.kind();
@@ -350,7 +354,7 @@ final class Simulation {
                 Simulation.this.after(takes, () -> {
                     Side other = side(to);
                     if (other.on) {
-                        other.last = () -> other.moves.received(address, message);
+                        other.last = () -> other.hear(address, message);
                         other.last.run();
                     }
                 });
@@ -449,7 +453,9 @@ final class Simulation {
         CompletableFuture<String> depart(String agent, Protocol protocol, Address to) {
             asked.remove(agent);
             List<Bytes> texts = lived.apply(protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent));
-            CompletableFuture<String> end = moves.depart(agent, protocol, address, to, texts);
+            CompletableFuture<String> end = new CompletableFuture<>();
+            execute(() -> moves.depart(agent, protocol, address, to, texts).handle((name, thrown) -> thrown == null
+                    ? end.complete(name) : end.completeExceptionally(thrown)));
             int mine = life;
             end.whenComplete((name, thrown) -> {
                 if (mine == life && thrown != null) {

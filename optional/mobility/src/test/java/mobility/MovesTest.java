@@ -443,7 +443,7 @@ class MovesTest {
     }
 
     private void deliver(int number, MoveMessage.Said said) {
-        bus.moves.received(Simulation.STATION, new MoveMessage(number, said).encode());
+        bus.hear(Simulation.STATION, new MoveMessage(number, said).encode());
         simulation.runUntil(simulation.millis());
     }
 
@@ -453,7 +453,7 @@ class MovesTest {
         CompletableFuture<String> end = move();
         until(() -> isIn(station, Move.State.OFFERED));
         int number = station.open().get(0).key().number();
-        station.moves.received(Simulation.BUS,
+        station.hear(Simulation.BUS,
                 new MoveMessage(number, new MoveMessage.Refused("oops", "a\u001b[2J\nb")).encode());
         simulation.runUntil(1_000);
         assertTrue(Failure.of(assertThrows(CompletionException.class, end::join)).message().endsWith(": a [2J b"));
