@@ -25,7 +25,6 @@ import jason.bb.BeliefBase;
 import jason.stdlib.suspend;
 
 import diffuser.Failure;
-import diffuser.MalformedTextException;
 import diffuser.Texts;
 
 /** Writes a running agent as texts. */
@@ -61,18 +60,18 @@ final class ImageWriter {
     static Image write(TransitionSystem ts, Intention mover) throws JasonException {
         try {
             if (Mobile.find(ts).filter(Mobile::isAsleep).isPresent()) {
-                throw new CannotTravelException("it is on its way already");
+                throw Writing.cannot("it is on its way already");
             }
             Image image = new ImageWriter(ts, mover).image();
             Mind.read(image);
             return image;
-        } catch (CannotTravelException | MalformedTextException | RefusedException e) {
+        } catch (RefusedException e) {
             throw new Failure("cannot_travel", ts.getAgArch().getAgName() + " cannot travel: "
                     + Texts.withoutCommands(e.getMessage())).toException();
         }
     }
 
-    private Image image() throws CannotTravelException, MalformedTextException {
+    private Image image() throws RefusedException {
         writeBeliefs();
         for (Plan plan : Library.of(agent).own()) {
             program.add(within("the plan " + PlanText.brief(plan), () -> PlanText.of(plan)));
@@ -93,21 +92,21 @@ final class ImageWriter {
 
     /** A part of the agent. */
     private interface Part {
-        String text() throws CannotTravelException, MalformedTextException;
+        String text() throws RefusedException;
     }
 
-    private static String within(String where, Part part) throws CannotTravelException {
+    private static String within(String where, Part part) throws RefusedException {
         try {
             return part.text();
-        } catch (CannotTravelException | MalformedTextException e) {
-            throw new CannotTravelException(where + ": " + e.getMessage());
+        } catch (RefusedException e) {
+            throw Writing.cannot(where + ": " + e.getMessage());
         }
     }
 
     // Beliefs
 
     /** In the order of their names, since Jason's is another one in each run; those of one name in their own order. */
-    private void writeBeliefs() throws CannotTravelException {
+    private void writeBeliefs() throws RefusedException {
         Map<String, List<Literal>> byName = new TreeMap<>();
         for (Literal belief : agent.getBB()) {
             if (!isJasons(belief)) {
@@ -127,7 +126,7 @@ final class ImageWriter {
     }
 
     /** What is perceived belongs to the place. */
-    private void writeBelief(Literal belief) throws CannotTravelException {
+    private void writeBelief(Literal belief) throws RefusedException {
         Literal known = belief.copy();
         known.delAnnot(BeliefBase.TPercept);
         if (known.hasSource()) {
@@ -139,7 +138,7 @@ final class ImageWriter {
 
     // Events and intentions
 
-    private void writeEvents() throws CannotTravelException {
+    private void writeEvents() throws RefusedException {
         for (Iterator<Event> events = circumstance.getEventsPlusAtomic(); events.hasNext();) {
             Event event = events.next();
             if (isOfOurs(event)) {
@@ -159,7 +158,7 @@ final class ImageWriter {
         return literal.getNS().getFunctor().equals(JASONS_NAMESPACE);
     }
 
-    private void writeRunning() throws CannotTravelException {
+    private void writeRunning() throws RefusedException {
         for (ActionExec action : circumstance.getPendingActions().values()) {
             throw waitsFor(action.getIntention(), action.getActionTerm());
         }
@@ -183,7 +182,7 @@ final class ImageWriter {
     }
 
     /** In the order of their texts, since Jason keeps none. */
-    private void writeSuspended() throws CannotTravelException {
+    private void writeSuspended() throws RefusedException {
         List<String> suspended = new ArrayList<>();
         for (Event event : circumstance.getPendingEvents().values()) {
             suspended.add(text(event, true));
@@ -198,7 +197,7 @@ final class ImageWriter {
     }
 
     /** Whether it waits for nothing but what it can wait for elsewhere as well. */
-    private void expectFree(Intention intention) throws CannotTravelException {
+    private void expectFree(Intention intention) throws RefusedException {
         String key = circumstance.getPendingIntentionKey(intention);
         boolean free = intention == mover || key == null || key.startsWith(WAIT)
                 || key.startsWith(suspend.SUSPENDED_INT) || intention.peek().isFinished();
@@ -207,8 +206,8 @@ final class ImageWriter {
         }
     }
 
-    private static CannotTravelException waitsFor(Intention intention, Term what) {
-        return new CannotTravelException("its intention for " + Writing.brief(bottom(intention)) + " waits for "
+    private static RefusedException waitsFor(Intention intention, Term what) {
+        return Writing.cannot("its intention for " + Writing.brief(bottom(intention)) + " waits for "
                 + Writing.brief(what));
     }
 
@@ -216,7 +215,7 @@ final class ImageWriter {
         return intention.getBottom().getTrigger();
     }
 
-    private String text(Event event, boolean suspended) throws CannotTravelException {
+    private String text(Event event, boolean suspended) throws RefusedException {
         if (event.getOption() == null) {
             return text(event.getTrigger(), event.getIntention(), suspended);
         }
@@ -226,14 +225,14 @@ final class ImageWriter {
         return text(null, begun, suspended);
     }
 
-    private String text(Trigger event, Intention intention, boolean suspended) throws CannotTravelException {
+    private String text(Trigger event, Intention intention, boolean suspended) throws RefusedException {
         if (intention == null || intention.isFinished()) {
             return within("the event " + Writing.brief(event), () -> new IntentionText(numbers, plans).of(event,
                     List.of(), suspended));
         }
         boolean shared = intention.getClass() != Intention.class || intention.getGIntention() != null;
         if (shared) {
-            throw new CannotTravelException("its intention for " + Writing.brief(bottom(intention))
+            throw Writing.cannot("its intention for " + Writing.brief(bottom(intention))
                     + " is one of several that share their goals (by |&|, ||| or a plan within a plan)");
         }
         return within("its intention for " + Writing.brief(bottom(intention)), () -> {

@@ -8,6 +8,9 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.Spliterators;
+import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
 
 import jason.asSemantics.Frames;
 import jason.asSemantics.IntendedMeans;
@@ -26,7 +29,6 @@ import jason.asSyntax.Trigger;
 import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
 
-import diffuser.MalformedTextException;
 import diffuser.Terms;
 
 /** The text of one event or intention (SPEC 9.4). */
@@ -73,7 +75,7 @@ final class IntentionText {
      * @param frames of the intention, the lowest first; none if it is only an event.
      */
     String of(Trigger event, List<Frame> frames, boolean suspended)
-            throws CannotTravelException, MalformedTextException {
+            throws RefusedException {
         text.append(suspended ? 'S' : 'I');
         if (event != null) {
             text.append(trigger(event));
@@ -88,7 +90,7 @@ final class IntentionText {
 
     /** @return the variables to which the next frame is to give values. */
     private Set<Term> write(Frame frame, Set<Term> returned, boolean waits)
-            throws CannotTravelException, MalformedTextException {
+            throws RefusedException {
         IntendedMeans means = frame.means();
         Plan plan = means.getPlan();
         names = PlanText.names(plan);
@@ -127,7 +129,7 @@ final class IntentionText {
         steps.subList(0, steps.size() - kept).forEach(step -> addVariables(step.getBodyTerm(), needed));
     }
 
-    private int number(Plan plan) throws CannotTravelException, MalformedTextException {
+    private int number(Plan plan) throws RefusedException {
         if (!numbers.containsKey(plan)) {
             others.add("P" + PlanText.of(plan));
             Library.all(plan).forEach(part -> numbers.put(part, numbers.size()));
@@ -156,7 +158,7 @@ final class IntentionText {
     }
 
     /** How many steps at the end are those of the plan. */
-    private int kept(List<PlanBody> steps, Plan plan) throws CannotTravelException, MalformedTextException {
+    private int kept(List<PlanBody> steps, Plan plan) throws RefusedException {
         List<PlanBody> planned = steps(plan.getBody());
         int kept = 0;
         while (kept < steps.size() && kept < planned.size() && isSame(steps.get(steps.size() - 1 - kept),
@@ -171,7 +173,7 @@ final class IntentionText {
                 || step.getBodyType() == planned.getBodyType() && step.getBodyTerm().equals(planned.getBodyTerm());
     }
 
-    private PlanBody copy(List<PlanBody> steps, Set<Term> needed) throws CannotTravelException {
+    private PlanBody copy(List<PlanBody> steps, Set<Term> needed) throws RefusedException {
         PlanBody body = new PlanBodyImpl();
         for (PlanBody step : steps) {
             Term term = step.getBodyTerm();
@@ -190,7 +192,7 @@ final class IntentionText {
                 && values.getObject() instanceof Unifier;
     }
 
-    private Structure loop(Structure step, Set<Term> needed) throws CannotTravelException {
+    private Structure loop(Structure step, Set<Term> needed) throws RefusedException {
         Structure copy = (Structure) step.clone();
         int last = step.getArity() - 1;
         for (int i = 2; i <= last; i++) {
@@ -201,26 +203,16 @@ final class IntentionText {
     }
 
     /** What is left of a {@code for}: it is computed now, and the loop goes on with it. */
-    private ListTerm solutions(Structure step, int place, Set<Term> needed) throws CannotTravelException {
+    private ListTerm solutions(Structure step, int place, Set<Term> needed) throws RefusedException {
         List<Object> left = new ArrayList<>();
-        Iterator<?> iterator = (Iterator<?>) ((ObjectTerm) step.getTerm(place)).getObject();
-        while (iterator.hasNext() && left.size() <= MOST_SOLUTIONS) {
-            left.add(iterator.next());
+        Iterator<?> rest = (Iterator<?>) ((ObjectTerm) step.getTerm(place)).getObject();
+        while (rest.hasNext() && left.size() <= MOST_SOLUTIONS) {
+            left.add(rest.next());
         }
-        Iterator<?> first = left.iterator();
-        step.setTerm(place, new ObjectTermImpl(new Iterator<Object>() {
-            @Override
-            public boolean hasNext() {
-                return first.hasNext() || iterator.hasNext();
-            }
-
-            @Override
-            public Object next() {
-                return first.hasNext() ? first.next() : iterator.next();
-            }
-        }));
+        step.setTerm(place, new ObjectTermImpl(Stream.concat(left.stream(),
+                StreamSupport.stream(Spliterators.spliteratorUnknownSize(rest, 0), false)).iterator()));
         if (left.size() > MOST_SOLUTIONS) {
-            throw new CannotTravelException("a for in it has more than " + MOST_SOLUTIONS + " rounds to go");
+            throw Writing.cannot("a for in it has more than " + MOST_SOLUTIONS + " rounds to go");
         }
         ListTerm list = new ListTermImpl();
         for (Object solution : left) {
@@ -266,7 +258,7 @@ final class IntentionText {
         return found;
     }
 
-    private void append(char tag, Map<VarTerm, Term> values) throws CannotTravelException, MalformedTextException {
+    private void append(char tag, Map<VarTerm, Term> values) throws RefusedException {
         if (values.isEmpty()) {
             return;
         }
@@ -292,7 +284,7 @@ final class IntentionText {
         return variable.isUnnamedVar() && !names.containsKey(variable);
     }
 
-    private VarTerm key(VarTerm variable) throws CannotTravelException {
+    private VarTerm key(VarTerm variable) throws RefusedException {
         Writing.check(variable);
         return new VarTerm(name(variable).getFunctor());
     }
@@ -305,7 +297,7 @@ final class IntentionText {
         return name;
     }
 
-    private String trigger(Trigger trigger) throws CannotTravelException, MalformedTextException {
+    private String trigger(Trigger trigger) throws RefusedException {
         Trigger plain = trigger.clone();
         plain.setAsTriggerTerm(false);
         plain.setLiteral(Writing.withoutSelf(plain.getLiteral()));

@@ -1,14 +1,16 @@
 package mobility;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashSet;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;
@@ -127,34 +129,32 @@ final class Mind {
     // State
 
     private void readState(String state) throws RefusedException {
-        Iterator<String> all = lines(state).iterator();
-        String line = all.hasNext() ? all.next() : null;
-        while (line != null) {
+        Deque<String> lines = new ArrayDeque<>(lines(state));
+        while (!lines.isEmpty()) {
+            String line = lines.remove();
             String text = line.isEmpty() ? "" : line.substring(1);
             switch (line.isEmpty() ? ' ' : line.charAt(0)) {
                 case 'B' -> {
                     beliefs.add(Reading.belief(text));
                     limit(beliefs.size(), MOST_BELIEFS, "beliefs");
-                    line = all.hasNext() ? all.next() : null;
                 }
-                case 'P' -> {
-                    others.add(plan(text));
-                    line = all.hasNext() ? all.next() : null;
-                }
-                case 'I', 'M', 'S' -> line = readIntention(line.charAt(0), text, all);
+                case 'P' -> others.add(plan(text));
+                case 'I', 'M', 'S' -> readIntention(line.charAt(0), text, lines);
                 default -> Reading.expect(false, line, "no such line was expected");
             }
         }
     }
 
-    /** @return the first line behind it; null if there is none. */
-    private String readIntention(char kind, String event, Iterator<String> lines) throws RefusedException {
+    private static boolean isNext(Deque<String> lines, String tags) {
+        return !lines.isEmpty() && !lines.peek().isEmpty() && tags.indexOf(lines.peek().charAt(0)) >= 0;
+    }
+
+    private void readIntention(char kind, String event, Deque<String> lines) throws RefusedException {
         Reading reading = Reading.ofState();
         Trigger trigger = event.isEmpty() ? null : reading.trigger(event, false);
         List<IntendedMeans> stack = new ArrayList<>();
-        String line = lines.hasNext() ? lines.next() : null;
-        while (line != null && line.startsWith("F")) {
-            line = readFrame(reading, line.substring(1), lines, stack);
+        while (isNext(lines, "F")) {
+            stack.add(readFrame(reading, lines.remove().substring(1), lines));
             limit(++frames, MOST_FRAMES, "plans that are being carried out");
         }
         if (trigger == null && stack.isEmpty()) {
@@ -162,11 +162,9 @@ final class Mind {
         }
         held.add(new Held(kind == 'S', kind == 'M', trigger, stack));
         limit(held.size(), MOST_INTENTIONS, "events and intentions");
-        return line;
     }
 
-    private String readFrame(Reading reading, String text, Iterator<String> lines, List<IntendedMeans> stack)
-            throws RefusedException {
+    private IntendedMeans readFrame(Reading reading, String text, Deque<String> lines) throws RefusedException {
         Matcher frame = FRAME.matcher(text);
         Reading.expect(frame.matches(), text, "a plan that is being carried out was expected");
         int number = Integer.parseInt(frame.group(1));
@@ -177,24 +175,21 @@ final class Mind {
         Map<VarTerm, Term> values = Map.of();
         Map<VarTerm, Term> renamed = null;
         Map<VarTerm, Term> atFirst = Map.of();
-        String line = lines.hasNext() ? lines.next() : null;
-        String before = "F";
-        while (line != null && !line.isEmpty() && "DVRG".indexOf(line.charAt(0)) >= 0) {
-            String tag = line.substring(0, 1);
-            Reading.expect(before.equals("F") || "DVRG".indexOf(tag) > "DVRG".indexOf(before), line,
-                    "it comes too late");
+        String left = "DVRG";
+        while (isNext(lines, "DVRG")) {
+            String line = lines.remove();
+            char tag = line.charAt(0);
+            Reading.expect(left.indexOf(tag) >= 0, line, "it comes too late");
+            left = left.substring(left.indexOf(tag) + 1);
             String rest = line.substring(1);
             switch (tag) {
-                case "D" -> toDo = first(reading.body(rest), toDo, rest);
-                case "V" -> values = reading.values(rest);
-                case "R" -> renamed = renamed(reading.values(rest), rest);
+                case 'D' -> toDo = first(reading.body(rest), toDo, rest);
+                case 'V' -> values = reading.values(rest);
+                case 'R' -> renamed = renamed(reading.values(rest), rest);
                 default -> atFirst = reading.values(rest);
             }
-            before = tag;
-            line = lines.hasNext() ? lines.next() : null;
         }
-        stack.add(Frames.of(plan, trigger, toDo, values, renamed, atFirst));
-        return line;
+        return Frames.of(plan, trigger, toDo, values, renamed, atFirst);
     }
 
     private static Map<VarTerm, Term> renamed(Map<VarTerm, Term> renamed, String text) throws RefusedException {
@@ -247,13 +242,8 @@ final class Mind {
 
     // Entering
 
-    /** Enters an agent that has no mind yet, before it runs. Once only. */
-    void enter(TransitionSystem ts) {
-        enter(ts, Optional.empty());
-    }
-
     /**
-     * As {@link #enter(TransitionSystem)}.
+     * Enters an agent that has no mind yet, before it runs. Once only.
      *
      * @param why what the intention fails with that was to move the agent, which stays after all.
      */
@@ -339,26 +329,15 @@ final class Mind {
 
     /** A function may look at the beliefs of the agent whose it is. */
     private void tellFunctions(Agent agent) {
-        rules.forEach(rule -> tellFunctions(rule, agent));
-        numbered.forEach(plan -> {
-            if (plan.getGoalCondition() != null) {
-                tellFunctions(plan.getGoalCondition(), agent);
-            }
-            tellFunctions(plan, agent);
-        });
-        for (Held each : held) {
-            each.frames().stream().filter(frame -> frame.getCurrentStep() != null)
-                    .forEach(frame -> tellFunctions(frame.getCurrentStep(), agent));
-            each.frames().forEach(frame -> Frames.values(frame.getUnif()).values()
-                    .forEach(value -> tellFunctions(value, agent)));
-        }
-    }
-
-    private static void tellFunctions(Term term, Agent agent) {
-        Terms.visit(term, part -> {
+        Stream<IntendedMeans> means = held.stream().flatMap(each -> each.frames().stream());
+        Stream<Term> running = means.flatMap(frame -> Stream.concat(Stream.ofNullable(frame.getCurrentStep()),
+                Frames.values(frame.getUnif()).values().stream()));
+        Stream<Term> planned = numbered.stream()
+                .flatMap(plan -> Stream.concat(Stream.ofNullable(plan.getGoalCondition()), Stream.of(plan)));
+        Stream.of(rules.stream(), planned, running).flatMap(terms -> terms).forEach(term -> Terms.visit(term, part -> {
             if (part instanceof ArithFunctionTerm function) {
                 function.setAgent(agent);
             }
-        });
+        }));
     }
 }

@@ -165,7 +165,6 @@ final class Moves implements Machine.Facts {
                 .filter(decision -> decision.verdict() == Policy.Verdict.REFUSED).isPresent()) {
             throw Guest.failure(".moveOut(" + to + "," + protocol.atom() + ")").toException();
         }
-        Optional<Move> travels = came.filter(known -> protocol != Protocol.CLONING);
         Optional<Move.Identity> known = came.filter(move -> !move.isClone()).map(Move::identity);
         Move.Identity identity = known.filter(abroad -> !abroad.home().equals(here))
                 .orElseGet(() -> new Move.Identity(here, known.map(Move.Identity::name).orElse(agent), token()));
@@ -173,7 +172,8 @@ final class Moves implements Machine.Facts {
             throw new Failure("bad_name", agent + " cannot travel: " + BAD_NAME).toException();
         }
         return new Move(key, Move.State.OFFERED, protocol, identity, agent, texts.stream().map(Part::hash).toList(),
-                came.map(Move::isOurs).orElse(mas.starts(agent)), travels.map(Move::key));
+                came.map(Move::isOurs).orElse(mas.starts(agent)),
+                came.map(Move::key).filter(any -> protocol != Protocol.CLONING));
     }
 
     private Bytes token() {

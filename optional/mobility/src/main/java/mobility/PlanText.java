@@ -15,7 +15,6 @@ import jason.asSyntax.Term;
 import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
 
-import diffuser.MalformedTextException;
 import diffuser.Plans;
 import diffuser.Terms;
 
@@ -67,17 +66,17 @@ final class PlanText {
         Terms.visit(plan, visitor);
     }
 
-    static String of(Rule rule) throws CannotTravelException, MalformedTextException {
+    static String of(Rule rule) throws RefusedException {
         Map<Term, VarTerm> names = names(visitor -> Terms.visit(rule, visitor));
         return Writing.text(Writing.withoutSelf(rule.getHead()), variable -> named(variable, names)) + " :- "
                 + Writing.text(rule.getBody(), variable -> named(variable, names)) + ".";
     }
 
-    static String of(Plan plan) throws CannotTravelException, MalformedTextException {
+    static String of(Plan plan) throws RefusedException {
         return of(plan, names(plan));
     }
 
-    private static String of(Plan plan, Map<Term, VarTerm> names) throws CannotTravelException, MalformedTextException {
+    private static String of(Plan plan, Map<Term, VarTerm> names) throws RefusedException {
         Writing.Naming naming = variable -> named(variable, names);
         StringBuilder text = new StringBuilder(label(plan.getLabel(), naming));
         text.append(Writing.text(plan.getTrigger(), naming));
@@ -108,7 +107,7 @@ final class PlanText {
     }
 
     private static String label(Pred label, Writing.Naming naming)
-            throws CannotTravelException, MalformedTextException {
+            throws RefusedException {
         if (label == null) {
             return "";
         }

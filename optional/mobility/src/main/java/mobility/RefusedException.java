@@ -1,6 +1,6 @@
 package mobility;
 
-/** Why an agent is not taken in. */
+/** Why an agent does not leave, or is not taken in. */
 public final class RefusedException extends Exception {
 
     private static final long serialVersionUID = 1L;

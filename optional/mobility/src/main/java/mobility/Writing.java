@@ -40,26 +40,31 @@ final class Writing {
     private Writing() {
     }
 
-    static String text(Term term, Naming naming) throws CannotTravelException, MalformedTextException {
-        return TermWriter.write(named(term, naming));
+    /** @param why something has no text that could travel, in one line. */
+    static RefusedException cannot(String why) {
+        return new RefusedException("cannot_travel", why);
+    }
+
+    static String text(Term term, Naming naming) throws RefusedException {
+        try {
+            return TermWriter.write(named(term, naming));
+        } catch (MalformedTextException e) {
+            throw cannot(e.getMessage());
+        }
     }
 
     /** The text of a value, in which nothing is left to be computed. */
-    static String value(Term term, Naming naming) throws CannotTravelException, MalformedTextException {
+    static String value(Term term, Naming naming) throws RefusedException {
         return text(plain(term), naming);
     }
 
     /** With numbers in place of what Jason's parser takes for an expression, as {@code -3}. */
-    static Term plain(Term term) throws CannotTravelException {
-        try {
-            return Reading.datum(brief(term), term.clone());
-        } catch (RefusedException e) {
-            throw new CannotTravelException(e.getMessage());
-        }
+    static Term plain(Term term) throws RefusedException {
+        return Reading.datum(brief(term), term.clone());
     }
 
     /** The steps of a body, without braces around them. */
-    static String body(PlanBody body, Naming naming) throws CannotTravelException, MalformedTextException {
+    static String body(PlanBody body, Naming naming) throws RefusedException {
         PlanBody copy = body.clonePB();
         for (PlanBody step = copy; step != null; step = step.getBodyNext()) {
             // Each has a note of its own.
@@ -70,7 +75,7 @@ final class Writing {
     }
 
     /** A copy in which all variables have names. */
-    static Term named(Term term, Naming naming) throws CannotTravelException {
+    static Term named(Term term, Naming naming) throws RefusedException {
         return Terms.replace(term.clone(), part -> {
             check(part);
             return part instanceof UnnamedVar variable ? like(variable, naming.of(variable)) : part;
@@ -88,27 +93,27 @@ final class Writing {
     }
 
     /** Refuses what has no text. */
-    static void check(Term part) throws CannotTravelException {
+    static void check(Term part) throws RefusedException {
         if (part instanceof ObjectTerm || part instanceof SetTerm || part instanceof MapTerm) {
-            throw new CannotTravelException("it holds a Java object, " + brief(part));
+            throw cannot("it holds a Java object, " + brief(part));
         }
         if (part instanceof CyclicTerm) {
-            throw new CannotTravelException("it holds a term that contains itself");
+            throw cannot("it holds a term that contains itself");
         }
         if (part.getClass() == Atom.class && HANDLE.matcher(((Atom) part).getFunctor()).matches()) {
-            throw new CannotTravelException("it holds an artifact's handle, " + part);
+            throw cannot("it holds an artifact's handle, " + part);
         }
         if (part instanceof NumberTermImpl number && !Double.isFinite(number.solve())) {
-            throw new CannotTravelException("it holds a number that has no text, " + number);
+            throw cannot("it holds a number that has no text, " + number);
         }
         if (part instanceof VarTerm variable && Variables.numberOf(variable) >= 0) {
-            throw new CannotTravelException("a variable's name is " + part + ", by which others travel; rename it");
+            throw cannot("a variable's name is " + part + ", by which others travel; rename it");
         }
         boolean unknown = part instanceof ArithFunctionTerm function && !(part instanceof ArithExpr)
                 && !function.getFunctor().equals(Reading.COUNT)
                 && FunctionRegister.getFunction(function.getFunctor(), function.getArity()) == null;
         if (unknown) {
-            throw new CannotTravelException("it uses a function that is registered here, " + brief(part));
+            throw cannot("it uses a function that is registered here, " + brief(part));
         }
     }
 

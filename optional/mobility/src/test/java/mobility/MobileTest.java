@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.StreamSupport;
@@ -112,7 +113,7 @@ class MobileTest {
                 StreamSupport.stream(stage.ts.getAg().getBB().spliterator(), false)
                         .filter(belief -> !ImageWriter.isJasons(belief)).map(Literal::toString).sorted().toList());
         Image image = new Image("+light(X)[source(percept)] <- say(light,X).\n+dark <- say(dark).", "");
-        assertDoesNotThrow(() -> Mind.read(image)).enter(stage.ts);
+        assertDoesNotThrow(() -> Mind.read(image)).enter(stage.ts, Optional.empty());
         Mobile.perceiveAnew(stage.ts);
         assertEquals(List.of("say dark", "say light 5"), stage.run(5).done.stream().sorted().toList());
     }
