@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 import org.junit.jupiter.api.BeforeEach;
@@ -287,6 +288,16 @@ class MovesTest {
         bus.start();
         simulation.runUntil(simulation.millis() + 60_000);
         assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_hasGone_livesHereByNoEarlierMove() {
+        move();
+        simulation.runUntil(30_000);
+        bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
+        until(() -> isIn(bus, Move.State.GONE));
+        assertEquals(Set.of(Move.State.GONE, Move.State.LEFT),
+                Folder.records(folder.resolve("SUBB")).stream().map(Move::state).collect(Collectors.toSet()));
     }
 
     @Test
