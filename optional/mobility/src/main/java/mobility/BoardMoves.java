@@ -1,6 +1,5 @@
 package mobility;
 
-import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
@@ -101,11 +100,7 @@ public final class BoardMoves implements MoveService, Mas {
     /** On the thread of the moves. The folder is made when it is needed for the first time. */
     private Moves opened() {
         if (moves == null) {
-            try {
-                folder = new Folder(place());
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
+            folder = new Folder(place());
             moves = new Moves(clock, folder, this, inhabitants.limits(), new SecureRandom());
             moves.start();
         }

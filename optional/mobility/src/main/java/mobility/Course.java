@@ -24,22 +24,17 @@ final class Course {
     private final Move.Key key;
     private final Retransmission message;
     private final Optional<CompletableFuture<String>> end;
-    private final List<Bytes> texts;
     private Machine machine;
     private long reported;
     /** What waits for an earlier time is over. */
     private int turn;
 
-    /**
-     * @param end   of one that leaves: completes with the agent's name there; none where nobody waits for it.
-     * @param texts of one that leaves and may come back.
-     */
-    Course(Moves moves, Move.Key key, Machine machine, Optional<CompletableFuture<String>> end, List<Bytes> texts) {
+    /** @param end of one that leaves: completes with the agent's name there; none where nobody waits for it. */
+    Course(Moves moves, Move.Key key, Machine machine, Optional<CompletableFuture<String>> end) {
         this.moves = moves;
         this.key = key;
         this.machine = machine;
         this.end = end;
-        this.texts = texts;
         message = new Retransmission(moves.clock, this::answer, event -> {
             if (key.out()) {
                 step(event);
@@ -164,10 +159,10 @@ final class Course {
     }
 
     /** The agent lives on here, and its plan fails. */
-    void stay(Failure why) {
+    void stay(Failure why, Departure.Parts parts) {
         moves.note(Moves.Count.STAYED);
         end.ifPresentOrElse(waiting -> waiting.completeExceptionally(why.toException()),
-                () -> moves.mas.stays(machine.move(), texts, why));
+                () -> moves.mas.stays(machine.move(), parts.texts(), why));
     }
 
     /** Has a plan asked whether an agent may come. */

@@ -16,13 +16,16 @@ import javino.protocol.Bytes;
 /**
  * A move of an agent that leaves.
  *
- * @param move   null in NONE.
- * @param packed its parts.
- * @param there  how many bytes of each part are there.
- * @param most   the most bytes that were ever there, as far as is known; less than none before an answer.
+ * @param move  null in NONE.
+ * @param parts what travels; null once the agent has gone.
+ * @param there how many bytes of each part are there.
+ * @param most  the most bytes that were ever there, as far as is known; less than none before an answer.
  */
-record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> packed, List<Integer> there, long most)
-        implements Machine {
+record Departure(State state, Move move, Parts parts, List<Integer> there, long most) implements Machine {
+
+    /** The texts of an agent, and as they travel. */
+    record Parts(List<Bytes> texts, List<Bytes> packed, MoveMessage.Offer offer) {
+    }
 
     /** A sender that has heard nothing new for so long gives up, as long as the agent may come back. */
     static final long PATIENCE_MILLIS = 60_000;
@@ -42,7 +45,7 @@ record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> pa
         }
     }
 
-    static final Departure UNKNOWN = new Departure(State.NONE, null, null, List.of(), List.of(), -1);
+    static final Departure UNKNOWN = new Departure(State.NONE, null, null, List.of(), -1);
     private static final Set<State> OPEN = EnumSet.range(State.OFFERED, State.SENT);
     private static final Set<State> ON_DATA = EnumSet.of(State.SENDING, State.SENT);
     private static final Set<State> OVER = EnumSet.of(State.NONE);
@@ -85,8 +88,8 @@ record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> pa
         List<Bytes> packed = texts.stream().map(Part::pack).toList();
         List<Part> parts = IntStream.range(0, texts.size())
                 .mapToObj(i -> new Part(move.parts().get(i), packed.get(i).length(), texts.get(i).length())).toList();
-        return new Departure(State.valueOf(move.state().name()), move,
-                new MoveMessage.Offer(move.protocol(), parts, move.identity()), packed, List.of(), -1);
+        return new Departure(State.valueOf(move.state().name()), move, new Parts(texts, packed,
+                new MoveMessage.Offer(move.protocol(), parts, move.identity())), List.of(), -1);
     }
 
     @Override
@@ -104,7 +107,7 @@ record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> pa
     public Optional<MoveMessage.Said> message() {
         return switch (state) {
             case NONE, AWAY -> Optional.empty();
-            case OFFERED, SENT -> Optional.of(offer);
+            case OFFERED, SENT -> Optional.of(parts.offer);
             case SENDING -> data().map(data -> data);
             case GONE, CLONED -> Optional.of(new MoveMessage.Go());
         };
@@ -116,21 +119,22 @@ record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> pa
     }
 
     private Optional<MoveMessage.Data> data() {
-        return IntStream.range(0, packed.size()).filter(part -> there.get(part) < packed.get(part).length()).boxed()
-                .findFirst().map(part -> {
+        return IntStream.range(0, there.size()).filter(part -> there.get(part) < parts.packed.get(part).length())
+                .boxed().findFirst().map(part -> {
+                    Bytes packed = parts.packed.get(part);
                     int from = there.get(part);
-                    int to = Math.min(packed.get(part).length(), from + MoveMessage.MOST_DATA);
-                    return new MoveMessage.Data(part, from, packed.get(part).slice(from, to));
+                    return new MoveMessage.Data(part, from,
+                            packed.slice(from, Math.min(packed.length(), from + MoveMessage.MOST_DATA)));
                 });
     }
 
     private Consumer<Course> become(State next) {
-        Departure machine = new Departure(next, move, offer, packed, there, most);
+        Departure machine = new Departure(next, move, OPEN.contains(next) ? parts : null, there, most);
         return course -> course.become(machine);
     }
 
     private List<Consumer<Course>> wanted(MoveMessage.Want want, Facts facts) {
-        return want.offsets().size() == packed.size() ? sendFrom(want.offsets()) : List.of(Course::drop);
+        return want.offsets().size() == parts.packed.size() ? sendFrom(want.offsets()) : List.of(Course::drop);
     }
 
     private List<Consumer<Course>> delivered(Event.Delivered event, Facts facts) {
@@ -138,13 +142,13 @@ record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> pa
         List<Integer> next = new ArrayList<>(there);
         next.set(data.part(), data.offset() + data.bytes().length());
         List<Consumer<Course>> effects = new ArrayList<>(sendFrom(next));
-        effects.add(course -> course.report(next, offer.parts()));
+        effects.add(course -> course.report(next, parts.offer.parts()));
         return effects;
     }
 
     private List<Consumer<Course>> sendFrom(List<Integer> offsets) {
         long sum = offsets.stream().mapToLong(Integer::longValue).sum();
-        Departure sending = new Departure(State.SENDING, move, offer, packed, offsets, Math.max(most, sum));
+        Departure sending = new Departure(State.SENDING, move, parts, offsets, Math.max(most, sum));
         Consumer<Course> become = sending.become(sending.data().isPresent() ? State.SENDING : State.SENT);
         // Only what is new there prolongs the patience, or it would never end where nothing long comes.
         return sum > most ? List.of(become, Course::await) : List.of(become);
@@ -188,6 +192,6 @@ record Departure(State state, Move move, MoveMessage.Offer offer, List<Bytes> pa
     }
 
     private List<Consumer<Course>> stay(String error, String why) {
-        return List.of(become(State.NONE), course -> course.stay(new Failure(error, why)));
+        return List.of(become(State.NONE), course -> course.stay(new Failure(error, why), parts));
     }
 }

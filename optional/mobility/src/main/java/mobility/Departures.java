@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.StreamSupport;
 
 import jason.JasonException;
 import jason.asSemantics.Intention;
@@ -128,15 +129,11 @@ public final class Departures {
     /** As JaCaMo's groups tell it to who plays a role there: {@code play(Agent,Role,Group)}. */
     private static Optional<Literal> role(TransitionSystem ts) {
         Term self = ASSyntax.createAtom(ts.getAgArch().getAgName());
-        for (Literal belief : ts.getAg().getBB()) {
-            boolean playing = belief.getFunctor().equals("play") && belief.getArity() == 3
-                    && belief.getTerm(0).equals(self) && belief.hasAnnot(BeliefBase.TPercept)
-                    && !belief.getAnnots("artifact_id").isEmpty();
-            if (playing) {
-                return Optional.of(belief);
-            }
-        }
-        return Optional.empty();
+        return StreamSupport.stream(ts.getAg().getBB().spliterator(), false)
+                .filter(belief -> belief.getFunctor().equals("play") && belief.getArity() == 3
+                        && belief.getTerm(0).equals(self) && belief.hasAnnot(BeliefBase.TPercept)
+                        && !belief.getAnnots("artifact_id").isEmpty())
+                .findFirst();
     }
 
     private static CompletableFuture<String> depart(BoardMoves moves, TransitionSystem ts, Protocol protocol,

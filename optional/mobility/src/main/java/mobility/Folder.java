@@ -58,20 +58,20 @@ class Folder implements AutoCloseable {
         }
     }
 
-    /**
-     * Opens a folder, which is made if it is not there.
-     *
-     * @throws IOException if it cannot be written, or another MAS has it.
-     */
-    Folder(Path place) throws IOException {
+    /** Opens a folder, which is made if it is not there; fails too if another MAS has it. */
+    Folder(Path place) {
         this.place = place;
-        Files.createDirectories(place.resolve("parts"));
-        lock = FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        if (!isOurs(lock)) {
-            lock.close();
-            throw new IOException("the folder " + place.toAbsolutePath()
-                    + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
-        }
+        lock = on(() -> {
+            Files.createDirectories(place.resolve("parts"));
+            FileChannel channel =
+                    FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+            if (!isOurs(channel)) {
+                channel.close();
+                throw new IOException("the folder " + place.toAbsolutePath()
+                        + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
+            }
+            return channel;
+        });
     }
 
     private static boolean isOurs(FileChannel lock) throws IOException {

@@ -115,7 +115,7 @@ final class Moves implements Machine.Facts {
         // What cannot be read must not be offered, nor called ready.
         List<Bytes> texts = move.isOpen() ? texts(move) : List.of();
         Machine machine = move.key().out() ? Departure.of(move, texts) : Arrival.of(move, leaves);
-        new Course(this, move.key(), machine, Optional.empty(), texts).goOn();
+        new Course(this, move.key(), machine, Optional.empty()).goOn();
     }
 
     /** Says and does nothing more, as if the program had ended. */
@@ -142,7 +142,7 @@ final class Moves implements Machine.Facts {
             texts.forEach(text -> folder.keep(Part.hash(text), text));
             Departure machine = Departure.of(move, texts);
             machine.record().ifPresent(folder::write);
-            new Course(this, move.key(), machine, Optional.of(end), texts).goOn();
+            new Course(this, move.key(), machine, Optional.of(end)).goOn();
         } catch (UncheckedIOException e) {
             end.completeExceptionally(
                     new Failure("disk", "the move cannot be recorded: " + e.getMessage()).toException());
@@ -211,8 +211,8 @@ final class Moves implements Machine.Facts {
 
     void step(Move.Key key, Event event) {
         Course known = courses.get(key);
-        (known == null ? new Course(this, key, key.out() ? Departure.UNKNOWN : Arrival.unknown(key), Optional.empty(),
-                List.of()) : known).step(event);
+        (known == null ? new Course(this, key, key.out() ? Departure.UNKNOWN : Arrival.unknown(key), Optional.empty())
+                : known).step(event);
     }
 
     /** A course has reached a state. */

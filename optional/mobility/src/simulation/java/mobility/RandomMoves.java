@@ -1,6 +1,5 @@
 package mobility;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -48,7 +47,7 @@ public final class RandomMoves {
     }
 
     /** @param folder for the records of both; empty. */
-    public static Tally run(long seed, Path folder) throws IOException {
+    public static Tally run(long seed, Path folder) {
         Simulation simulation = new Simulation(seed, folder);
         List<String> agents = AGENTS.subList(0, 1 + (int) (seed % AGENTS.size()));
         Set<List<Bytes>> known = new HashSet<>();

@@ -86,7 +86,7 @@ final class Simulation {
     long messages;
     long lostMessages;
 
-    Simulation(long seed, Path folder) throws IOException {
+    Simulation(long seed, Path folder) {
         random = new Random(seed);
         for (Address address : List.of(STATION, BUS, HOSPITAL)) {
             sides.put(address, new Side(address, folder.resolve(address.toString())));
@@ -200,11 +200,7 @@ final class Simulation {
             on = true;
             life++;
             killAfter = victim.equals(address) ? -1 : killAfter;
-            try {
-                folder = new Deadly(place);
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
+            folder = new Deadly(place);
             for (Map.Entry<String, List<Bytes>> agent : program.entrySet()) {
                 boolean held = folder.records().stream().anyMatch(
                         move -> move.identity().home().equals(address) && move.identity().name().equals(agent.getKey())
@@ -225,7 +221,7 @@ final class Simulation {
         /** A folder before and after whose every change the program may be killed. */
         private final class Deadly extends Folder {
 
-            Deadly(Path place) throws IOException {
+            Deadly(Path place) {
                 super(place);
             }
 

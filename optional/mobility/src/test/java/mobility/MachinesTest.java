@@ -74,9 +74,8 @@ class MachinesTest {
             Departure offered = Departure.of(move.in(Move.State.OFFERED), TEXTS);
             for (Departure.State state : Departure.State.values()) {
                 // All lacks, or the last part.
-                for (int there : new int[] {0, offered.packed().get(0).length()}) {
-                    machines.add(new Departure(state, offered.move(), offered.offer(), offered.packed(),
-                            List.of(there, 0), there));
+                for (int there : new int[] {0, offered.parts().packed().get(0).length()}) {
+                    machines.add(new Departure(state, offered.move(), offered.parts(), List.of(there, 0), there));
                 }
             }
         }
@@ -133,7 +132,7 @@ class MachinesTest {
         long said = simulation.messages;
         long dropped = side.moves.count(Moves.Count.DROPPED);
         Move.Key key = machine instanceof Arrival arrival ? arrival.key() : new Move.Key(true, Simulation.BUS, 1);
-        Course course = new Course(side.moves, key, machine, Optional.of(new CompletableFuture<>()), TEXTS);
+        Course course = new Course(side.moves, key, machine, Optional.of(new CompletableFuture<>()));
         try {
             course.step(event);
         } catch (IllegalStateException e) {
