@@ -162,8 +162,7 @@ record Arrival(State state, Move.Key key, Move move, MoveMessage.Offer offer) im
             return forget();
         }
         Move ours = absences.stream().anyMatch(Move::isOurs) ? move.ours() : move;
-        return List.of(Course::expectTexts, become(of(ours, State.WAKING)), course -> course.come(absences),
-                course -> course.wake(false));
+        return List.of(Course::expectTexts, become(of(ours, State.WAKING)), course -> course.come(absences));
     }
 
     private List<Consumer<Course>> woken(Event.Woken woken, Facts facts) {

@@ -121,7 +121,7 @@ public final class BoardMoves implements MoveService, Mas {
                 return CompletableFuture.<String>failedFuture((diffuser.hasRadio()
                         ? new Failure("no_rf_id", "the board has no address yet; set one with .setMyRFId")
                         : new Failure("no_radio", "agents move by a board's radio, which this one has not"))
-                                .toException());
+                        .toException());
             }
             try {
                 Moves all = opened();

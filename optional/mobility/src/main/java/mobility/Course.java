@@ -234,13 +234,14 @@ final class Course {
         moves.texts(machine.move());
     }
 
-    /** The agent has come, and so has gone no longer. */
+    /** The agent has come, and so has gone no longer; it wakes. */
     void come(List<Move> absences) {
         moves.note(Moves.Count.CAME);
         for (Move absence : absences) {
             moves.step(absence.key(), new Event.Superseded());
             moves.folder.delete(absence.key());
         }
+        wake(false);
     }
 
     /** @param anew as in {@link Event.Woken}. */

@@ -17,7 +17,6 @@ import jason.bb.BeliefBase;
 import jason.infra.local.BaseLocalMAS;
 import jason.infra.local.LocalAgArch;
 
-import diffuser.Diffuser;
 import diffuser.Failure;
 import diffuser.Intentions;
 
@@ -82,8 +81,7 @@ public final class Departures {
     }
 
     private static BoardMoves door(TransitionSystem ts) throws JasonException {
-        Optional<Diffuser> door = Inhabitants.door(ts.getAgArch());
-        return door.flatMap(board -> board.service(BoardMoves.class))
+        return Inhabitants.door(ts.getAgArch())
                 .orElseThrow(() -> new Failure("no_diffuser", "no agent of this MAS has a board by which "
                         + ts.getAgArch().getAgName() + " could move; give one the architecture diffuser.Diffuser")
                         .toException());
@@ -92,7 +90,7 @@ public final class Departures {
     /** An agent that the program starts must know, when it is started again, that it is away. */
     private static void expectMobile(LocalAgArch agent, Protocol protocol) throws JasonException {
         boolean mobile = protocol == Protocol.CLONING || !Inhabitants.isOfProgram(agent.getAgName())
-                || Mobile.find(agent.getTS()).isPresent() || Inhabitants.isDoor(agent.getFirstAgArch());
+                || Mobile.find(agent.getTS()).isPresent() || Inhabitants.board(agent.getFirstAgArch()).isPresent();
         if (!mobile) {
             throw new Failure("not_mobile", "agent " + agent.getAgName() + " cannot move: give it the architecture"
                     + " mobility.Mobile (agentArchClass in a .mas2j, ag-arch in a .jcm), so that it is not started a"

@@ -205,16 +205,14 @@ final class Inhabitants {
 
     /** Ends an agent that sleeps: one that has moved away, or that was not to start. */
     void remove(String name) {
-        agent(name).filter(known -> Mobile.find(known.getTS()).filter(Mobile::isAsleep).isPresent())
-                .ifPresent(asleep -> {
-                    if (asleep.getTS() != diffuser.getTS()) {
-                        try {
-                            RuntimeServicesFactory.get().killAgent(name, name, 0);
-                        } catch (RemoteException e) {
-                            throw new IllegalStateException(e);
-                        }
-                        awaitEnd(name);
+        agent(name).map(LocalAgArch::getTS).filter(asleep -> asleep != diffuser.getTS()
+                && Mobile.find(asleep).filter(Mobile::isAsleep).isPresent()).ifPresent(asleep -> {
+                    try {
+                        RuntimeServicesFactory.get().killAgent(name, name, 0);
+                    } catch (RemoteException e) {
+                        throw new IllegalStateException(e);
                     }
+                    awaitEnd(name);
                 });
     }
 
@@ -270,16 +268,15 @@ final class Inhabitants {
         return Optional.ofNullable(BaseLocalMAS.getRunner()).map(mas -> mas.getAg(name));
     }
 
-    /** The agent with a board that moves another of this MAS: itself, or the first one that has one. */
-    static Optional<Diffuser> door(AgArch first) {
-        Optional<Diffuser> own = Diffuser.find(first);
-        if (own.isPresent() && own.get().service(BoardMoves.class).isPresent()) {
-            return own;
-        }
-        Map<String, LocalAgArch> all = BaseLocalMAS.getRunner().getAgs();
-        return all.entrySet().stream().sorted(Map.Entry.comparingByKey())
-                .flatMap(each -> Diffuser.find(each.getValue().getFirstAgArch()).stream())
-                .filter(each -> each.service(BoardMoves.class).isPresent() && each.address().isPresent()).findFirst();
+    /** By which board an agent moves: its own, or that of the first one of this MAS that has one. */
+    static Optional<BoardMoves> door(AgArch first) {
+        return board(first)
+                .or(() -> all(BaseLocalMAS.getRunner()).filter(moves -> moves.here().isPresent()).findFirst());
+    }
+
+    /** By its own board. */
+    static Optional<BoardMoves> board(AgArch first) {
+        return Diffuser.find(first).flatMap(each -> each.service(BoardMoves.class));
     }
 
     /** An agent that was awake has ended; where the MAS goes on, it tells those by whose board it may have come. */
@@ -296,12 +293,7 @@ final class Inhabitants {
     }
 
     private static Stream<BoardMoves> all(BaseLocalMAS mas) {
-        return mas.getAgs().values().stream().flatMap(each -> Diffuser.find(each.getFirstAgArch()).stream())
-                .flatMap(each -> each.service(BoardMoves.class).stream());
-    }
-
-    /** Whether an agent has a board by which agents move. */
-    static boolean isDoor(AgArch first) {
-        return Diffuser.find(first).flatMap(each -> each.service(BoardMoves.class)).isPresent();
+        return mas.getAgs().entrySet().stream().sorted(Map.Entry.comparingByKey())
+                .flatMap(each -> board(each.getValue().getFirstAgArch()).stream());
     }
 }

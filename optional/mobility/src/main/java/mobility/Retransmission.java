@@ -40,51 +40,46 @@ final class Retransmission {
     void say(Optional<MoveMessage.Said> next, long after) {
         message = next;
         pause = LEAST_PAUSE_MILLIS;
-        if (after == 0) {
-            say();
-        } else {
-            sayAfter(after);
-        }
+        say(after);
     }
 
     /** The other side is there: no pause is needed. */
     void hurry() {
         if (underWay.isDone()) {
-            say();
+            say(0);
         }
     }
 
-    private void say() {
+    private void say(long after) {
         int mine = ++turn;
-        message.ifPresent(said -> {
-            underWay = send.apply(said);
-            underWay.whenComplete((outcome, thrown) -> clock.execute(() -> {
+        if (after > 0) {
+            clock.after(after, () -> {
                 if (mine == turn) {
-                    ended(outcome, thrown);
+                    say(0);
                 }
-            }));
-        });
+            });
+        } else {
+            message.ifPresent(said -> {
+                underWay = send.apply(said);
+                underWay.whenComplete((outcome, thrown) -> clock.execute(() -> {
+                    if (mine == turn) {
+                        ended(outcome, thrown);
+                    }
+                }));
+            });
+        }
     }
 
     private void ended(Outcome outcome, Throwable thrown) {
         if (outcome == Outcome.DELIVERED) {
             pause = LEAST_PAUSE_MILLIS;
-            sayAfter(ANSWER_MILLIS);
+            say(ANSWER_MILLIS);
             told.accept(new Event.Delivered());
             return;
         }
-        sayAfter(pause);
         // Where the board has too much to send, the other side may well be there.
+        say(thrown == null ? pause : LEAST_PAUSE_MILLIS);
         pause = thrown == null ? Math.min(MOST_PAUSE_MILLIS, 2 * pause) : LEAST_PAUSE_MILLIS;
         told.accept(thrown == null ? new Event.Undelivered() : new Event.NotTaken(Failure.of(thrown)));
-    }
-
-    private void sayAfter(long millis) {
-        int mine = ++turn;
-        clock.after(millis, () -> {
-            if (mine == turn) {
-                say();
-            }
-        });
     }
 }

@@ -70,6 +70,8 @@ class MovesTest {
         assertOnlyAt(bus, station);
         assertEquals(1, station.moves.count(Moves.Count.LEFT));
         assertEquals(1, bus.moves.count(Moves.Count.CAME));
+        // Offer, want, a data for each text, ready, go, awake: nothing twice.
+        assertEquals(7, simulation.messages);
     }
 
     @Test
