@@ -26,6 +26,7 @@ import diffuser.MoveService;
 import diffuser.Policy;
 import diffuser.Provenance;
 
+import javino.board.Transitions;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -268,6 +269,11 @@ public final class BoardMoves implements MoveService, Mas {
         Literal event = event(out ? "movingOut" : "movingIn", agent, peer);
         event.addTerm(ASSyntax.createNumber(percent));
         diffuser.signal(event);
+    }
+
+    @Override
+    public void reached(String machine, Address peer, String id, Enum<?> state) {
+        here().ifPresent(here -> Transitions.log(machine, here, peer, id, state));
     }
 
     @Override
