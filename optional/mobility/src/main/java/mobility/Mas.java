@@ -12,7 +12,7 @@ import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
-/** The board of some moves and the MAS around it, as {@link Moves} sees them. Called on their thread; must not block. */
+/** The board of some moves and the MAS around it, for {@link Moves}. Called on their thread; must not block. */
 interface Mas {
 
     /** @return the outcome; fails if the board does not take the message. On any thread. */
