@@ -201,7 +201,9 @@ final class Device implements BoardListener, KeyService.Host {
     /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
     Transmission transmit(Address to, Message message) {
         return context.keyService().filter(keyService -> hasRadio && keys.lacks(to))
-                .map(keyService -> keyService.transmit(this, to, message)).orElseGet(() -> transmitAsIs(to, message));
+                .map(keyService -> keyService.transmit(this, to, message))
+                .orElseGet(() -> message instanceof HostMessage ofHosts ? send(to, ofHosts)
+                        : transmitAsIs(to, message));
     }
 
     @Override
