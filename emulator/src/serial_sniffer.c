@@ -245,6 +245,7 @@ static void write_key_step(serial_sniffer *s, const serial_request *request, con
                            size_t length, cycles_t at) {
   begin(s, at, "host-key");
   trace_utf8(s->out, "address", request->address, ADDRESS_LENGTH);
+  trace_time(s->out, "asked", request->at);
   trace_text(s->out, "step", step);
   if (length != 0) trace_hex(s->out, "check", check, length);
   trace_end(s->out);

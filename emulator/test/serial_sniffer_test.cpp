@@ -115,6 +115,7 @@ TEST(SerialSniffer, tells_what_the_host_does_with_keys_and_the_check_value_that_
   for (size_t i = 0; i < keys.size(); i++) {
     EXPECT_EQ(keys[i].text("address"), "SUPP");
     EXPECT_EQ(keys[i].text("step"), steps[i]);
+    EXPECT_NE(json_object_get(keys[i].fields, "asked"), nullptr);
     EXPECT_EQ(json_object_get(keys[i].fields, "check") != nullptr, i < 2 || i == 5);
   }
   EXPECT_EQ(keys[0].text("check"), "010203");

@@ -126,6 +126,13 @@ final class RadioCell {
         board(event.board()).copies.set(event.text("relaying").equals("on"));
     }
 
+    /** A host asks for something with a key: until the reply, that may end what was sealed with it. */
+    void asks(TraceEvent event, double seconds) throws RefusedException {
+        for (Message message : board(event.board()).underWay(event.text("address"))) {
+            message.perhaps(seconds, "sender_reset");
+        }
+    }
+
     /** A host has done something with a key. */
     void key(TraceEvent event) throws RefusedException {
         Station board = board(event.board());

@@ -36,7 +36,7 @@ public final class Replay {
      * begins or ends at its board; or all of it.
      */
     private enum Part {
-        BEGIN, CARRIER, EVENT, END, SILENCE
+        ASKED, BEGIN, CARRIER, EVENT, END, SILENCE
     }
 
     private record Step(double seconds, TraceEvent event, Part part) {}
@@ -211,7 +211,13 @@ public final class Replay {
                             event.has("until") ? event.real("until") : event.seconds() + BROKEN_OFF);
                 }
             }
-            case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed", "transition",
+            case "host-key" -> {
+                if (event.has("asked")) {
+                    enter(event.real("asked"), event, Part.ASKED);
+                }
+                enter(event.seconds(), event, Part.EVENT);
+            }
+            case "host-id", "host-radio", "host-relaying", "counters", "crash", "host-handed", "transition",
                     "host-taking", "host-taken",
                     "host-outcome", "host-nothing", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
@@ -282,6 +288,7 @@ public final class Replay {
     private void perform(Step step) throws RefusedException {
         TraceEvent event = step.event();
         switch (step.part()) {
+            case ASKED -> cell.asks(event, step.seconds());
             case BEGIN -> {
                 Payload payload = Fields.payload(event);
                 bytes.begin(event, payload);

@@ -202,6 +202,12 @@ final class Station {
         }
     }
 
+    /** What has been on the air of messages to a device that have not ended. */
+    List<Message> underWay(String address) {
+        return open().filter(transmission -> transmission.destination.equals(address) && transmission.message != null)
+                .map(transmission -> transmission.message).toList();
+    }
+
     private void mayHaveLost(String address) {
         open().filter(transmission -> transmission.destination.equals(address))
                 .forEach(transmission -> transmission.keyMayBeGone = true);

@@ -820,6 +820,17 @@ class ReplayTest {
         }
     }
 
+    /** What a replaced key ends makes room at once; the reply that tells of the key comes behind that. */
+    @Test
+    void replay_anotherMessageBetweenRequestAndReplyForAKey_isAccepted() {
+        Lines lines = Lines.of("replaced");
+        int key = lines.where(line -> lines.is(line, "bus", "host-key")).get(1);
+        double replied = lines.get(key).get("t").getAsDouble();
+        assertTrue(lines.replay().verdict().contains("ROMA sends another message meanwhile"));
+        lines.get(key).addProperty("asked", replied - 0.006);
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
     /** A board that has another key now knows no answer to what it has sealed with the one before. */
     @ParameterizedTest
     @CsvSource({"070809, 2.5, true", "010203, 2.5, false", "070809, 1.5, true", ", 1.5, true", "070809, 0.6, false"})
