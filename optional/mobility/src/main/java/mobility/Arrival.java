@@ -34,39 +34,39 @@ record Arrival(State state, Move.Key key, Move move, MoveMessage.Offer offer) im
     private static final Set<State> OPEN = EnumSet.range(State.ASKED, State.REPEATING);
     private static final Set<State> OVER = EnumSet.of(State.NONE);
 
-    static final Table<State, Arrival> TABLE = new Table<State, Arrival>(State.class)
+    static final Table<State, Arrival> TABLE = new Table<State, Arrival>()
             .on(EnumSet.of(State.NONE), MoveMessage.Offer.class, EnumSet.of(State.ASKED), "", Arrival::offered)
             .on(EnumSet.of(State.ASKED), Event.Accepted.class, EnumSet.of(State.COMING), "want, or a check",
-                    (asked, event, facts) -> List.of(asked.become(State.COMING), Course::await, asked.look()))
+                    (asked, event, moves) -> List.of(asked.become(State.COMING), Course::await, asked.look()))
             .on(EnumSet.of(State.ASKED), Event.Rejected.class, OVER, "refused",
-                    (asked, event, facts) -> asked.refuse(event.why(), List.of()))
+                    (asked, event, moves) -> asked.refuse(event.why(), List.of()))
             .on(TAKING, MoveMessage.Offer.class, Set.of(), "want, or a check", Arrival::offeredAgain)
             .on(TAKING, MoveMessage.Data.class, Set.of(), "want if a gap is before it, a check if it is the last",
-                    (taking, data, facts) -> List.of(Course::await, course -> course.take(data, taking.offer)))
+                    (taking, data, moves) -> List.of(Course::await, course -> course.take(data, taking.offer)))
             .on(TAKING, Event.Accepted.class, EnumSet.of(State.READY), "",
-                    (taking, event, facts) -> List.of(taking.become(State.READY)))
+                    (taking, event, moves) -> List.of(taking.become(State.READY)))
             .on(EnumSet.of(State.COMING), Event.Rejected.class, EnumSet.of(State.REPEATING, State.NONE),
                     "want if a part is damaged, else refused", Arrival::rejected)
             .on(EnumSet.of(State.REPEATING), Event.Rejected.class, OVER, "refused",
-                    (repeating, event, facts) -> repeating.refuse(event.why(), repeating.offer.parts()))
-            .on(OPEN, Event.Expired.class, OVER, "", (open, event, facts) -> open.forget())
+                    (repeating, event, moves) -> repeating.refuse(event.why(), repeating.offer.parts()))
+            .on(OPEN, Event.Expired.class, OVER, "", (open, event, moves) -> open.forget())
             .on(EnumSet.range(State.ASKED, State.READY), MoveMessage.Cancelled.class, OVER, "",
-                    (open, event, facts) -> open.forget())
+                    (open, event, moves) -> open.forget())
             .on(EnumSet.of(State.READY), MoveMessage.Offer.class, Set.of(), "ready at once",
-                    (ready, event, facts) -> List.of(Course::hurry))
+                    (ready, event, moves) -> List.of(Course::hurry))
             .on(EnumSet.of(State.READY), MoveMessage.Go.class, EnumSet.of(State.WAKING, State.NONE),
                     "none if another move has brought it back", Arrival::go)
             .on(EnumSet.of(State.WAKING), List.of(MoveMessage.Offer.class, MoveMessage.Go.class), Set.of(), "wakes it",
-                    (waking, event, facts) -> List.of(course -> course.wake(false)))
+                    (waking, event, moves) -> List.of(course -> course.wake(false)))
             .on(EnumSet.of(State.WAKING), Event.Woken.class, EnumSet.of(State.HERE), "awake", Arrival::woken)
             .on(EnumSet.of(State.HERE, State.LEFT), List.of(MoveMessage.Offer.class, MoveMessage.Go.class), Set.of(),
-                    "awake", (here, event, facts) -> List.of(awake(here.move.name())))
+                    "awake", (here, event, moves) -> List.of(awake(here.move.name())))
             .on(EnumSet.of(State.WAKING, State.HERE), Event.Superseded.class, EnumSet.of(State.LEFT), "",
-                    (here, event, facts) -> List.of(here.become(State.LEFT), Course::tidy))
+                    (here, event, moves) -> List.of(here.become(State.LEFT), Course::tidy))
             .on(EnumSet.of(State.LEFT), Event.Expired.class, OVER, "",
-                    (left, event, facts) -> List.of(left.become(State.NONE)))
+                    (left, event, moves) -> List.of(left.become(State.NONE)))
             .on(EnumSet.of(State.NONE), MoveMessage.Go.class, Set.of(), "awake",
-                    (none, event, facts) -> List.of(awake("")))
+                    (none, event, moves) -> List.of(awake("")))
             .ignore(List.of(MoveMessage.Offer.class), "its plan has not answered")
             .ignore(List.of(MoveMessage.Data.class, MoveMessage.Go.class), "nobody has said want or ready")
             .ignore(List.of(MoveMessage.Cancelled.class, Event.Expired.class), "it is here, or unknown")
@@ -96,8 +96,8 @@ record Arrival(State state, Move.Key key, Move move, MoveMessage.Offer offer) im
     }
 
     @Override
-    public List<Consumer<Course>> step(Event event, Facts facts) {
-        return TABLE.step(this, event, facts);
+    public List<Consumer<Course>> step(Event event, Moves moves) {
+        return TABLE.step(this, event, moves);
     }
 
     @Override
@@ -141,31 +141,31 @@ record Arrival(State state, Move.Key key, Move move, MoveMessage.Offer offer) im
         return List.of(become(State.NONE), course -> course.refuse(why, unneeded));
     }
 
-    private List<Consumer<Course>> offered(MoveMessage.Offer fresh, Facts facts) {
+    private List<Consumer<Course>> offered(MoveMessage.Offer fresh, Moves moves) {
         Move comes = new Move(key, Move.State.READY, fresh.protocol(), fresh.identity(), fresh.identity().name(),
                 fresh.parts().stream().map(Part::hash).toList(), false, Optional.empty());
         return List.of(become(new Arrival(State.ASKED, key, comes, fresh)), Course::await,
                 course -> course.ask(comes, fresh));
     }
 
-    private List<Consumer<Course>> offeredAgain(MoveMessage.Offer again, Facts facts) {
+    private List<Consumer<Course>> offeredAgain(MoveMessage.Offer again, Moves moves) {
         return again.equals(offer) ? List.of(Course::await, look()) : List.of(Course::drop);
     }
 
-    private List<Consumer<Course>> rejected(Event.Rejected event, Facts facts) {
+    private List<Consumer<Course>> rejected(Event.Rejected event, Moves moves) {
         return event.again() ? List.of(become(State.REPEATING), look()) : refuse(event.why(), offer.parts());
     }
 
-    private List<Consumer<Course>> go(MoveMessage.Go go, Facts facts) {
-        List<Move> absences = facts.absences(move);
-        if (!move.isClone() && facts.isHome(move.identity()) && absences.isEmpty()) {
+    private List<Consumer<Course>> go(MoveMessage.Go go, Moves moves) {
+        List<Move> absences = moves.absences(move);
+        if (!move.isClone() && moves.isHome(move.identity()) && absences.isEmpty()) {
             return forget();
         }
         Move ours = absences.stream().anyMatch(Move::isOurs) ? move.ours() : move;
         return List.of(Course::expectTexts, become(of(ours, State.WAKING)), course -> course.come(absences));
     }
 
-    private List<Consumer<Course>> woken(Event.Woken woken, Facts facts) {
+    private List<Consumer<Course>> woken(Event.Woken woken, Moves moves) {
         Consumer<Course> here = become(of(move.named(woken.name()), State.HERE));
         return woken.anew() ? List.of(here) : List.of(here, awake(woken.name()));
     }

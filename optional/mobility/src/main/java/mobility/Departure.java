@@ -50,11 +50,11 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
     private static final Set<State> ON_DATA = EnumSet.of(State.SENDING, State.SENT);
     private static final Set<State> OVER = EnumSet.of(State.NONE);
 
-    static final Table<State, Departure> TABLE = new Table<State, Departure>(State.class)
+    static final Table<State, Departure> TABLE = new Table<State, Departure>()
             .on(OPEN, MoveMessage.Want.class, ON_DATA, "", Departure::wanted)
             .on(EnumSet.of(State.SENDING), Event.Delivered.class, ON_DATA, "", Departure::delivered)
             .on(EnumSet.of(State.SENDING), Event.Undelivered.class, EnumSet.of(State.OFFERED), "",
-                    (sending, event, facts) -> List.of(sending.become(State.OFFERED)))
+                    (sending, event, moves) -> List.of(sending.become(State.OFFERED)))
             .on(OPEN, Event.NotTaken.class, EnumSet.of(State.OFFERED, State.SENT, State.NONE),
                     "none if the board never will", Departure::notTaken)
             .on(OPEN, MoveMessage.Ready.class, EnumSet.of(State.GONE, State.CLONED), "", Departure::go)
@@ -62,17 +62,17 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
             .on(EnumSet.of(State.OFFERED, State.SENDING, State.SENT, State.CLONED), Event.Expired.class, OVER,
                     "the agent stays", Departure::expired)
             .on(EnumSet.of(State.GONE, State.CLONED), MoveMessage.Ready.class, Set.of(), "go at once",
-                    (gone, event, facts) -> List.of(Course::hurry))
+                    (gone, event, moves) -> List.of(Course::hurry))
             .on(EnumSet.of(State.GONE), MoveMessage.Awake.class, EnumSet.of(State.AWAY, State.NONE),
                     "away at its home; the agent is removed", Departure::awake)
             .on(EnumSet.of(State.GONE), Event.Superseded.class, OVER, "the agent is removed",
-                    (gone, event, facts) -> gone.left(State.NONE, ""))
+                    (gone, event, moves) -> gone.left(State.NONE, ""))
             .on(EnumSet.of(State.CLONED), MoveMessage.Awake.class, OVER, "",
-                    (cloned, event, facts) -> List.of(cloned.become(State.NONE), cloned.arrived(event.agent())))
+                    (cloned, event, moves) -> List.of(cloned.become(State.NONE), cloned.arrived(event.agent())))
             .on(EnumSet.of(State.AWAY), Event.Superseded.class, OVER, "",
-                    (away, event, facts) -> List.of(away.become(State.NONE)))
+                    (away, event, moves) -> List.of(away.become(State.NONE)))
             .on(EnumSet.of(State.NONE), MoveMessage.Ready.class, Set.of(), "cancelled",
-                    (none, event, facts) -> List.of(course -> course.answer(new MoveMessage.Cancelled())))
+                    (none, event, moves) -> List.of(course -> course.answer(new MoveMessage.Cancelled())))
             .ignore(List.of(MoveMessage.Want.class, MoveMessage.Refused.class, MoveMessage.Ready.class), "too late")
             .ignore(List.of(MoveMessage.Awake.class), "go was not said, or too late")
             .ignore(List.of(Event.Delivered.class, Event.Undelivered.class, Event.NotTaken.class),
@@ -93,8 +93,8 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
     }
 
     @Override
-    public List<Consumer<Course>> step(Event event, Facts facts) {
-        return TABLE.step(this, event, facts);
+    public List<Consumer<Course>> step(Event event, Moves moves) {
+        return TABLE.step(this, event, moves);
     }
 
     /** A clone has none: its original never sleeps. */
@@ -133,11 +133,11 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
         return course -> course.become(machine);
     }
 
-    private List<Consumer<Course>> wanted(MoveMessage.Want want, Facts facts) {
+    private List<Consumer<Course>> wanted(MoveMessage.Want want, Moves moves) {
         return want.offsets().size() == parts.packed.size() ? sendFrom(want.offsets()) : List.of(Course::drop);
     }
 
-    private List<Consumer<Course>> delivered(Event.Delivered event, Facts facts) {
+    private List<Consumer<Course>> delivered(Event.Delivered event, Moves moves) {
         MoveMessage.Data data = data().orElseThrow();
         List<Integer> next = new ArrayList<>(there);
         next.set(data.part(), data.offset() + data.bytes().length());
@@ -154,7 +154,7 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
         return sum > most ? List.of(become, Course::await) : List.of(become);
     }
 
-    private List<Consumer<Course>> notTaken(Event.NotTaken event, Facts facts) {
+    private List<Consumer<Course>> notTaken(Event.NotTaken event, Moves moves) {
         String error = event.why().error();
         // Its own words have the whole message in them, in hexadecimal.
         return HOPELESS.contains(error)
@@ -163,14 +163,14 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
                 : List.of(become(state == State.SENDING ? State.OFFERED : state));
     }
 
-    private List<Consumer<Course>> go(MoveMessage.Ready event, Facts facts) {
+    private List<Consumer<Course>> go(MoveMessage.Ready event, Moves moves) {
         return move.isClone() ? List.of(become(State.CLONED), Course::await)
                 : List.of(become(State.GONE), Course::endEarlier);
     }
 
-    private List<Consumer<Course>> awake(MoveMessage.Awake awake, Facts facts) {
+    private List<Consumer<Course>> awake(MoveMessage.Awake awake, Moves moves) {
         // Where it is at home, it is known by its token when it comes back.
-        return left(move.isOurs() || facts.isHome(move.identity()) ? State.AWAY : State.NONE, awake.agent());
+        return left(move.isOurs() || moves.isHome(move.identity()) ? State.AWAY : State.NONE, awake.agent());
     }
 
     private List<Consumer<Course>> left(State next, String name) {
@@ -181,12 +181,12 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
         return course -> course.arrived(name.isEmpty() ? move.identity().name() : name);
     }
 
-    private List<Consumer<Course>> refused(MoveMessage.Refused refused, Facts facts) {
+    private List<Consumer<Course>> refused(MoveMessage.Refused refused, Moves moves) {
         return stay(refused.error(), move.key().peer() + " does not take " + move.name() + " in: "
                 + Texts.withoutCommands(refused.reason()));
     }
 
-    private List<Consumer<Course>> expired(Event.Expired event, Facts facts) {
+    private List<Consumer<Course>> expired(Event.Expired event, Moves moves) {
         return stay("undelivered", move.name() + " has stayed: nothing of it came to " + move.key().peer() + " for "
                 + PATIENCE_MILLIS / 1_000 + " s" + (state == State.CLONED ? "; a clone may have come to be" : ""));
     }

@@ -7,16 +7,6 @@ import java.util.function.Consumer;
 /** One side of a move (SPEC 9.3): a value that decides what follows from an event, and does nothing itself. */
 sealed interface Machine permits Departure, Arrival {
 
-    /** What a machine may look up. */
-    interface Facts {
-
-        /** What is known of an agent's going, also where nobody has said that it arrived. */
-        List<Move> absences(Move came);
-
-        /** Whether an agent's home is the board of these moves. */
-        boolean isHome(Move.Identity agent);
-    }
-
     Enum<?> state();
 
     /** What is known of the move; null before it begins. */
@@ -31,6 +21,9 @@ sealed interface Machine permits Departure, Arrival {
     /** After so long {@link Event.Expired} comes; 0 for never. */
     long patience();
 
-    /** @return what is to be done. Where one thing fails, as the disk may, those behind it are not done. */
-    List<Consumer<Course>> step(Event event, Facts facts);
+    /**
+     * @param moves where it may look something up.
+     * @return what is to be done. Where one thing fails, as the disk may, those behind it are not done.
+     */
+    List<Consumer<Course>> step(Event event, Moves moves);
 }

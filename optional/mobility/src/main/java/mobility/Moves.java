@@ -30,7 +30,7 @@ import javino.protocol.ProtocolException;
  *
  * <p>All but the counters is for the one thread of the {@link HostClock}.
  */
-final class Moves implements Machine.Facts {
+final class Moves {
 
     /** So many moves of agents that have left are remembered. */
     private static final int MOST_LEFT = 100;
@@ -235,14 +235,13 @@ final class Moves implements Machine.Facts {
         folder.tidy();
     }
 
-    /** {@inheritDoc} A clone is another agent. */
-    @Override
-    public List<Move> absences(Move came) {
+    /** What is known of an agent's going, also where nobody has said that it arrived. A clone is another agent. */
+    List<Move> absences(Move came) {
         return came.isClone() ? List.of() : folder.records().stream().filter(came::isReturnOf).toList();
     }
 
-    @Override
-    public boolean isHome(Move.Identity agent) {
+    /** Whether an agent's home is the board of these moves. */
+    boolean isHome(Move.Identity agent) {
         return mas.here().filter(agent.home()::equals).isPresent();
     }
 

@@ -10,10 +10,12 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 import org.junit.jupiter.api.BeforeEach;
@@ -62,9 +64,20 @@ class MachinesTest {
     void spec_hasTheTables() throws IOException {
         String spec = Files.readString(Path.of(System.getProperty("javino.root"), "SPEC.md"));
         for (Table<?, ?> table : List.of(Departure.TABLE, Arrival.TABLE)) {
-            assertTrue(spec.contains("```\n" + table.text() + "```\n"),
-                    () -> "SPEC 9.3 differs; it should have\n" + table.text());
+            String text = table.rows().stream().map(MachinesTest::text).collect(Collectors.joining());
+            assertTrue(spec.contains("```\n" + text + "```\n"), () -> "SPEC 9.3 differs; it should have\n" + text);
         }
+    }
+
+    private static String text(Table.Row<?, ?> row) {
+        return String.format("%-31s %-32s %s\n", row.in().isEmpty() ? "else" : lower(row.in().stream()),
+                lower(row.at().stream().map(event -> event.getSimpleName().replaceAll("(?<=.)(?=[A-Z])", " "))),
+                Stream.of(lower(row.next().stream()), row.words()).filter(part -> !part.isEmpty())
+                        .collect(Collectors.joining("; ")));
+    }
+
+    private static String lower(Stream<?> names) {
+        return names.map(name -> name.toString().toLowerCase(Locale.ROOT)).collect(Collectors.joining(", "));
     }
 
     @Test
@@ -107,18 +120,20 @@ class MachinesTest {
 
     private <S extends Enum<S>, M extends Machine> void check(Table<S, M> table, S[] states, List<Machine> machines) {
         Map<Table.Row<S, M>, Set<Enum<?>>> followed = new HashMap<>();
+        Set<List<Object>> tried = new HashSet<>();
         for (Event event : EVENTS) {
             for (Machine machine : machines) {
                 if (table.events().contains(event.getClass())) {
                     List<Table.Row<S, M>> rows = table.rows(machine.state(), event.getClass());
                     assertEquals(1, rows.size(), machine.state() + " at " + event);
+                    tried.add(List.of(machine.state(), event.getClass()));
                     followed.computeIfAbsent(rows.get(0), row -> new HashSet<>())
                             .addAll(step(machine, event, rows.get(0).words().startsWith("ignored")));
                 }
             }
         }
         for (S state : states) {
-            table.events().forEach(event -> assertTrue(followed.keySet().containsAll(table.rows(state, event)),
+            table.events().forEach(event -> assertTrue(tried.contains(List.of(state, event)),
                     () -> state + " at " + event + " was not tried"));
         }
         followed.forEach((row, next) -> assertEquals(row.next(), next, () -> row.in() + " at " + row.at()));
