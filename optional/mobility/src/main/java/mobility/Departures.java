@@ -31,21 +31,14 @@ public final class Departures {
     private Departures() {
     }
 
-    /** Whether an atom is one of the protocols. */
-    public static boolean isProtocol(String atom) {
-        return Protocol.of(atom).isPresent();
-    }
-
     /**
      * Begins to move agents, and suspends the intention that says so.
      *
-     * @param ts       of the agent that says so, on its thread.
-     * @param protocol an atom for which {@link #isProtocol} holds.
+     * @param ts of the agent that says so, on its thread.
      * @throws JasonException if none of them leaves; then nothing has changed.
      */
-    public static void begin(TransitionSystem ts, Address to, String protocol, List<String> agents)
+    public static void begin(TransitionSystem ts, Address to, Protocol protocol, List<String> agents)
             throws JasonException {
-        Protocol known = Protocol.of(protocol).orElseThrow();
         BoardMoves moves = door(ts);
         String self = ts.getAgArch().getAgName();
         if (ts.getAg() instanceof Guest && !agents.equals(List.of(self))) {
@@ -55,7 +48,7 @@ public final class Departures {
         for (String agent : agents) {
             LocalAgArch arch = Optional.ofNullable(BaseLocalMAS.getRunner().getAg(agent)).orElseThrow(
                     () -> new Failure("no_agent", "this MAS has no agent " + agent).toException());
-            expectMobile(arch, known);
+            expectMobile(arch, protocol);
             if (!agent.equals(self)) {
                 others.add(arch);
             }
@@ -63,13 +56,13 @@ public final class Departures {
         boolean also = agents.contains(self);
         Intention mover = ts.getC().getSelectedIntention();
         // Before anything is sent: what cannot travel is said now.
-        Image image = also ? image(ts, mover, known) : null;
+        Image image = also ? image(ts, mover, protocol) : null;
         String key = "moveOut/javino/" + COUNT.incrementAndGet();
         Intentions.await(ts.getC(), key);
         List<CompletableFuture<String>> ends = new ArrayList<>();
-        others.forEach(other -> ends.add(move(moves, other.getTS(), known, to)));
+        others.forEach(other -> ends.add(move(moves, other.getTS(), protocol, to)));
         if (also) {
-            ends.add(depart(moves, ts, known, to, image));
+            ends.add(depart(moves, ts, protocol, to, image));
         }
         CompletableFuture.allOf(ends.toArray(CompletableFuture[]::new)).whenComplete((done, thrown) -> {
             if (thrown == null) {

@@ -53,8 +53,7 @@ public class Guest extends Agent {
             ".plan_label", ".prefix", ".print", ".printf", ".println", ".random", ".range", ".relevant_plan",
             ".relevant_plans", ".relevant_rules", ".remove_plan", ".remove_source_annot", ".rename_apart", ".replace",
             ".resume", ".reverse", ".send", ".setof", ".shuffle", ".signal", ".sort", ".string", ".structure",
-            ".sublist",
-            ".substring", ".succeed_goal", ".suffix", ".suspend", ".suspended", ".term2string", ".time", ".type",
+            ".sublist", ".substring", ".succeed_goal", ".suffix", ".suspend", ".suspended", ".term2string", ".time", ".type",
             ".union", ".upper_case", ".version", ".wait");
 
     /** Jason's maps, queues and sets. */
@@ -90,15 +89,11 @@ public class Guest extends Agent {
 
         @Override
         public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws JasonException {
-            throw refused(name);
+            throw failure(name).toException();
         }
     }
 
     /** Why a guest may not do something. */
-    static JasonException refused(String what) {
-        return failure(what).toException();
-    }
-
     static Failure failure(String what) {
         return new Failure("guest", "a guest may not do " + what + "; SECURITY.md says what it may");
     }
@@ -115,8 +110,8 @@ public class Guest extends Agent {
         Provenance of = Provenance.ofGuest(message.getSender()).answering(answered(message));
         if (performative.map(known -> Policy.decide(Policy.Act.of(known), of)).filter(Policy.Decision::isAllowed)
                 .isEmpty()) {
-            throw refused(".send(_," + message.getIlForce() + ",_)"
-                    + (message.getInReplyTo() == null ? "" : " in answer to that"));
+            throw failure(".send(_," + message.getIlForce() + ",_)"
+                    + (message.getInReplyTo() == null ? "" : " in answer to that")).toException();
         }
         try {
             Term said = message.getPropCont() instanceof Term term ? term
@@ -124,8 +119,8 @@ public class Guest extends Agent {
             Gate.refuseJasonsOwn(said);
             message.setPropCont(Texts.asFromTheAir(performative.get(), message.getInReplyTo() != null, said));
         } catch (Gate.RefusedException | MalformedTextException | ParseException | TokenMgrError e) {
-            throw refused(".send(_," + message.getIlForce() + ",_) of that: "
-                    + Writing.brief(ASSyntax.createString(e.getMessage())));
+            throw failure(".send(_," + message.getIlForce() + ",_) of that: "
+                    + Writing.brief(ASSyntax.createString(e.getMessage()))).toException();
         }
     }
 

@@ -74,8 +74,7 @@ final class IntentionText {
      * @param event  the event, or the goal for which the intention waits; null if there is none.
      * @param frames of the intention, the lowest first; none if it is only an event.
      */
-    String of(Trigger event, List<Frame> frames, boolean suspended)
-            throws RefusedException {
+    String of(Trigger event, List<Frame> frames, boolean suspended) throws RefusedException {
         text.append(suspended ? 'S' : 'I');
         if (event != null) {
             text.append(trigger(event));
@@ -89,8 +88,7 @@ final class IntentionText {
     }
 
     /** @return the variables to which the next frame is to give values. */
-    private Set<Term> write(Frame frame, Set<Term> returned, boolean waits)
-            throws RefusedException {
+    private Set<Term> write(Frame frame, Set<Term> returned, boolean waits) throws RefusedException {
         IntendedMeans means = frame.means();
         Plan plan = means.getPlan();
         names = PlanText.names(plan);

@@ -3,7 +3,9 @@ package mobility;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 import jason.architecture.AgArch;
 import jason.asSemantics.ActionExec;
@@ -62,12 +64,8 @@ public class Mobile extends AgArch {
 
     /** The one of an agent, if it has any. */
     static Optional<Mobile> find(TransitionSystem ts) {
-        for (AgArch arch = ts.getAgArch(); arch != null; arch = arch.getNextAgArch()) {
-            if (arch instanceof Mobile mobile) {
-                return Optional.of(mobile);
-            }
-        }
-        return Optional.empty();
+        return Stream.iterate(ts.getAgArch(), Objects::nonNull, AgArch::getNextAgArch)
+                .filter(Mobile.class::isInstance).map(Mobile.class::cast).findFirst();
     }
 
     /** The one of an agent, which gets one if it has none; on its thread. */
@@ -224,7 +222,7 @@ public class Mobile extends AgArch {
 
     @Override
     public void act(ActionExec action) {
-        if (!isGuest()) {
+        if (!(getTS().getAg() instanceof Guest)) {
             super.act(action);
             return;
         }
@@ -259,10 +257,6 @@ public class Mobile extends AgArch {
         if (!isAsleep()) {
             Inhabitants.ended(getAgName());
         }
-    }
-
-    private boolean isGuest() {
-        return getTS().getAg() instanceof Guest;
     }
 
     @Override

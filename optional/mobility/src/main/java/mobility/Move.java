@@ -51,11 +51,6 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
             }
         }
 
-        /** Whether that device is its home. */
-        boolean isAt(Address device) {
-            return home.equals(device);
-        }
-
         /** In a time that does not tell how much of the token is right. */
         private boolean isSame(Identity other) {
             return home.equals(other.home) && name.equals(other.name)

@@ -106,8 +106,7 @@ final class PlanText {
         return names.getOrDefault(variable, new VarTerm("_"));
     }
 
-    private static String label(Pred label, Writing.Naming naming)
-            throws RefusedException {
+    private static String label(Pred label, Writing.Naming naming) throws RefusedException {
         if (label == null) {
             return "";
         }

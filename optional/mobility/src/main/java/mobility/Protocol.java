@@ -22,7 +22,7 @@ public enum Protocol {
     }
 
     /** The protocol of an atom's name, such as {@code cloning}. */
-    static Optional<Protocol> of(String atom) {
+    public static Optional<Protocol> of(String atom) {
         return Arrays.stream(values()).filter(protocol -> protocol.atom().equals(atom)).findFirst();
     }
 

@@ -14,6 +14,7 @@ import jason.asSyntax.Term;
 import diffuser.Destinations;
 import diffuser.Names;
 import mobility.Departures;
+import mobility.Protocol;
 
 /**
  * <p>Internal action: <b><code>.moveOut(<i>To</i>,<i>Protocol</i>[,<i>Agents</i>])</code></b>.
@@ -68,7 +69,7 @@ public class moveOut extends DefaultInternalAction {
     @Override
     protected void checkArguments(Term[] args) throws JasonException {
         super.checkArguments(args);
-        if (!args[1].isAtom() || !Departures.isProtocol(args[1].toString())) {
+        if (!args[1].isAtom() || Protocol.of(args[1].toString()).isEmpty()) {
             throw JasonException.createWrongArgument(this, "mutualism, inquilinism, cloning or predation was expected,"
                     + " not '" + args[1] + "'.");
         }
@@ -78,7 +79,8 @@ public class moveOut extends DefaultInternalAction {
     public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws JasonException {
         checkArguments(args);
         List<String> agents = args.length == 2 ? List.of(ts.getAgArch().getAgName()) : names(args[2]);
-        Departures.begin(ts, Destinations.device(args[0]), args[1].toString(), agents);
+        Departures.begin(ts, Destinations.device(args[0]), Protocol.of(args[1].toString()).orElseThrow(),
+                agents);
         return true;
     }
 
