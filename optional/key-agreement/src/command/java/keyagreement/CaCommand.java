@@ -136,7 +136,7 @@ public final class CaCommand implements CommandPlugin {
 
     @Command(name = "list", description = "Shows the authority, its last revocation list and all certificates.")
     int list(@Option(names = "--ca", required = true, paramLabel = "FILE", description = FILE) Path file)
-            throws IOException {
+            throws IOException, JavinoException {
         Authority authority = Authority.parse(PrivateFile.read(file), file);
         RevocationList revocationList = authority.revocationList();
         print("authority " + authority.keys().fingerprint());

@@ -156,8 +156,7 @@ public final class EnrollCommand implements CommandPlugin {
         trust(own, answer);
         Bytes secret = P256.bytes(certificate.hash().multiply(P256.number(requestSecret))
                 .add(P256.number(answer.get(Identity.CONTRIBUTION).orElse(Bytes.EMPTY))).mod(P256.ORDER));
-        own.set(Identity.SECRET, secret).set(Identity.CERTIFICATE, encoded).remove(REQUEST_SECRET)
-                .remove(Request.NAME);
+        own.set(Identity.SECRET, secret).set(Identity.CERTIFICATE, encoded).remove(REQUEST_SECRET).remove(Request.NAME);
         for (Bytes revocationList : answer.all(Identity.REVOCATION_LIST)) {
             Identity.keep(RevocationList.decode(revocationList), own);
         }

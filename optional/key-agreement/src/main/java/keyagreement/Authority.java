@@ -25,16 +25,14 @@ final class Authority {
 
     private static final String CERTIFICATES = "certificates-secret";
     private static final String REVOCATION_LISTS = "revocation-lists-secret";
-    private static final String KEYS = "authority";
     private static final String ISSUED = "issued";
-    private static final String REVOCATION_LIST = "revocation-list";
 
     private final Entries entries;
     private final AuthorityKeys keys;
 
-    private Authority(Entries entries) {
+    private Authority(Entries entries, AuthorityKeys keys) {
         this.entries = entries;
-        keys = AuthorityKeys.decode(one(KEYS));
+        this.keys = keys;
     }
 
     /** A new one, which has made its first revocation list. */
@@ -43,7 +41,7 @@ final class Authority {
         KeyPair revocationLists = P256.generate(random);
         AuthorityKeys keys = new AuthorityKeys(point(certificates), point(revocationLists));
         Authority authority = new Authority(new Entries().set(CERTIFICATES, number(certificates))
-                .set(REVOCATION_LISTS, number(revocationLists)).set(KEYS, keys.toBytes()));
+                .set(REVOCATION_LISTS, number(revocationLists)).set(Identity.AUTHORITY, keys.toBytes()), keys);
         authority.publish(0, today, today, List.of());
         return authority;
     }
@@ -51,8 +49,9 @@ final class Authority {
     /** @throws IllegalArgumentException naming the file, if it is none. */
     static Authority parse(String text, Object file) {
         try {
-            return new Authority(Entries.parse(text, file));
-        } catch (IllegalArgumentException e) {
+            Entries entries = Entries.parse(text, file);
+            return new Authority(entries, AuthorityKeys.decode(one(Identity.AUTHORITY, entries)));
+        } catch (HandshakeException | IllegalArgumentException e) {
             throw new IllegalArgumentException(file + " is no authority: " + e.getMessage(), e);
         }
     }
@@ -66,6 +65,10 @@ final class Authority {
     }
 
     private Bytes one(String name) {
+        return one(name, entries);
+    }
+
+    private static Bytes one(String name, Entries entries) {
         return entries.get(name).orElseThrow(() -> new IllegalArgumentException("it has no " + name));
     }
 
@@ -78,30 +81,23 @@ final class Authority {
     }
 
     /** All that it has ever given, in the order of their serials. */
-    List<Certificate> issued() {
-        try {
-            List<Certificate> issued = new ArrayList<>();
-            for (Bytes each : entries.all(ISSUED)) {
-                issued.add(Certificate.decode(each));
-            }
-            return issued;
-        } catch (HandshakeException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
+    List<Certificate> issued() throws HandshakeException {
+        List<Certificate> issued = new ArrayList<>();
+        for (Bytes each : entries.all(ISSUED)) {
+            issued.add(Certificate.decode(each));
         }
+        return issued;
     }
 
-    RevocationList revocationList() {
-        try {
-            return RevocationList.decode(one(REVOCATION_LIST));
-        } catch (HandshakeException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
-        }
+    RevocationList revocationList() throws HandshakeException {
+        return RevocationList.decode(one(Identity.REVOCATION_LIST));
     }
 
     /** The certificate of a device that is valid on a day. */
-    Optional<Certificate> valid(Address device, LocalDate today) {
+    Optional<Certificate> valid(Address device, LocalDate today) throws HandshakeException {
+        RevocationList last = revocationList();
         return issued().stream().filter(certificate -> certificate.address().equals(device)
-                && !certificate.until().isBefore(today) && !revocationList().revokes(certificate)).findFirst();
+                && !certificate.until().isBefore(today) && !last.revokes(certificate)).findFirst();
     }
 
     /**
@@ -130,7 +126,7 @@ final class Authority {
         entries.add(ISSUED, certificate.toBytes());
         return new Entries().add(Identity.AUTHORITY, keys.toBytes()).add(Identity.CERTIFICATE, certificate.toBytes())
                 .add(Identity.CONTRIBUTION, P256.bytes(contribution))
-                .add(Identity.REVOCATION_LIST, one(REVOCATION_LIST));
+                .add(Identity.REVOCATION_LIST, one(Identity.REVOCATION_LIST));
     }
 
     /**
@@ -171,6 +167,7 @@ final class Authority {
 
     private void publish(int sequence, LocalDate day, LocalDate leastUntil, List<Integer> serials) {
         ECPrivateKey secret = P256.secret(P256.number(one(REVOCATION_LISTS)));
-        entries.set(REVOCATION_LIST, RevocationList.sign(keys, secret, sequence, day, leastUntil, serials).toBytes());
+        entries.set(Identity.REVOCATION_LIST,
+                RevocationList.sign(keys, secret, sequence, day, leastUntil, serials).toBytes());
     }
 }

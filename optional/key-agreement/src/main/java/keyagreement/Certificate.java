@@ -53,8 +53,7 @@ public record Certificate(Address address, int serial, boolean groupKeyServer, L
     /** The 42 bytes. */
     public Bytes toBytes() {
         return Bytes.join(Bytes.ofNumber(address.value(), 3), Bytes.ofNumber(serial, 2),
-                Bytes.of(groupKeyServer ? 1 : 0),
-                Days.encode(until), Bytes.of(authority), point);
+                Bytes.of(groupKeyServer ? 1 : 0), Days.encode(until), Bytes.of(authority), point);
     }
 
     /** e = H("javino-cert-1" ‖ certificate) mod n. */

@@ -41,7 +41,9 @@ public final class Identity {
 
     private Identity(Path file, Entries entries) throws HandshakeException {
         this.file = file;
-        entries.all(AUTHORITY).forEach(keys -> authorities.add(AuthorityKeys.decode(keys)));
+        for (Bytes keys : entries.all(AUTHORITY)) {
+            authorities.add(AuthorityKeys.decode(keys));
+        }
         certificate = Certificate.decode(entries.get(CERTIFICATE).orElse(Bytes.EMPTY));
         secret = P256.secret(P256.number(entries.get(SECRET).orElse(Bytes.EMPTY)));
         credential = certificate.credential(authority(certificate.authority()));
@@ -49,8 +51,7 @@ public final class Identity {
             throw new HandshakeException("the secret is not that of the certificate");
         }
         for (Bytes revocationList : entries.all(REVOCATION_LIST)) {
-            verified(revocationList);
-            revocationLists.add(RevocationList.decode(revocationList));
+            revocationLists.add(verified(revocationList));
         }
     }
 
@@ -112,10 +113,10 @@ public final class Identity {
             public Credential find(Bytes kid) throws HandshakeException {
                 Certificate theirs = Certificate.decode(kid);
                 if (!theirs.address().equals(other)) {
-                    throw refused("the " + theirs + " is not that of " + other);
+                    throw new HandshakeException("the " + theirs + " is not that of " + other);
                 }
                 if (theirs.address().equals(certificate.address())) {
-                    throw refused("the " + theirs + " is for this device's own address");
+                    throw new HandshakeException("the " + theirs + " is for this device's own address");
                 }
                 return theirs.credential(authority(theirs.authority()));
             }
@@ -168,10 +169,6 @@ public final class Identity {
         return revocationLists.stream().map(RevocationList::day).max(LocalDate::compareTo).orElse(LocalDate.EPOCH);
     }
 
-    private static HandshakeException refused(String what) {
-        return new HandshakeException(what);
-    }
-
     private AuthorityKeys authority(int id) throws HandshakeException {
         return authorities.stream().filter(keys -> keys.id() == id).findFirst()
                 .orElseThrow(() -> new HandshakeException("authority " + id + " is not trusted here"));
@@ -189,13 +186,7 @@ public final class Identity {
      * @throws HandshakeException if it is forged or of no trusted authority.
      */
     public synchronized boolean take(Bytes bytes) throws HandshakeException {
-        RevocationList revocationList = verified(bytes);
-        if (!isNewer(revocationList, revocationLists)) {
-            return false;
-        }
-        revocationLists.removeIf(each -> each.authority() == revocationList.authority());
-        revocationLists.add(revocationList);
-        return true;
+        return replace(verified(bytes), revocationLists);
     }
 
     /** Keeps all revocation lists in the file. */
@@ -235,24 +226,24 @@ public final class Identity {
         return revocationList;
     }
 
-    private static boolean isNewer(RevocationList revocationList, List<RevocationList> than) {
-        return than.stream().noneMatch(each -> each.authority() == revocationList.authority()
-                && each.sequence() >= revocationList.sequence());
+    /** Puts a revocation list in the place of an older one of its authority; false if it is no newer. */
+    private static boolean replace(RevocationList revocationList, List<RevocationList> in) {
+        List<RevocationList> same = in.stream()
+                .filter(each -> each.authority() == revocationList.authority()).toList();
+        return same.stream().allMatch(each -> each.sequence() < revocationList.sequence())
+                && (in.removeAll(same) | in.add(revocationList));
     }
 
-    /** Puts a revocation list in the place of an older one of its authority. */
-    static Entries keep(RevocationList revocationList, Entries entries) throws HandshakeException {
+    /** The same in a file. */
+    static void keep(RevocationList revocationList, Entries entries) throws HandshakeException {
         List<RevocationList> kept = new ArrayList<>();
         for (Bytes bytes : entries.all(REVOCATION_LIST)) {
             kept.add(RevocationList.decode(bytes));
         }
-        if (isNewer(revocationList, kept)) {
+        if (replace(revocationList, kept)) {
             entries.remove(REVOCATION_LIST);
-            kept.removeIf(each -> each.authority() == revocationList.authority());
             kept.forEach(each -> entries.add(REVOCATION_LIST, each.toBytes()));
-            entries.add(REVOCATION_LIST, revocationList.toBytes());
         }
-        return entries;
     }
 
     /** The key of a session, for the boards of both: the same at both sides (SPEC 11.1). */

@@ -18,18 +18,14 @@ record Request(Address address, Bytes point) {
 
     private static final int LENGTH = 3 + P256.POINT_LENGTH;
 
-    /** @throws IllegalArgumentException if they are no request. */
-    static Request decode(Bytes bytes) {
+    /** @throws HandshakeException if they are no request. */
+    static Request decode(Bytes bytes) throws HandshakeException {
         Address address = bytes.length() == LENGTH ? new Address((int) bytes.number(0, 3)) : Address.BROADCAST;
-        try {
-            if (address.kind() != Address.Kind.DEVICE) {
-                throw new IllegalArgumentException("no request of a device: " + bytes);
-            }
-            P256.decompress(bytes.from(3));
-            return new Request(address, bytes.from(3));
-        } catch (HandshakeException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
+        if (address.kind() != Address.Kind.DEVICE) {
+            throw new HandshakeException("no request of a device: " + bytes);
         }
+        P256.decompress(bytes.from(3));
+        return new Request(address, bytes.from(3));
     }
 
     /** 36 bytes. */

@@ -31,8 +31,7 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
 
     /** Makes and signs one. @param serials rising. */
     static RevocationList sign(AuthorityKeys keys, ECPrivateKey secret, int sequence, LocalDate day,
-            LocalDate leastUntil,
-            List<Integer> serials) {
+            LocalDate leastUntil, List<Integer> serials) {
         RevocationList unsigned = new RevocationList(keys.id(), sequence, day, leastUntil, serials, Bytes.EMPTY);
         return new RevocationList(keys.id(), sequence, day, leastUntil, serials, P256.sign(secret, unsigned.signed()));
     }
