@@ -4,10 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.security.KeyPair;
 import java.security.SecureRandom;
-import java.security.interfaces.ECPrivateKey;
-import java.security.interfaces.ECPublicKey;
 import javino.JavinoException;
 import javino.Printable;
 import javino.cli.AddressOption;
@@ -121,10 +118,8 @@ public final class EnrollCommand implements CommandPlugin {
     private String withRequest(String text) {
         Entries entries = Entries.parse(text, file());
         if (entries.get(Request.NAME).isEmpty()) {
-            KeyPair pair = P256.generate(new SecureRandom());
-            Bytes point = P256.compress((ECPublicKey) pair.getPublic());
-            entries.set(REQUEST_SECRET, P256.bytes(((ECPrivateKey) pair.getPrivate()).getS()))
-                    .set(Request.NAME, new Request(id, point).toBytes());
+            P256.Pair pair = P256.generate(new SecureRandom());
+            entries.set(REQUEST_SECRET, pair.number()).set(Request.NAME, new Request(id, pair.point()).toBytes());
         }
         return entries.format();
     }

@@ -1,7 +1,6 @@
 package keyagreement;
 
 import java.math.BigInteger;
-import java.security.KeyPair;
 import java.security.SecureRandom;
 import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
@@ -37,11 +36,11 @@ final class Authority {
 
     /** A new one, which has made its first revocation list. */
     static Authority create(LocalDate today, SecureRandom random) {
-        KeyPair certificates = P256.generate(random);
-        KeyPair revocationLists = P256.generate(random);
-        AuthorityKeys keys = new AuthorityKeys(point(certificates), point(revocationLists));
-        Authority authority = new Authority(new Entries().set(CERTIFICATES, number(certificates))
-                .set(REVOCATION_LISTS, number(revocationLists)).set(Identity.AUTHORITY, keys.toBytes()), keys);
+        P256.Pair certificates = P256.generate(random);
+        P256.Pair revocationLists = P256.generate(random);
+        AuthorityKeys keys = new AuthorityKeys(certificates.point(), revocationLists.point());
+        Authority authority = new Authority(new Entries().set(CERTIFICATES, certificates.number())
+                .set(REVOCATION_LISTS, revocationLists.number()).set(Identity.AUTHORITY, keys.toBytes()), keys);
         authority.publish(0, today, today, List.of());
         return authority;
     }
@@ -54,14 +53,6 @@ final class Authority {
         } catch (HandshakeException | IllegalArgumentException e) {
             throw new IllegalArgumentException(file + " is no authority: " + e.getMessage(), e);
         }
-    }
-
-    private static Bytes point(KeyPair pair) {
-        return P256.compress((ECPublicKey) pair.getPublic());
-    }
-
-    private static Bytes number(KeyPair pair) {
-        return P256.bytes(((ECPrivateKey) pair.getPrivate()).getS());
     }
 
     private Bytes one(String name) {
@@ -116,12 +107,11 @@ final class Authority {
         if (serial > 0xFFFF) {
             throw new JavinoException("all 65536 serials are given; make another authority");
         }
-        KeyPair own = P256.generate(random);
-        ECPublicKey point = P256.combine(BigInteger.ONE, P256.decompress(request.point()),
-                (ECPublicKey) own.getPublic());
+        P256.Pair own = P256.generate(random);
+        ECPublicKey point = P256.combine(BigInteger.ONE, P256.decompress(request.point()), own.key());
         Certificate certificate = new Certificate(request.address(), serial, groupKeyServer, until, keys.id(),
                 P256.compress(point));
-        BigInteger contribution = certificate.hash().multiply(P256.number(number(own)))
+        BigInteger contribution = certificate.hash().multiply(own.secret().getS())
                 .add(P256.number(one(CERTIFICATES))).mod(P256.ORDER);
         entries.add(ISSUED, certificate.toBytes());
         return new Entries().add(Identity.AUTHORITY, keys.toBytes()).add(Identity.CERTIFICATE, certificate.toBytes())

@@ -135,7 +135,8 @@ final class Handshake {
                 : Identity.key(secret(), peer, context.self());
     }
 
-    private boolean isInitiator() {
+    /** Whether this host has begun it. */
+    boolean isInitiator() {
         return message1 == null;
     }
 
@@ -186,8 +187,7 @@ final class Handshake {
         tries += !isInitiator() && state == HandshakeState.ANSWERED && lacks ? 1 : 0;
         Optional<Deed> deed =
                 step(now >= end || isInitiator() && tries >= (round == Round.FULL && urgent ? TRIES : FEW_TRIES)
-                        ? Input.SPENT
-                        : lacks ? Input.LACKING : Input.LATE, now);
+                        ? Input.SPENT : lacks ? Input.LACKING : Input.LATE, now);
         if (deed.isEmpty()) {
             deadline = Context.NEVER;
         }

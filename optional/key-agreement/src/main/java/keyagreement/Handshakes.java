@@ -23,7 +23,7 @@ final class Handshakes {
     private Handshake begun;
 
     /** What a handshake leaves to the peer. */
-    record Left(Handshake run, Deed deed, boolean initiated) {
+    record Left(Handshake run, Deed deed) {
     }
 
     Handshakes(Context context, Address peer) {
@@ -90,8 +90,7 @@ final class Handshakes {
 
     /** A part of a message 2 or 3. */
     List<Left> heard(HostMessage message, long now) {
-        return counted(step(run -> run.awaits(message.kind()) ? run.heard(message, now)
-                : Optional.empty()));
+        return counted(step(run -> run.awaits(message.kind()) ? run.heard(message, now) : Optional.empty()));
     }
 
     /** The other side lacks a message; or it lacks what it would need for a renewal. */
@@ -126,9 +125,8 @@ final class Handshakes {
     private List<Left> step(Function<Handshake, Optional<Deed>> what) {
         List<Left> left = new ArrayList<>();
         for (Handshake run : all()) {
-            boolean initiated = run == begun;
             Optional<Deed> deed = run.state() == HandshakeState.OVER ? Optional.empty() : what.apply(run);
-            deed.ifPresent(each -> left.add(new Left(run, each, initiated)));
+            deed.ifPresent(each -> left.add(new Left(run, each)));
             if (deed.equals(Optional.of(Deed.KEY))) {
                 all().stream().filter(other -> other != run).forEach(Handshake::drop);
             }

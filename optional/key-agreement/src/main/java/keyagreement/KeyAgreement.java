@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.LongStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -110,11 +111,11 @@ final class KeyAgreement {
 
     private void handshake(Address from, HostMessage message, long now) {
         boolean begins = message.kind() == Kind.MESSAGE_1 || message.kind() == Kind.RENEWAL_1;
-        (begins ? peer(from) : known(from)).ifPresent(peer -> peer.handshake(message, now));
+        (begins ? peer(from) : known(from, any -> true)).ifPresent(peer -> peer.handshake(message, now));
     }
 
-    private Optional<Peer> known(Address from) {
-        Optional<Peer> peer = Optional.ofNullable(peers.get(from));
+    private Optional<Peer> known(Address from, Predicate<Peer> which) {
+        Optional<Peer> peer = Optional.ofNullable(peers.get(from)).filter(which);
         if (peer.isEmpty()) {
             context.count(Event.STRAY);
         }
@@ -160,15 +161,12 @@ final class KeyAgreement {
     }
 
     private void opened(Address from, HostMessage message, long now) {
-        Optional<Peer> peer = Optional.ofNullable(peers.get(from)).filter(Peer::isMet);
-        if (peer.isEmpty()) {
-            context.count(Event.STRAY);
-            return;
-        }
-        peer.get().opened(message, now);
-        if (message.kind() == Kind.REVOCATION_LIST) {
-            revocationList(message.body(), now);
-        }
+        known(from, Peer::isMet).ifPresent(peer -> {
+            peer.opened(message, now);
+            if (message.kind() == Kind.REVOCATION_LIST) {
+                revocationList(message.body(), now);
+            }
+        });
     }
 
     private void revocationList(Bytes list, long now) {

@@ -54,10 +54,6 @@ final class Peer {
         return kept;
     }
 
-    Certificate certificate() {
-        return certificate;
-    }
-
     /** Whether it has shown a certificate that counts: what comes sealed is its own. */
     boolean isMet() {
         return certificate != null;
@@ -140,13 +136,13 @@ final class Peer {
     }
 
     private void failed(Handshakes.Left left, long now) {
-        if (left.initiated() && left.run().round == Round.RENEWAL) {
+        if (left.run().isInitiator() && left.run().round == Round.RENEWAL) {
             kept = null;
             meet(now);
             return;
         }
-        context.count(left.initiated() ? Event.FAILED : Event.EXPIRED);
-        if (!left.initiated() || handshakes.isHalfOpen()) {
+        context.count(left.run().isInitiator() ? Event.FAILED : Event.EXPIRED);
+        if (!left.run().isInitiator() || handshakes.isHalfOpen()) {
             advance(now);
         } else {
             queue.endWaiting(left.run().failure());

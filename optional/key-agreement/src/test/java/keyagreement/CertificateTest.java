@@ -5,10 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.math.BigInteger;
-import java.security.KeyPair;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
-import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
 import java.time.LocalDate;
 import java.util.Arrays;
@@ -64,8 +62,8 @@ class CertificateTest {
     void key_ofAnIssuedCertificate_isThatOfTheRequestsSecret() throws Exception {
         for (int i = 0; i < 20; i++) {
             Authority authority = Authority.create(TestAuthority.TODAY, RANDOM);
-            KeyPair own = P256.generate(RANDOM);
-            Request request = new Request(SUPO, P256.compress((ECPublicKey) own.getPublic()));
+            P256.Pair own = P256.generate(RANDOM);
+            Request request = new Request(SUPO, own.point());
             Entries answer = authority.issue(request, TestAuthority.TODAY, i % 2 == 0, TestAuthority.TODAY, RANDOM);
             Bytes encoded = answer.get("certificate").orElseThrow();
             Certificate certificate = Certificate.decode(encoded);
@@ -76,7 +74,7 @@ class CertificateTest {
             ECPoint key = point(certificate.point()).multiply(e).add(point(authority.keys().certificates()));
             assertEquals(bytes(key), P256.compress(certificate.key(authority.keys())));
             BigInteger contribution = new BigInteger(1, answer.get("contribution").orElseThrow().toArray());
-            BigInteger secret = ((ECPrivateKey) own.getPrivate()).getS().multiply(e).add(contribution)
+            BigInteger secret = own.secret().getS().multiply(e).add(contribution)
                     .mod(G.getCurve().getOrder());
             assertEquals(bytes(key), bytes(G.multiply(secret)));
         }
@@ -93,7 +91,7 @@ class CertificateTest {
     @Test
     void key_ofAChangedCertificate_isAnother() throws JavinoException {
         Authority authority = Authority.create(TestAuthority.TODAY, RANDOM);
-        Request request = new Request(SUPO, P256.compress((ECPublicKey) P256.generate(RANDOM).getPublic()));
+        Request request = new Request(SUPO, P256.generate(RANDOM).point());
         Entries answer = authority.issue(request, TestAuthority.TODAY, false, TestAuthority.TODAY, RANDOM);
         Bytes encoded = answer.get("certificate").orElseThrow();
         ECPublicKey key = Certificate.decode(encoded).key(authority.keys());

@@ -5,10 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.security.KeyPair;
 import java.security.SecureRandom;
-import java.security.interfaces.ECPrivateKey;
-import java.security.interfaces.ECPublicKey;
 import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -24,12 +21,11 @@ class RevocationListTest {
     private static final SecureRandom RANDOM = new SecureRandom();
     private static final LocalDate DAY = LocalDate.of(2026, 11, 25);
 
-    private final KeyPair pair = P256.generate(RANDOM);
-    private final Bytes point = P256.compress((ECPublicKey) pair.getPublic());
-    private final AuthorityKeys keys = new AuthorityKeys(point, point);
+    private final P256.Pair pair = P256.generate(RANDOM);
+    private final AuthorityKeys keys = new AuthorityKeys(pair.point(), pair.point());
 
     private RevocationList sign(List<Integer> serials) {
-        return RevocationList.sign(keys, (ECPrivateKey) pair.getPrivate(), 258, DAY, DAY.plusDays(3), serials);
+        return RevocationList.sign(keys, pair.secret(), 258, DAY, DAY.plusDays(3), serials);
     }
 
     @Test
@@ -104,8 +100,7 @@ class RevocationListTest {
     }
 
     private static void issue(Authority authority, String id, LocalDate until) throws JavinoException {
-        Request request = new Request(Address.parse(id),
-                P256.compress((ECPublicKey) P256.generate(RANDOM).getPublic()));
+        Request request = new Request(Address.parse(id), P256.generate(RANDOM).point());
         authority.issue(request, until, false, DAY, RANDOM);
     }
 }

@@ -1,9 +1,7 @@
 package keyagreement;
 
-import java.security.KeyPair;
 import java.security.SecureRandom;
 import java.security.interfaces.ECPrivateKey;
-import java.security.interfaces.ECPublicKey;
 import java.time.LocalDate;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -39,17 +37,17 @@ public final class KeyAgreementTarget {
     /** A host with a certificate, whose authority it asks for the keys of others. */
     private static final class Host implements Party {
         private final Authority authority = Authority.create(LocalDate.EPOCH, RANDOM);
-        private final KeyPair keys = P256.generate(RANDOM);
+        private final P256.Pair keys = P256.generate(RANDOM);
 
         @Override
         public Credential own() {
             Bytes kid = Bytes.copyOf(new byte[Certificate.LENGTH]);
-            return new Credential(kid, kid, (ECPublicKey) keys.getPublic());
+            return new Credential(kid, kid, keys.key());
         }
 
         @Override
         public ECPrivateKey secret() {
-            return (ECPrivateKey) keys.getPrivate();
+            return keys.secret();
         }
 
         @Override

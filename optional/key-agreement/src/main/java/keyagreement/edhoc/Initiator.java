@@ -15,18 +15,18 @@ public final class Initiator implements Role {
     private static final Bytes IDENTIFIER = Bytes.of(0x00);
 
     private final Party self;
-    private final Ephemeral ephemeral;
+    private final P256.Pair ephemeral;
     private final Bytes message1;
     private Bytes taken;
     private Agreed agreed;
 
     /** Begins a run, with a new ephemeral key. */
     public Initiator(Party self, SecureRandom random) {
-        this(self, Ephemeral.random(random), Cbor.integer(KeySchedule.SUITE), IDENTIFIER);
+        this(self, P256.generate(random), Cbor.integer(KeySchedule.SUITE), IDENTIFIER);
     }
 
     /** @param suites encoded. */
-    Initiator(Party self, Ephemeral ephemeral, Bytes suites, Bytes identifier) {
+    Initiator(Party self, P256.Pair ephemeral, Bytes suites, Bytes identifier) {
         this.self = self;
         this.ephemeral = ephemeral;
         message1 = Bytes.join(Cbor.integer(KeySchedule.METHOD), suites, Cbor.bytes(ephemeral.x()),

@@ -63,12 +63,32 @@ public final class P256 {
         });
     }
 
+    /** A secret key, and its public key. */
+    public record Pair(ECPrivateKey secret, ECPublicKey key) {
+
+        /** The secret key, 32 bytes. */
+        public Bytes number() {
+            return bytes(secret.getS());
+        }
+
+        /** The public key, 33 bytes. */
+        public Bytes point() {
+            return compress(key);
+        }
+
+        /** The x-coordinate of the public key, 32 bytes. */
+        Bytes x() {
+            return P256.x(key);
+        }
+    }
+
     /** A new key pair. */
-    public static KeyPair generate(SecureRandom random) {
+    public static Pair generate(SecureRandom random) {
         return compute(() -> {
             KeyPairGenerator generator = KeyPairGenerator.getInstance("EC");
             generator.initialize(CURVE, random);
-            return generator.generateKeyPair();
+            KeyPair pair = generator.generateKeyPair();
+            return new Pair((ECPrivateKey) pair.getPrivate(), (ECPublicKey) pair.getPublic());
         });
     }
 

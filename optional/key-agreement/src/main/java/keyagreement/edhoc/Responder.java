@@ -15,7 +15,7 @@ public final class Responder implements Role {
     private static final Bytes IDENTIFIER = Bytes.of(0x01);
 
     private final Party self;
-    private final Ephemeral ephemeral;
+    private final P256.Pair ephemeral;
     private final Bytes message2;
     private final Third third;
 
@@ -25,10 +25,10 @@ public final class Responder implements Role {
      * @throws HandshakeException if it is no message 1 of method 3 and suite 2.
      */
     public Responder(Party self, Bytes message1, SecureRandom random) throws HandshakeException {
-        this(self, message1, Ephemeral.random(random), IDENTIFIER);
+        this(self, message1, P256.generate(random), IDENTIFIER);
     }
 
-    Responder(Party self, Bytes message1, Ephemeral ephemeral, Bytes identifier) throws HandshakeException {
+    Responder(Party self, Bytes message1, P256.Pair ephemeral, Bytes identifier) throws HandshakeException {
         this.self = self;
         this.ephemeral = ephemeral;
         ECPublicKey gX = read(message1);

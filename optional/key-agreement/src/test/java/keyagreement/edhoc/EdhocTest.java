@@ -49,7 +49,7 @@ class EdhocTest {
     void keySchedule_ofTheTrace_hasItsValues() throws HandshakeException {
         Named initiator = Rfc9529.initiator();
         Credential responder = Rfc9529.responder().own();
-        Ephemeral x = Rfc9529.ephemeral("x", "g_x");
+        P256.Pair x = Rfc9529.ephemeral("x", "g_x");
         Bytes gXY = P256.agree(x.secret(), P256.withX(Rfc9529.of("g_y")));
         Second second = Second.of(Rfc9529.of("message_1"), Rfc9529.of("g_y"), gXY);
         assertEquals(new Second(Rfc9529.of("th_2"), Rfc9529.of("prk_2e")), second);

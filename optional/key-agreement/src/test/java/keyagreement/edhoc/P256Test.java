@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.math.BigInteger;
-import java.security.KeyPair;
 import java.security.SecureRandom;
 import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
@@ -33,11 +32,11 @@ class P256Test {
     @Test
     void point_ofAnySecret_isWrittenReadAndAgreedAsByBouncyCastle() throws HandshakeException {
         for (int i = 0; i < 50; i++) {
-            KeyPair pair = P256.generate(new SecureRandom());
-            ECPrivateKey secret = (ECPrivateKey) pair.getPrivate();
-            Bytes point = P256.compress((ECPublicKey) pair.getPublic());
+            P256.Pair pair = P256.generate(new SecureRandom());
+            ECPrivateKey secret = pair.secret();
+            Bytes point = pair.point();
             assertEquals(bytes(G.multiply(secret.getS())), point);
-            assertEquals(pair.getPublic(), P256.decompress(point));
+            assertEquals(pair.key(), P256.decompress(point));
             assertEquals(point.from(1), P256.publicX(P256.secret(secret.getS())));
             Bytes uncompressed = Bytes.join(Bytes.of(4), point.from(1), P256.y(P256.decompress(point)));
             assertEquals(Bytes.copyOf(G.multiply(secret.getS()).getEncoded(false)), uncompressed);

@@ -28,8 +28,8 @@ final class Rfc9529 {
     }
 
     /** The key pair of one run. */
-    static Ephemeral ephemeral(String secret, String x) {
-        return new Ephemeral(P256.secret(new BigInteger(VALUES.getProperty(secret), 16)), of(x));
+    static P256.Pair ephemeral(String secret, String x) throws HandshakeException {
+        return new P256.Pair(P256.secret(new BigInteger(VALUES.getProperty(secret), 16)), P256.withX(of(x)));
     }
 
     private static Named party(int kid, String cred, String secret) throws HandshakeException {
