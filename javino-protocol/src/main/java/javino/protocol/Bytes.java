@@ -4,8 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
+import java.util.random.RandomGenerator;
 
 /** An immutable sequence of bytes. */
 public final class Bytes {
@@ -71,6 +74,13 @@ public final class Bytes {
         return new Bytes(bytes);
     }
 
+    /** So many bytes that are drawn. */
+    public static Bytes random(RandomGenerator source, int length) {
+        byte[] bytes = new byte[length];
+        source.nextBytes(bytes);
+        return new Bytes(bytes);
+    }
+
     /** All parts, one after the other. */
     public static Bytes join(Bytes... parts) {
         int length = 0;
@@ -128,6 +138,15 @@ public final class Bytes {
             return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(value)).toString();
         } catch (CharacterCodingException e) {
             throw new ProtocolException(ProtocolError.BAD_TEXT, "no UTF-8: " + hex());
+        }
+    }
+
+    /** Their SHA-256, 32 bytes. */
+    public Bytes sha256() {
+        try {
+            return new Bytes(MessageDigest.getInstance("SHA-256").digest(value));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
         }
     }
 

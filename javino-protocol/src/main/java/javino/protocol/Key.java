@@ -44,9 +44,7 @@ public final class Key {
 
     /** A new key. */
     public static Key random(SecureRandom source) {
-        byte[] bytes = new byte[LENGTH];
-        source.nextBytes(bytes);
-        return of(Bytes.copyOf(bytes));
+        return of(Bytes.random(source, LENGTH));
     }
 
     /** The secret itself. */

@@ -24,7 +24,7 @@ record Renewal(Secret kept, Bytes pair) {
     /** The side that begins. */
     static Role begin(Secret kept, Address self, Address peer, SecureRandom random) {
         Renewal renewal = new Renewal(kept, Identity.pair(self, peer));
-        Bytes nonce = nonce(random);
+        Bytes nonce = Bytes.random(random, NONCE_LENGTH);
         return new Role() {
 
             private Bytes taken;
@@ -54,7 +54,7 @@ record Renewal(Secret kept, Bytes pair) {
             throws HandshakeException {
         Renewal renewal = new Renewal(kept, Identity.pair(peer, self));
         verify(message1, renewal.message1(nonceOf(message1)));
-        Bytes nonce = nonce(random);
+        Bytes nonce = Bytes.random(random, NONCE_LENGTH);
         Renewal next = renewal.updated(nonceOf(message1), nonce);
         return new Role() {
 
@@ -81,12 +81,6 @@ record Renewal(Secret kept, Bytes pair) {
 
     private Bytes proof(int message, Bytes nonce) {
         return kept.export(PROOF_LABEL, Bytes.join(Bytes.of(message), pair, nonce), PROOF_LENGTH);
-    }
-
-    private static Bytes nonce(SecureRandom random) {
-        byte[] nonce = new byte[NONCE_LENGTH];
-        random.nextBytes(nonce);
-        return Bytes.copyOf(nonce);
     }
 
     /** That of a message 1 or 2. */

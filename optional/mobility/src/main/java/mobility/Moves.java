@@ -167,19 +167,14 @@ final class Moves {
         }
         Optional<Move.Identity> known = came.filter(move -> !move.isClone()).map(Move::identity);
         Move.Identity identity = known.filter(abroad -> !abroad.home().equals(here))
-                .orElseGet(() -> new Move.Identity(here, known.map(Move.Identity::name).orElse(agent), token()));
+                .orElseGet(() -> new Move.Identity(here, known.map(Move.Identity::name).orElse(agent),
+                        Bytes.random(random, Move.Identity.TOKEN_LENGTH)));
         if (!isName(identity.name())) {
             throw new Failure("bad_name", agent + " cannot travel: " + BAD_NAME).toException();
         }
         return new Move(key, Move.State.OFFERED, protocol, identity, agent, texts.stream().map(Part::hash).toList(),
                 came.map(Move::isOurs).orElse(mas.starts(agent)),
                 came.map(Move::key).filter(any -> protocol != Protocol.CLONING));
-    }
-
-    private Bytes token() {
-        byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
-        random.nextBytes(token);
-        return Bytes.copyOf(token);
     }
 
     private Stream<Course> come(String agent) {

@@ -4,8 +4,6 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterInputStream;
 import java.util.zip.Inflater;
@@ -41,11 +39,7 @@ record Part(Bytes hash, int packed, int length) {
 
     /** The hash of a text. */
     static Bytes hash(Bytes text) {
-        try {
-            return Bytes.copyOf(MessageDigest.getInstance("SHA-256").digest(text.toArray())).slice(0, HASH_LENGTH);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
+        return text.sha256().slice(0, HASH_LENGTH);
     }
 
     /** No text of that length has more bytes when it is packed. */

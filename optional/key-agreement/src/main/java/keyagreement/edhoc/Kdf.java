@@ -18,11 +18,7 @@ public final class Kdf {
 
     /** SHA-256 of all parts, one after the other. */
     public static Bytes hash(Bytes... parts) {
-        try {
-            return Bytes.copyOf(MessageDigest.getInstance("SHA-256").digest(Bytes.join(parts).toArray()));
-        } catch (GeneralSecurityException e) {
-            throw new IllegalStateException("every JDK has SHA-256", e);
-        }
+        return Bytes.join(parts).sha256();
     }
 
     /** EDHOC_Extract. */
