@@ -1,6 +1,11 @@
 package diffuser;
 
+import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToLongFunction;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * What a library on the class path does by an agent's board, such as {@link MoveService} and {@link KeyService}. It is
@@ -17,6 +22,17 @@ public interface BoardService {
 
     /** What it adds to the agent's status. */
     Map<String, Object> status();
+
+    /** Counters as a status has them, such as {@code movesCame}. */
+    static <E extends Enum<E>> Map<String, Object> status(String prefix, Class<E> counted, ToLongFunction<E> count) {
+        Map<String, Object> status = new LinkedHashMap<>();
+        for (E each : counted.getEnumConstants()) {
+            status.put(Stream.of(each.name().split("_"))
+                    .map(word -> word.charAt(0) + word.substring(1).toLowerCase(Locale.ROOT))
+                    .collect(Collectors.joining("", prefix, "")), count.applyAsLong(each));
+        }
+        return status;
+    }
 
     /** The agent is stopped; called on the thread of its {@link HostClock}, on which nothing new comes any more. */
     void stop();

@@ -3,15 +3,12 @@ package keyagreement;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 
 import jason.JasonException;
 
@@ -37,8 +34,6 @@ public final class BoardKeyAgreement implements KeyService {
 
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
-
-    private static final Pattern CAPITAL = Pattern.compile("_(.)");
 
     private final Path folder;
     private final HostClock clock;
@@ -221,12 +216,9 @@ public final class BoardKeyAgreement implements KeyService {
 
     @Override
     public Map<String, Object> status() {
-        Map<String, Object> status = new LinkedHashMap<>();
         Map<Event, Long> counted = open.map(OpenAgreement::events).orElse(Map.of());
-        for (Event event : Event.values()) {
-            status.put(CAPITAL.matcher("key_agreement_" + event.name().toLowerCase(Locale.ROOT))
-                    .replaceAll(each -> each.group(1).toUpperCase(Locale.ROOT)), counted.getOrDefault(event, 0L));
-        }
+        Map<String, Object> status =
+                BoardService.status("keyAgreement", Event.class, event -> counted.getOrDefault(event, 0L));
         status.put("keyAgreementIgnored", ignored);
         return status;
     }

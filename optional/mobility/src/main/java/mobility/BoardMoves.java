@@ -4,9 +4,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.time.Duration;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -16,7 +14,8 @@ import java.util.function.Consumer;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
-import jason.asSyntax.Pred;
+import jason.asSyntax.Term;
+import jason.bb.BeliefBase;
 
 import diffuser.BoardService;
 import diffuser.Diffuser;
@@ -160,14 +159,8 @@ public final class BoardMoves implements MoveService, Mas {
 
     @Override
     public Map<String, Object> status() {
-        Map<String, Object> status = new LinkedHashMap<>();
         Moves known = moves;
-        for (Moves.Count count : Moves.Count.values()) {
-            String name = count.name();
-            status.put("moves" + name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT),
-                    known == null ? 0L : known.count(count));
-        }
-        return status;
+        return BoardService.status("moves", Moves.Count.class, count -> known == null ? 0 : known.count(count));
     }
 
     @Override
@@ -266,9 +259,7 @@ public final class BoardMoves implements MoveService, Mas {
 
     @Override
     public void progress(String agent, Address peer, boolean out, int percent) {
-        Literal event = event(out ? "movingOut" : "movingIn", agent, peer);
-        event.addTerm(ASSyntax.createNumber(percent));
-        diffuser.signal(event);
+        tell(out ? "movingOut" : "movingIn", agent, peer, ASSyntax.createNumber(percent));
     }
 
     @Override
@@ -281,13 +272,10 @@ public final class BoardMoves implements MoveService, Mas {
         ts().getLogger().warning(what);
     }
 
-    private void tell(String what, String agent, Address peer) {
-        diffuser.signal(event(what, agent, peer));
-    }
-
-    private static Literal event(String what, String agent, Address peer) {
+    private void tell(String what, String agent, Address peer, Term... more) {
         Literal event = ASSyntax.createLiteral(what, ASSyntax.createAtom(agent), ASSyntax.createString(peer));
-        event.addAnnot(Pred.createSource(ASSyntax.createAtom("percept")));
-        return event;
+        event.addTerms(more);
+        event.addAnnot(BeliefBase.TPercept);
+        diffuser.signal(event);
     }
 }

@@ -7,19 +7,13 @@ import java.util.Optional;
 /** What becomes of an agent that moves in, and of the MAS that takes it in: the words of Hermes (SPEC 9.1). */
 public enum Protocol {
     /** The newcomer lives as any agent of the MAS. */
-    MUTUALISM('m'),
+    MUTUALISM,
     /** The newcomer lives there as a {@link Guest}, without the board. */
-    INQUILINISM('i'),
+    INQUILINISM,
     /** As mutualism, but the original stays where it is. */
-    CLONING('c'),
+    CLONING,
     /** The newcomer takes the MAS over: its other agents end. */
-    PREDATION('p');
-
-    private final char letter;
-
-    Protocol(char letter) {
-        this.letter = letter;
-    }
+    PREDATION;
 
     /** The protocol of an atom's name, such as {@code cloning}. */
     public static Optional<Protocol> of(String atom) {
@@ -28,7 +22,7 @@ public enum Protocol {
 
     /** The protocol of a letter in an offer. */
     static Optional<Protocol> of(int letter) {
-        return Arrays.stream(values()).filter(protocol -> protocol.letter == letter).findFirst();
+        return Arrays.stream(values()).filter(protocol -> protocol.letter() == letter).findFirst();
     }
 
     /** What an agent calls it. */
@@ -38,6 +32,6 @@ public enum Protocol {
 
     /** What an offer calls it. */
     int letter() {
-        return letter;
+        return atom().charAt(0);
     }
 }
