@@ -73,7 +73,7 @@ final class Handshake {
         this.round = round;
         this.message1 = message1;
         this.role = role;
-        parts = new Fragments((isInitiator() ? round.second : round.third).fragments());
+        parts = new Fragments(awaited().fragments());
         repeats = new Repeats(context);
         number = context.handshakes().incrementAndGet();
         enter(state);
@@ -145,9 +145,9 @@ final class Handshake {
         return state == HandshakeState.WAITING || state == HandshakeState.OPEN || state == HandshakeState.ASKING;
     }
 
-    /** Whether a message is of the kind that it awaits. */
-    boolean awaits(Kind kind) {
-        return kind == (isInitiator() ? round.second : round.third);
+    /** The kind of message that it awaits. */
+    Kind awaited() {
+        return isInitiator() ? round.second : round.third;
     }
 
     boolean answers(HostMessage first) {
@@ -286,9 +286,8 @@ final class Handshake {
                 if (isInitiator()) {
                     tried();
                 }
-                Kind kind = isInitiator() ? round.second : round.third;
                 yield say(List.of(new HostMessage(Kind.WANT, peer,
-                        Bytes.of(kind.first(), parts.lacking().orElse(0)))), now);
+                        Bytes.of(awaited().first(), parts.lacking().orElse(0)))), now);
             }
             case SAY -> {
                 List<HostMessage> all = HostMessage.fragments(round.second, peer, role.opening());

@@ -90,7 +90,7 @@ final class Handshakes {
 
     /** A part of a message 2 or 3. */
     List<Left> heard(HostMessage message, long now) {
-        return counted(step(run -> run.awaits(message.kind()) ? run.heard(message, now) : Optional.empty()));
+        return counted(step(run -> run.awaited() == message.kind() ? run.heard(message, now) : Optional.empty()));
     }
 
     /** The other side lacks a message; or it lacks what it would need for a renewal. */

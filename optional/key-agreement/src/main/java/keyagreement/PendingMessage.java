@@ -12,29 +12,24 @@ import javino.protocol.Outcome;
 /**
  * A message that waits for a key, or is under way with it.
  *
- * @param to      whom it is for.
- * @param message what travels.
- * @param taken   completes when the board has it.
- * @param end     completes with what became of it.
+ * @param to           whom it is for.
+ * @param message      what travels.
+ * @param transmission what becomes of it.
  */
-record PendingMessage(Address to, Message message, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
+record PendingMessage(Address to, Message message, Transmission transmission) {
 
     PendingMessage(Address to, Message message) {
-        this(to, message, new CompletableFuture<>(), new CompletableFuture<>());
-    }
-
-    Transmission transmission() {
-        return new Transmission(taken, end);
+        this(to, message, new Transmission(new CompletableFuture<>(), new CompletableFuture<>()));
     }
 
     /** The board has taken it. */
     void take() {
-        taken.complete(null);
+        transmission.taken().complete(null);
     }
 
     void end(Outcome how) {
-        taken.complete(null);
-        end.complete(how);
+        transmission.taken().complete(null);
+        transmission.end().complete(how);
     }
 
     /** @param failure why the board has not sent it; null if that is not known. */
@@ -63,10 +58,10 @@ record PendingMessage(Address to, Message message, CompletableFuture<Void> taken
 
     /** It will not be sent; or, if the board had it before, it may have arrived all the same. */
     private void fail(Throwable why) {
-        if (taken.completeExceptionally(why)) {
-            end.completeExceptionally(why);
+        if (transmission.taken().completeExceptionally(why)) {
+            transmission.end().completeExceptionally(why);
         } else {
-            end.complete(Outcome.UNDELIVERED);
+            transmission.end().complete(Outcome.UNDELIVERED);
         }
     }
 
