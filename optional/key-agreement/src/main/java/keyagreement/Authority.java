@@ -20,19 +20,11 @@ import keyagreement.edhoc.P256;
  * An authority with its secrets: it gives certificates and makes revocation lists. It has one key for each of the two.
  * What it has given is in its file, and nowhere else.
  */
-final class Authority {
+record Authority(Entries entries, AuthorityKeys keys) {
 
     private static final String CERTIFICATES = "certificates-secret";
     private static final String REVOCATION_LISTS = "revocation-lists-secret";
     private static final String ISSUED = "issued";
-
-    private final Entries entries;
-    private final AuthorityKeys keys;
-
-    private Authority(Entries entries, AuthorityKeys keys) {
-        this.entries = entries;
-        this.keys = keys;
-    }
 
     /** A new one, which has made its first revocation list. */
     static Authority create(LocalDate today, SecureRandom random) {
@@ -65,10 +57,6 @@ final class Authority {
 
     String format() {
         return entries.format();
-    }
-
-    AuthorityKeys keys() {
-        return keys;
     }
 
     /** All that it has ever given, in the order of their serials. */

@@ -32,15 +32,9 @@ import diffuser.Provenance;
  * Whether the agent with the board lets another in: it does when it achieves the goal {@code moveIn(Agent,Protocol)},
  * by a plan of its own.
  */
-final class Admission {
+record Admission(Diffuser diffuser) {
 
     private static final String GOAL = "moveIn";
-
-    private final Diffuser diffuser;
-
-    Admission(Diffuser diffuser) {
-        this.diffuser = diffuser;
-    }
 
     /** Whether there is a plan at all; on the agent's thread. */
     boolean isThere() {

@@ -6,7 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.stream.StreamSupport;
 
 import jason.JasonException;
 import jason.asSemantics.ActionExec;
@@ -107,20 +107,14 @@ final class ImageWriter {
 
     /** In the order of their names, since Jason's is another one in each run; those of one name in their own order. */
     private void writeBeliefs() throws RefusedException {
-        Map<String, List<Literal>> byName = new TreeMap<>();
-        for (Literal belief : agent.getBB()) {
-            if (!isJasons(belief)) {
-                byName.computeIfAbsent(belief.getNS() + "::" + belief.getFunctor() + "/" + belief.getArity()
-                        + belief.negated(), name -> new ArrayList<>()).add(belief);
-            }
-        }
-        for (List<Literal> alike : byName.values()) {
-            for (Literal belief : alike) {
-                if (belief instanceof Rule rule) {
-                    program.add(within("the rule for " + Writing.brief(rule.getHead()), () -> PlanText.of(rule)));
-                } else {
-                    writeBelief(belief);
-                }
+        List<Literal> all = StreamSupport.stream(agent.getBB().spliterator(), false)
+                .filter(belief -> !isJasons(belief)).sorted(Comparator.comparing(belief -> belief.getNS() + "::"
+                        + belief.getFunctor() + "/" + belief.getArity() + belief.negated())).toList();
+        for (Literal belief : all) {
+            if (belief instanceof Rule rule) {
+                program.add(within("the rule for " + Writing.brief(rule.getHead()), () -> PlanText.of(rule)));
+            } else {
+                writeBelief(belief);
             }
         }
     }

@@ -29,7 +29,7 @@ import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
 /** The agents of the MAS: makes those that come, ends those that have gone. */
-final class Inhabitants {
+record Inhabitants(Diffuser diffuser) {
 
     private static final String FOLDER = "moves";
     private static final String ARCHITECTURES = "newcomers";
@@ -40,12 +40,6 @@ final class Inhabitants {
     private static final long LOOK_NANOS = Duration.ofMillis(1).toNanos();
     /** Set while an agent is made here, which is not away, whatever its record says. */
     private static final ThreadLocal<Boolean> MAKING = ThreadLocal.withInitial(() -> false);
-
-    private final Diffuser diffuser;
-
-    Inhabitants(Diffuser diffuser) {
-        this.diffuser = diffuser;
-    }
 
     /** Where the moves of an agent's board are recorded, as its {@code .mas2j} says, or by default. */
     static Path folder(String agent, Settings settings) {

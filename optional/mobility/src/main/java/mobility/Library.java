@@ -10,16 +10,10 @@ import jason.asSyntax.Pred;
 import diffuser.Plans;
 
 /** An agent's plans, or those within a plan. The class of a plan library is another one in Jason 3.2 than in 3.3. */
-final class Library {
+record Library(Object plans) {
 
     /** Jason's name for the file of the plans with which it handles messages; each agent has them. */
     private static final String JASONS = "kqmlPlans.asl";
-
-    private final Object plans;
-
-    private Library(Object plans) {
-        this.plans = plans;
-    }
 
     /** Gives an agent a library of plans, with nothing in it. */
     static void give(Agent agent) {
