@@ -111,7 +111,7 @@ public record Address(int value) {
      *
      * @throws ProtocolException TOO_SHORT or BAD_DIGIT.
      */
-    static Address decode(Bytes bytes, int offset) throws ProtocolException {
+    public static Address decode(Bytes bytes, int offset) throws ProtocolException {
         if (bytes.length() < offset + LENGTH) {
             throw new ProtocolException(ProtocolError.TOO_SHORT, "no address at byte " + offset + " of " + bytes.hex());
         }

@@ -9,6 +9,8 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** An immutable sequence of bytes. */
 public final class Bytes {
@@ -117,6 +119,12 @@ public final class Bytes {
     /** The bytes from an index on. */
     public Bytes from(int index) {
         return slice(index, value.length);
+    }
+
+    /** All of them in pieces of that length; the last may be shorter. */
+    public Stream<Bytes> pieces(int length) {
+        return IntStream.iterate(0, at -> at < value.length, at -> at + length)
+                .mapToObj(at -> slice(at, Math.min(at + length, value.length)));
     }
 
     /** The big-endian number that bytes {@code from} up to but without {@code to} hold; at most seven bytes. */

@@ -3,6 +3,8 @@ package keyagreement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javino.protocol.Bytes;
 
 /**
@@ -13,12 +15,10 @@ final class Fragments {
 
     private static final int VARIANTS = 2;
 
-    private final List<List<Bytes>> parts = new ArrayList<>();
+    private final List<List<Bytes>> parts;
 
     Fragments(int count) {
-        for (int i = 0; i < count; i++) {
-            parts.add(new ArrayList<>());
-        }
+        parts = Stream.<List<Bytes>>generate(ArrayList::new).limit(count).toList();
     }
 
     /** Takes a fragment, and gives all messages that can be made with it; none if it is known already. */
@@ -42,11 +42,6 @@ final class Fragments {
     /** The fragment that lacks, if others are here. */
     OptionalInt lacking() {
         boolean some = parts.stream().anyMatch(known -> !known.isEmpty());
-        for (int i = 0; some && i < parts.size(); i++) {
-            if (parts.get(i).isEmpty()) {
-                return OptionalInt.of(i);
-            }
-        }
-        return OptionalInt.empty();
+        return IntStream.range(0, some ? parts.size() : 0).filter(i -> parts.get(i).isEmpty()).findFirst();
     }
 }

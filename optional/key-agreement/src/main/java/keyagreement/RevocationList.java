@@ -2,8 +2,8 @@ package keyagreement;
 
 import java.security.interfaces.ECPrivateKey;
 import java.time.LocalDate;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
@@ -42,16 +42,13 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
         if (serialsLength < 0 || serialsLength % 2 != 0 || serialsLength > 2 * MAX_SERIALS) {
             throw new HandshakeException("no revocation list: it has " + bytes.length() + " bytes");
         }
-        List<Integer> serials = new ArrayList<>();
-        for (int at = HEADER_LENGTH; at < HEADER_LENGTH + serialsLength; at += 2) {
-            int serial = (int) bytes.number(at, at + 2);
-            if (at > HEADER_LENGTH && serial <= serials.get(serials.size() - 1)) {
-                throw new HandshakeException("no revocation list: its serials do not rise");
-            }
-            serials.add(serial);
+        List<Integer> serials = bytes.slice(HEADER_LENGTH, HEADER_LENGTH + serialsLength).pieces(2)
+                .map(serial -> (int) serial.number(0, 2)).toList();
+        if (!serials.equals(List.copyOf(new TreeSet<>(serials)))) {
+            throw new HandshakeException("no revocation list: its serials do not rise");
         }
         return new RevocationList(bytes.at(0), (int) bytes.number(1, 3), Days.decode(bytes, 3), Days.decode(bytes, 5),
-                List.copyOf(serials), bytes.from(HEADER_LENGTH + serialsLength));
+                serials, bytes.from(HEADER_LENGTH + serialsLength));
     }
 
     /** 71 bytes, and two for each serial. */

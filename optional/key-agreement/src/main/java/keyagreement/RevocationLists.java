@@ -80,9 +80,7 @@ final class RevocationLists {
             return List.of();
         }
         known.clear();
-        for (int at = 0; at < sequences.length(); at += length) {
-            known.put(sequences.at(at), (int) sequences.number(at + 1, at + length));
-        }
+        sequences.pieces(length).forEach(each -> known.put(each.at(0), (int) each.number(1, length)));
         Map<Integer, Integer> own = own();
         List<HostMessage> said = new ArrayList<>();
         for (RevocationList list : context.identity().revocationLists()) {

@@ -111,7 +111,7 @@ record MoveMessage(int move, Said said) {
         return text;
     }
 
-    /** @throws ProtocolException BAD_HOST_MESSAGE or BAD_TEXT, if it is no message of a move. */
+    /** @throws ProtocolException if it is no message of a move. */
     static MoveMessage decode(HostMessage message) throws ProtocolException {
         expect(message.body().length() >= HEAD, message.body());
         Bytes body = message.body().from(HEAD);
@@ -134,26 +134,21 @@ record MoveMessage(int move, Said said) {
         int count = body.at(1);
         int each = Part.HASH_LENGTH + 2 * NUMBER;
         expect(count > 0 && count <= MOST_PARTS && body.length() > 2 + count * each, body);
-        List<Part> parts = new ArrayList<>();
-        for (int at = 2; at < 2 + count * each; at += each) {
-            int numbers = at + Part.HASH_LENGTH;
-            parts.add(new Part(body.slice(at, numbers), (int) body.number(numbers, numbers + NUMBER),
-                    (int) body.number(numbers + NUMBER, numbers + 2 * NUMBER)));
-        }
+        List<Part> parts = body.slice(2, 2 + count * each).pieces(each)
+                .map(part -> new Part(part.slice(0, Part.HASH_LENGTH),
+                        (int) part.number(Part.HASH_LENGTH, each - NUMBER), (int) part.number(each - NUMBER, each)))
+                .toList();
         int home = 2 + count * each + Move.Identity.TOKEN_LENGTH;
         int name = home + Address.LENGTH;
-        expect(body.length() > name, body);
-        return new Offer(protocol, List.copyOf(parts), new Move.Identity(device(body.slice(home, name)),
-                name(body.from(name)), body.slice(home - Move.Identity.TOKEN_LENGTH, home)));
+        Address device = Address.decode(body, home);
+        expect(device.kind() == Address.Kind.DEVICE && body.length() > name, body);
+        return new Offer(protocol, parts, new Move.Identity(device, name(body.from(name)),
+                body.slice(home - Move.Identity.TOKEN_LENGTH, home)));
     }
 
     private static Said want(Bytes body) throws ProtocolException {
         expect(body.length() > 0 && body.length() % NUMBER == 0 && body.length() <= MOST_PARTS * NUMBER, body);
-        List<Integer> offsets = new ArrayList<>();
-        for (int at = 0; at < body.length(); at += NUMBER) {
-            offsets.add((int) body.number(at, at + NUMBER));
-        }
-        return new Want(List.copyOf(offsets));
+        return new Want(body.pieces(NUMBER).map(offset -> (int) offset.number(0, NUMBER)).toList());
     }
 
     private static Said data(Bytes body) throws ProtocolException {
@@ -166,16 +161,6 @@ record MoveMessage(int move, Said said) {
         int divider = text.indexOf(' ');
         expect(divider > 0 && text.substring(0, divider).matches("[a-z]\\w{0,31}"), body);
         return new Refused(text.substring(0, divider), text.substring(divider + 1));
-    }
-
-    private static Address device(Bytes bytes) throws ProtocolException {
-        try {
-            Address home = Address.parse(bytes.text());
-            expect(home.kind() == Address.Kind.DEVICE, bytes);
-            return home;
-        } catch (IllegalArgumentException e) {
-            throw wrong(bytes);
-        }
     }
 
     private static String name(Bytes body) throws ProtocolException {
