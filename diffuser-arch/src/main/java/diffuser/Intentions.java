@@ -84,7 +84,7 @@ public final class Intentions {
      * @param waiting the intention, asked on the agent's thread; null if it waits no longer.
      */
     static void goOn(TransitionSystem ts, Supplier<Intention> waiting, Runnable step) {
-        ts.runAtBeginOfNextCycle(() -> {
+        inNextCycle(ts, () -> {
             Intention intention = waiting.get();
             if (intention != null && intention.isSuspended()) {
                 ts.getC().addEventListener(new Resumption(ts, intention, () -> goOn(ts, waiting, step)));
@@ -92,6 +92,11 @@ public final class Intentions {
                 step.run();
             }
         });
+    }
+
+    /** Has an agent's thread do something at the beginning of its next cycle, which comes at once. For any thread. */
+    public static void inNextCycle(TransitionSystem ts, Runnable step) {
+        ts.runAtBeginOfNextCycle(step::run);
         ts.getAgArch().wakeUpDeliberate();
     }
 

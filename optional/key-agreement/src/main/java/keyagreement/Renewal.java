@@ -5,7 +5,6 @@ import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import keyagreement.edhoc.HandshakeException;
-import keyagreement.edhoc.Kdf;
 import keyagreement.edhoc.Role;
 import keyagreement.edhoc.Secret;
 
@@ -92,7 +91,7 @@ record Renewal(Secret kept, Bytes pair) {
     }
 
     private static void verify(Bytes received, Bytes expected) throws HandshakeException {
-        if (!Kdf.same(received, expected)) {
+        if (!received.isSame(expected)) {
             throw new HandshakeException("the message is refused: it was made with another secret, or it is damaged");
         }
     }

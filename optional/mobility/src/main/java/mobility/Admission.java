@@ -24,6 +24,7 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 import diffuser.Diffuser;
+import diffuser.Intentions;
 import diffuser.Plans;
 import diffuser.Policy;
 import diffuser.Provenance;
@@ -54,17 +55,15 @@ record Admission(Diffuser diffuser) {
      */
     CompletableFuture<Void> ask(Move newcomer, Provenance of, Policy.Decision decision) {
         CompletableFuture<Void> answer = new CompletableFuture<>();
-        TransitionSystem ts = diffuser.getTS();
-        ts.runAtBeginOfNextCycle(() -> {
+        Intentions.inNextCycle(diffuser.getTS(), () -> {
             try {
-                pursue(ts, newcomer, of, decision, answer);
+                pursue(diffuser.getTS(), newcomer, of, decision, answer);
             } catch (RefusedException e) {
                 answer.completeExceptionally(e);
             } catch (RuntimeException e) {
                 answer.completeExceptionally(new RefusedException("refused", "the plan that admits failed: " + e));
             }
         });
-        ts.getAgArch().wakeUpDeliberate();
         return answer;
     }
 

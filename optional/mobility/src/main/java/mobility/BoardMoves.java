@@ -21,6 +21,7 @@ import diffuser.BoardService;
 import diffuser.Diffuser;
 import diffuser.Failure;
 import diffuser.HostClock;
+import diffuser.Intentions;
 import diffuser.MoveService;
 import diffuser.Policy;
 import diffuser.Provenance;
@@ -76,12 +77,11 @@ public final class BoardMoves implements MoveService, Mas {
     private void begin(boolean boardOnly) {
         opened();
         if (boardOnly) {
-            folder.board((port, address) -> ts().runAtBeginOfNextCycle(() -> {
+            folder.board((port, address) -> Intentions.inNextCycle(ts(), () -> {
                 diffuser.openPort(port);
                 diffuser.setRfId(address);
                 diffuser.openRadio(true);
             }));
-            ts().getAgArch().wakeUpDeliberate();
         }
     }
 

@@ -100,10 +100,7 @@ public final class Departures {
             } catch (JasonException e) {
                 return CompletableFuture.<String>failedFuture(e);
             }
-        }, step -> {
-            ts.runAtBeginOfNextCycle(step::run);
-            ts.getAgArch().wakeUpDeliberate();
-        }).thenCompose(end -> end);
+        }, step -> Intentions.inNextCycle(ts, step)).thenCompose(end -> end);
     }
 
     /** @throws JasonException cannot_travel, if something holds the agent here. */
@@ -142,8 +139,7 @@ public final class Departures {
                         List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state())));
         return end.whenComplete((name, thrown) -> {
             if (sleeps && thrown != null) {
-                ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).awaken());
-                ts.getAgArch().wakeUpDeliberate();
+                Intentions.inNextCycle(ts, () -> Mobile.of(ts).awaken());
             }
         });
     }

@@ -53,8 +53,8 @@ public class Guest extends Agent {
             ".plan_label", ".prefix", ".print", ".printf", ".println", ".random", ".range", ".relevant_plan",
             ".relevant_plans", ".relevant_rules", ".remove_plan", ".remove_source_annot", ".rename_apart", ".replace",
             ".resume", ".reverse", ".send", ".setof", ".shuffle", ".signal", ".sort", ".string", ".structure",
-            ".sublist", ".substring", ".succeed_goal", ".suffix", ".suspend", ".suspended", ".term2string", ".time", ".type",
-            ".union", ".upper_case", ".version", ".wait");
+            ".sublist", ".substring", ".succeed_goal", ".suffix", ".suspend", ".suspended", ".term2string", ".time",
+            ".type", ".union", ".upper_case", ".version", ".wait");
 
     /** Jason's maps, queues and sets. */
     private static final Set<String> ALLOWED_KINDS = Set.of(".map.", ".queue.", ".set.");

@@ -109,7 +109,8 @@ final class ImageWriter {
     private void writeBeliefs() throws RefusedException {
         List<Literal> all = StreamSupport.stream(agent.getBB().spliterator(), false)
                 .filter(belief -> !isJasons(belief)).sorted(Comparator.comparing(belief -> belief.getNS() + "::"
-                        + belief.getFunctor() + "/" + belief.getArity() + belief.negated())).toList();
+                        + belief.getFunctor() + "/" + belief.getArity() + belief.negated()))
+                .toList();
         for (Literal belief : all) {
             if (belief instanceof Rule rule) {
                 program.add(within("the rule for " + Writing.brief(rule.getHead()), () -> PlanText.of(rule)));

@@ -24,6 +24,7 @@ import jason.runtime.Settings;
 
 import diffuser.Diffuser;
 import diffuser.Failure;
+import diffuser.Intentions;
 
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
@@ -47,12 +48,8 @@ record Inhabitants(Diffuser diffuser) {
     }
 
     private static Optional<String> parameter(Settings settings, String name) {
-        return Optional.ofNullable(settings.getUserParameter(name)).map(Inhabitants::unquoted);
-    }
-
-    private static String unquoted(String text) {
-        return text.startsWith("\"") && text.endsWith("\"") && text.length() > 1 ? text.substring(1, text.length() - 1)
-                : text;
+        return Optional.ofNullable(settings.getUserParameter(name))
+                .map(text -> text.replaceAll("^\"(.*)\"$", "$1"));
     }
 
     /** What the MAS bears, as the {@code .mas2j} says; by default where it says no number. */
@@ -188,13 +185,12 @@ record Inhabitants(Diffuser diffuser) {
 
     /** A mind lives on in the agent with the board, in the place of what was there. */
     private void takeBody(Mind mind, Optional<Failure> why) {
-        diffuser.getTS().runAtBeginOfNextCycle(() -> {
+        Intentions.inNextCycle(diffuser.getTS(), () -> {
             Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
             mind.enter(diffuser.getTS(), why);
             Mobile.perceiveAnew(diffuser.getTS());
         });
-        diffuser.getTS().getAgArch().wakeUpDeliberate();
     }
 
     /** Ends an agent that sleeps: one that has moved away, or that was not to start. */

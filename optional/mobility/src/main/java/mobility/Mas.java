@@ -61,6 +61,5 @@ interface Mas {
      *
      * @param id which one it is of all such machines with that peer.
      */
-    default void reached(String machine, Address peer, String id, Enum<?> state) {
-    }
+    void reached(String machine, Address peer, String id, Enum<?> state);
 }

@@ -1,6 +1,5 @@
 package mobility;
 
-import java.security.MessageDigest;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -53,8 +52,7 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
 
         /** In a time that does not tell how much of the token is right. */
         private boolean isSame(Identity other) {
-            return home.equals(other.home) && name.equals(other.name)
-                    && MessageDigest.isEqual(token.toArray(), other.token.toArray());
+            return home.equals(other.home) && name.equals(other.name) && token.isSame(other.token);
         }
     }
 

@@ -42,8 +42,8 @@ final class Table<S extends Enum<S>, M extends Machine> {
 
     /** Of what is ignored, only messages are counted. */
     Table<S, M> ignore(List<Class<? extends Event>> at, String why) {
-        return on(Set.of(), at, Set.of(), "ignored: " + why, (machine, event, moves) -> event instanceof MoveMessage.Said
-                ? List.of(Course::drop) : List.of());
+        return on(Set.of(), at, Set.of(), "ignored: " + why,
+                (machine, event, moves) -> event instanceof MoveMessage.Said ? List.of(Course::drop) : List.of());
     }
 
     /** What may happen to these machines. */

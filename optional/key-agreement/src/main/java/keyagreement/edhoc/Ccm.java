@@ -1,7 +1,6 @@
 package keyagreement.edhoc;
 
 import java.security.GeneralSecurityException;
-import java.security.MessageDigest;
 import java.util.Optional;
 import javax.crypto.Cipher;
 import javax.crypto.spec.IvParameterSpec;
@@ -36,8 +35,7 @@ record Ccm(Bytes key, Bytes nonce, int tagLength) {
         Bytes opened = crypt(Bytes.join(first, sealed.slice(0, length)));
         Bytes text = opened.from(BLOCK);
         Bytes tag = tag(text, associated).slice(0, tagLength);
-        return MessageDigest.isEqual(tag.toArray(), opened.slice(0, tagLength).toArray()) ? Optional.of(text)
-                : Optional.empty();
+        return tag.isSame(opened.slice(0, tagLength)) ? Optional.of(text) : Optional.empty();
     }
 
     /** The last block of the CBC-MAC, RFC 3610 section 2.2. */

@@ -2,7 +2,6 @@ package keyagreement.edhoc;
 
 import java.io.ByteArrayOutputStream;
 import java.security.GeneralSecurityException;
-import java.security.MessageDigest;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 import javino.protocol.Bytes;
@@ -46,10 +45,5 @@ public final class Kdf {
         } catch (GeneralSecurityException e) {
             throw new IllegalStateException("every JDK has HMAC with SHA-256", e);
         }
-    }
-
-    /** Whether two are the same, in a time that does not tell where they differ. */
-    public static boolean same(Bytes one, Bytes other) {
-        return MessageDigest.isEqual(one.toArray(), other.toArray());
     }
 }

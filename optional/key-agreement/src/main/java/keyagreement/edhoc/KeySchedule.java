@@ -28,7 +28,7 @@ final class KeySchedule {
 
         /** @throws HandshakeException if the MAC is another. */
         void verify(Bytes expected) throws HandshakeException {
-            if (!Kdf.same(mac, expected)) {
+            if (!mac.isSame(expected)) {
                 throw CborReader.refused("its sender has not the key of its certificate, or it is damaged");
             }
         }

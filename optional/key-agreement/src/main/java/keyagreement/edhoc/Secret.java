@@ -34,7 +34,7 @@ public final class Secret {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Secret secret && Kdf.same(prkOut, secret.prkOut);
+        return other instanceof Secret secret && prkOut.isSame(secret.prkOut);
     }
 
     @Override
