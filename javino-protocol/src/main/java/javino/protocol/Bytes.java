@@ -121,8 +121,8 @@ public final class Bytes {
         return slice(index, value.length);
     }
 
-    /** All of them in pieces of that length; the last may be shorter. */
-    public Stream<Bytes> pieces(int length) {
+    /** All of them, in parts of that length; the last may be shorter. */
+    public Stream<Bytes> split(int length) {
         return IntStream.iterate(0, at -> at < value.length, at -> at + length)
                 .mapToObj(at -> slice(at, Math.min(at + length, value.length)));
     }

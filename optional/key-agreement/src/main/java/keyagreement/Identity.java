@@ -113,10 +113,10 @@ public final class Identity {
             public Credential find(Bytes kid) throws HandshakeException {
                 Certificate theirs = Certificate.decode(kid);
                 if (!theirs.address().equals(other)) {
-                    throw new HandshakeException("the " + theirs + " is not that of " + other);
+                    throw refused("the " + theirs + " is not that of " + other);
                 }
                 if (theirs.address().equals(certificate.address())) {
-                    throw new HandshakeException("the " + theirs + " is for this device's own address");
+                    throw refused("the " + theirs + " is for this device's own address");
                 }
                 return theirs.credential(authority(theirs.authority()));
             }
@@ -167,6 +167,10 @@ public final class Identity {
 
     private LocalDate latestListedDay() {
         return revocationLists.stream().map(RevocationList::day).max(LocalDate::compareTo).orElse(LocalDate.EPOCH);
+    }
+
+    private static HandshakeException refused(String what) {
+        return new HandshakeException(what);
     }
 
     private AuthorityKeys authority(int id) throws HandshakeException {

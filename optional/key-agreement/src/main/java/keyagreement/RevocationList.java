@@ -42,7 +42,7 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
         if (serialsLength < 0 || serialsLength % 2 != 0 || serialsLength > 2 * MAX_SERIALS) {
             throw new HandshakeException("no revocation list: it has " + bytes.length() + " bytes");
         }
-        List<Integer> serials = bytes.slice(HEADER_LENGTH, HEADER_LENGTH + serialsLength).pieces(2)
+        List<Integer> serials = bytes.slice(HEADER_LENGTH, HEADER_LENGTH + serialsLength).split(2)
                 .map(serial -> (int) serial.number(0, 2)).toList();
         if (!serials.equals(List.copyOf(new TreeSet<>(serials)))) {
             throw new HandshakeException("no revocation list: its serials do not rise");

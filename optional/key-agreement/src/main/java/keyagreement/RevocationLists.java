@@ -80,7 +80,7 @@ final class RevocationLists {
             return List.of();
         }
         known.clear();
-        sequences.pieces(length).forEach(each -> known.put(each.at(0), (int) each.number(1, length)));
+        sequences.split(length).forEach(each -> known.put(each.at(0), (int) each.number(1, length)));
         Map<Integer, Integer> own = own();
         List<HostMessage> said = new ArrayList<>();
         for (RevocationList list : context.identity().revocationLists()) {

@@ -134,7 +134,7 @@ record MoveMessage(int move, Said said) {
         int count = body.at(1);
         int each = Part.HASH_LENGTH + 2 * NUMBER;
         expect(count > 0 && count <= MOST_PARTS && body.length() > 2 + count * each, body);
-        List<Part> parts = body.slice(2, 2 + count * each).pieces(each)
+        List<Part> parts = body.slice(2, 2 + count * each).split(each)
                 .map(part -> new Part(part.slice(0, Part.HASH_LENGTH),
                         (int) part.number(Part.HASH_LENGTH, each - NUMBER), (int) part.number(each - NUMBER, each)))
                 .toList();
@@ -148,7 +148,7 @@ record MoveMessage(int move, Said said) {
 
     private static Said want(Bytes body) throws ProtocolException {
         expect(body.length() > 0 && body.length() % NUMBER == 0 && body.length() <= MOST_PARTS * NUMBER, body);
-        return new Want(body.pieces(NUMBER).map(offset -> (int) offset.number(0, NUMBER)).toList());
+        return new Want(body.split(NUMBER).map(offset -> (int) offset.number(0, NUMBER)).toList());
     }
 
     private static Said data(Bytes body) throws ProtocolException {
