@@ -8,6 +8,7 @@ import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
 import javino.protocol.HostMessage.Kind;
 import keyagreement.edhoc.Initiator;
+import simulation.SimulatedChannel;
 
 /** An attacker with a radio in a {@link Simulation}: he says in the name of devices, to others, what proves nothing. */
 final class Forger {

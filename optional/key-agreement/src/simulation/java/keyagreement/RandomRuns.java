@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import javino.JavinoException;
+import simulation.Network;
 
 /** Two or three hosts that meet, with whatever goes wrong, and then quiet air, in which all must be in order again. */
 public final class RandomRuns {
@@ -52,17 +53,17 @@ public final class RandomRuns {
     private static Tally run(long seed, List<Identity> identities) {
         Simulation simulation = new Simulation(seed);
         Random random = simulation.random;
-        List<Simulation.Host> hosts = new ArrayList<>();
+        List<CertifiedHost> hosts = new ArrayList<>();
         for (int i = 0, count = 2 + random.nextInt(2); i < count; i++) {
             hosts.add(simulation.add(identities.get(i)));
         }
         simulation.air.errors = ERRORS[random.nextInt(ERRORS.length)];
         simulation.twice = random.nextInt(3) * 0.2;
         simulation.late = random.nextInt(3) * 0.1;
-        List<Simulation.Letter> letters = new ArrayList<>();
+        List<Letter> letters = new ArrayList<>();
         for (int i = 0; i < 6; i++) {
-            Simulation.Host from = hosts.get(random.nextInt(hosts.size()));
-            Simulation.Host to = hosts.get(random.nextInt(hosts.size()));
+            CertifiedHost from = hosts.get(random.nextInt(hosts.size()));
+            CertifiedHost to = hosts.get(random.nextInt(hosts.size()));
             if (from != to) {
                 // Often both begin at once.
                 long when = random.nextInt(4) * 10_000 + random.nextInt(3) * 200;
@@ -72,21 +73,18 @@ public final class RandomRuns {
         for (int i = random.nextInt(4); i > 0; i--) {
             simulation.after(random.nextInt(40_000), () -> {
                 simulation.victim = hosts.get(random.nextInt(hosts.size())).address;
-                simulation.fault = Simulation.Fault.values()[random.nextInt(Simulation.Fault.values().length)];
+                simulation.fault = Network.Fault.values()[random.nextInt(Network.Fault.values().length)];
                 simulation.faultAfter = random.nextInt(12);
             });
         }
         simulation.run(STORM_MILLIS);
-        simulation.faultAfter = -1;
-        simulation.air.errors = 0;
-        simulation.twice = 0;
-        simulation.late = 0;
+        simulation.calm();
         simulation.run(CALM_MILLIS);
 
-        List<Integer> keys = hosts.stream().map(Simulation.Host::keysSet).toList();
-        List<Simulation.Letter> last = new ArrayList<>();
-        for (Simulation.Host from : hosts) {
-            for (Simulation.Host to : hosts) {
+        List<Integer> keys = hosts.stream().map(host -> host.keysSet).toList();
+        List<Letter> last = new ArrayList<>();
+        for (CertifiedHost from : hosts) {
+            for (CertifiedHost to : hosts) {
                 if (from != to) {
                     last.add(from.send(to.address));
                 }
@@ -98,16 +96,16 @@ public final class RandomRuns {
         last.forEach(letter -> simulation.runUntilEnd(letter, PATIENCE_MILLIS));
         int agreements = 0;
         for (int i = 0; i < hosts.size(); i++) {
-            agreements = Math.max(agreements, (hosts.get(i).keysSet() - keys.get(i)) / (hosts.size() - 1));
+            agreements = Math.max(agreements, (hosts.get(i).keysSet - keys.get(i)) / (hosts.size() - 1));
         }
         letters.addAll(last);
-        boolean killed = simulation.faults.keySet().stream().anyMatch(fault -> fault.startsWith("KILL"));
-        List<Simulation.Letter> whole = killed ? List.of() : letters;
+        boolean killed = hosts.stream().anyMatch(host -> host.killedAt >= 0);
+        List<Letter> whole = killed ? List.of() : letters;
         return new Tally(seed, simulation.wrong, whole.stream().filter(l -> l.isDelivered() && !l.isReceived()).count(),
                 whole.stream().filter(l -> l.end.isEmpty()).count(),
                 agreements, last.stream().filter(l -> !l.isDelivered()).count(),
                 last.stream().mapToLong(l -> l.endedAt - l.at).max().orElse(0),
-                letters.stream().filter(Simulation.Letter::isDelivered).count() / (double) letters.size(),
+                letters.stream().filter(Letter::isDelivered).count() / (double) letters.size(),
                 simulation.faults);
     }
 }

@@ -37,8 +37,8 @@ class ForgedRunsTest {
     private static List<Identity> identities;
 
     private Simulation simulation;
-    private Simulation.Host roma;
-    private Simulation.Host supo;
+    private CertifiedHost roma;
+    private CertifiedHost supo;
 
     @BeforeAll
     static void certify() throws IOException, JavinoException {
@@ -88,7 +88,7 @@ class ForgedRunsTest {
         assertTrue(late.size() <= (share > SHARES[1] ? (to - from) / 25 : 0), late::toString);
     }
 
-    private void assertArrives(String what, Simulation.Host one, Simulation.Host other) {
+    private void assertArrives(String what, CertifiedHost one, CertifiedHost other) {
         assertEquals(List.of(), late(what, one, other));
     }
 
@@ -97,10 +97,10 @@ class ForgedRunsTest {
      *
      * @return the pairs of which none was.
      */
-    private List<String> late(String what, Simulation.Host one, Simulation.Host other) {
+    private List<String> late(String what, CertifiedHost one, CertifiedHost other) {
         List<String> late = new ArrayList<>();
-        for (Simulation.Letter letter : List.of(one.send(other.address), other.send(one.address))) {
-            Simulation.Letter last = letter;
+        for (Letter letter : List.of(one.send(other.address), other.send(one.address))) {
+            Letter last = letter;
             List<String> ends = new ArrayList<>();
             for (int more = 2; !isDelivered(what, last, ends) && more > 0; more--) {
                 last = simulation.host(letter.from).send(letter.to);
@@ -113,14 +113,14 @@ class ForgedRunsTest {
         return late;
     }
 
-    private boolean isDelivered(String what, Simulation.Letter letter, List<String> ends) {
+    private boolean isDelivered(String what, Letter letter, List<String> ends) {
         simulation.runUntilEnd(letter, 2 * MINUTE);
         assertInTime(what, letter);
         ends.add(letter.end.toString());
         return letter.isDelivered();
     }
 
-    private static void assertInTime(String what, Simulation.Letter letter) {
+    private static void assertInTime(String what, Letter letter) {
         assertTrue(letter.end.isPresent() && letter.endedAt - letter.at <= MessageQueue.MOST_MILLIS, () -> what + ": "
                 + letter.from + " learned " + letter.end + " after " + (letter.endedAt - letter.at));
     }
@@ -129,7 +129,7 @@ class ForgedRunsTest {
     private void storm(long seed) {
         start(seed);
         simulation.add(identities.get(2));
-        List<Simulation.Host> hosts = List.copyOf(simulation.hosts());
+        List<CertifiedHost> hosts = List.copyOf(simulation.hosts());
         simulation.air.errors = simulation.random.nextInt(3) * 1e-3;
         simulation.twice = simulation.random.nextInt(3) * 0.2;
         simulation.late = simulation.random.nextInt(3) * 0.1;
@@ -139,12 +139,12 @@ class ForgedRunsTest {
                 SHARES[simulation.random
                         .nextInt(SHARES.length)],
                 STORM_MILLIS);
-        List<Simulation.Letter> letters = new ArrayList<>();
+        List<Letter> letters = new ArrayList<>();
         int period = 500 + simulation.random.nextInt(8000);
         for (long at = 0; at < STORM_MILLIS; at += simulation.random.nextInt(2 * period)) {
             simulation.after(at, () -> {
-                Simulation.Host from = hosts.get(simulation.random.nextInt(hosts.size()));
-                Simulation.Host to = hosts.get(simulation.random.nextInt(hosts.size()));
+                CertifiedHost from = hosts.get(simulation.random.nextInt(hosts.size()));
+                CertifiedHost to = hosts.get(simulation.random.nextInt(hosts.size()));
                 if (from != to && from.on) {
                     letters.add(from.send(to.address));
                 }
@@ -152,9 +152,9 @@ class ForgedRunsTest {
         }
         for (int i = simulation.random.nextInt(5); i > 0; i--) {
             simulation.after(simulation.random.nextLong(STORM_MILLIS), () -> {
-                Simulation.Host victim = hosts.get(simulation.random.nextInt(hosts.size()));
+                CertifiedHost victim = hosts.get(simulation.random.nextInt(hosts.size()));
                 switch (simulation.random.nextInt(3)) {
-                    case 0 -> victim.kill();
+                    case 0 -> victim.crash();
                     case 1 -> victim.board.reset();
                     default -> victim.board.lose();
                 }
@@ -162,7 +162,7 @@ class ForgedRunsTest {
         }
         simulation.run(STORM_MILLIS + MessageQueue.MOST_MILLIS);
         letters.removeIf(letter -> letter.isRefused || simulation.host(letter.from).killedAt >= letter.at);
-        for (Simulation.Letter letter : letters) {
+        for (Letter letter : letters) {
             assertInTime("seed " + seed, letter);
             assertTrue(ENDINGS.contains(letter.end.orElseThrow()), () -> "seed " + seed + ": " + letter.end);
         }

@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simulation.SimulatedChannel;
 
 /** Hosts that meet, in a time of its own. */
 class KeyAgreementTest {
@@ -54,8 +55,8 @@ class KeyAgreementTest {
         assertEquals(List.of(), simulation.wrong);
     }
 
-    private Optional<Ending> end(Simulation.Host from, Simulation.Host to) {
-        Simulation.Letter letter = from.send(to.address);
+    private Optional<Ending> end(CertifiedHost from, CertifiedHost to) {
+        Letter letter = from.send(to.address);
         simulation.runUntilEnd(letter, 2 * MINUTE);
         return letter.end;
     }
@@ -65,21 +66,21 @@ class KeyAgreementTest {
         return sorted[sorted.length / 2];
     }
 
-    private static long count(Simulation.Host host, Event event) {
+    private static long count(CertifiedHost host, Event event) {
         return host.agreement.events().getOrDefault(event, 0L);
     }
 
     /** How long the first message takes, and the first one after the sender's board was reset. */
     private long[] times(long seed) {
         simulation = new Simulation(seed);
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host supo = simulation.add(supoIdentity);
-        Simulation.Letter first = roma.send(supo.address);
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
+        Letter first = roma.send(supo.address);
         simulation.runUntilEnd(first, MINUTE);
         simulation.run(MINUTE);
         roma.board.reset();
         simulation.run(MINUTE);
-        Simulation.Letter second = roma.send(supo.address);
+        Letter second = roma.send(supo.address);
         simulation.runUntilEnd(second, MINUTE);
         assertTrue(first.isDelivered() && second.isDelivered());
         nothingIsWrong();
@@ -103,9 +104,9 @@ class KeyAgreementTest {
     void send_firstMessagesOf500Seeds_noneTakesTenSeconds(int within) {
         for (int seed = 0; seed < 500; seed++) {
             simulation = new Simulation(seed);
-            Simulation.Host roma = simulation.add(romaIdentity);
-            Simulation.Host supo = simulation.add(supoIdentity);
-            List<Simulation.Letter> letters = new ArrayList<>(List.of(roma.send(supo.address)));
+            CertifiedHost roma = simulation.add(romaIdentity);
+            CertifiedHost supo = simulation.add(supoIdentity);
+            List<Letter> letters = new ArrayList<>(List.of(roma.send(supo.address)));
             if (within >= 0) {
                 simulation.run(simulation.random.nextInt(within + 1));
                 letters.add(supo.send(roma.address));
@@ -119,14 +120,14 @@ class KeyAgreementTest {
 
     @Test
     void send_bothAtOnce_oneHandshakeGivesTheKey() {
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host supo = simulation.add(supoIdentity);
-        List<Simulation.Letter> letters = List.of(roma.send(supo.address), supo.send(roma.address));
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
+        List<Letter> letters = List.of(roma.send(supo.address), supo.send(roma.address));
         letters.forEach(letter -> simulation.runUntilEnd(letter, MINUTE));
 
-        assertTrue(letters.stream().allMatch(Simulation.Letter::isDelivered));
-        assertEquals(1, roma.keysSet());
-        assertEquals(1, supo.keysSet());
+        assertTrue(letters.stream().allMatch(Letter::isDelivered));
+        assertEquals(1, roma.keysSet);
+        assertEquals(1, supo.keysSet);
         assertEquals(1, count(supo, Event.ANSWERED), "ROMA is the lower address");
     }
 
@@ -136,8 +137,8 @@ class KeyAgreementTest {
         Set<Long> waits = new HashSet<>();
         for (int seed = 0; seed < 20; seed++) {
             simulation = new Simulation(seed);
-            Simulation.Host roma = simulation.add(romaIdentity);
-            Simulation.Host supo = simulation.add(supoIdentity);
+            CertifiedHost roma = simulation.add(romaIdentity);
+            CertifiedHost supo = simulation.add(supoIdentity);
             List<SimulatedChannel.Packet> packets = new ArrayList<>();
             simulation.listener = packets::add;
             roma.send(supo.address);
@@ -161,8 +162,8 @@ class KeyAgreementTest {
 
     @Test
     void send_theOtherBoardWasReset_itsHostAgreesAndTheMessageGoesAgain() {
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host supo = simulation.add(supoIdentity);
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         simulation.run(MINUTE);
         supo.board.reset();
@@ -170,15 +171,15 @@ class KeyAgreementTest {
 
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         assertEquals(1, count(supo, Event.RENEWALS_BEGUN));
-        assertEquals(2, roma.keysSet());
+        assertEquals(2, roma.keysSet);
     }
 
     @Test
     void send_theOtherHostHasForgotten_agreesByCertificates() {
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host supo = simulation.add(supoIdentity);
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
-        supo.kill();
+        supo.crash();
         roma.board.reset();
         simulation.run(MINUTE);
 
@@ -189,8 +190,8 @@ class KeyAgreementTest {
 
     @Test
     void send_nobodyThere_endsWithNoAnswer() {
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host supo = simulation.add(supoIdentity);
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
         supo.on = false;
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, supo));
         assertFalse(roma.agreement.isSecure(supo.address));
@@ -198,7 +199,7 @@ class KeyAgreementTest {
 
     @Test
     void send_moreThanWait_isRefused() {
-        Simulation.Host roma = simulation.add(romaIdentity);
+        CertifiedHost roma = simulation.add(romaIdentity);
         Content content = new Content(Performative.TELL, "x");
         Address supo = supoIdentity.certificate().address();
         for (int i = 0; i < MessageQueue.MOST_WAITING; i++) {
@@ -211,8 +212,8 @@ class KeyAgreementTest {
 
     @Test
     void send_tooManyDevices_isRefusedAndWhoWasMetIsNotForgotten() {
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host supo = simulation.add(supoIdentity);
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         Content content = new Content(Performative.TELL, "x");
         for (int i = 0; i < KeyAgreement.MOST_UNKNOWN; i++) {
@@ -224,11 +225,11 @@ class KeyAgreementTest {
 
     @Test
     void send_toOneOfAForeignAuthority_endsAsIfNobodyWereThere() throws Exception {
-        Simulation.Host roma = simulation.add(romaIdentity);
-        Simulation.Host busa = simulation.add(new TestAuthority(elsewhere).certified("BUSA"));
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost busa = simulation.add(new TestAuthority(elsewhere).certified("BUSA"));
         assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, busa));
         assertEquals(Optional.of(Ending.NO_ANSWER), end(busa, roma));
-        assertEquals(0, roma.keysSet() + busa.keysSet());
+        assertEquals(0, roma.keysSet + busa.keysSet);
     }
 
     @Test
@@ -237,9 +238,9 @@ class KeyAgreementTest {
         Identity busa = authority.certified("BUSA");
         Identity busb = authority.certified("BUSB");
         Identity lost = authority.certified("LOST");
-        Simulation.Host a = simulation.add(busa);
-        Simulation.Host b = simulation.add(busb);
-        Simulation.Host c = simulation.add(lost);
+        CertifiedHost a = simulation.add(busa);
+        CertifiedHost b = simulation.add(busb);
+        CertifiedHost c = simulation.add(lost);
         assertEquals(Optional.of(Ending.DELIVERED), end(b, c));
         busa.take(authority.revoke(lost).toBytes());
 
@@ -257,7 +258,7 @@ class KeyAgreementTest {
     void send_certificateIsPast_isExpired() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);
         Identity busa = authority.certified("BUSA");
-        Simulation.Host past = simulation.add(authority.certified("PAST", TestAuthority.TODAY));
+        CertifiedHost past = simulation.add(authority.certified("PAST", TestAuthority.TODAY));
         busa.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
         assertEquals(Optional.of(Ending.EXPIRED), end(simulation.add(busa), past));
     }
@@ -266,64 +267,64 @@ class KeyAgreementTest {
     void groupKey_memberAsks_comesFromTheGroupKeyServerAndAnewWithEachRevocationList() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);
         Identity groupKeyServer = authority.groupKeyServer("BUKE");
-        Simulation.Host buke = simulation.add(groupKeyServer);
-        Simulation.Host busa = simulation.add(authority.certified("BUSA"));
-        Simulation.Host roma = simulation.add(authority.certified("ROMA"));
+        CertifiedHost buke = simulation.add(groupKeyServer);
+        CertifiedHost busa = simulation.add(authority.certified("BUSA"));
+        CertifiedHost roma = simulation.add(authority.certified("ROMA"));
         busa.within(() -> busa.agreement.lacksGroupKey(simulation.millis()));
         simulation.run(2000);
         roma.within(() -> roma.agreement.lacksGroupKey(simulation.millis()));
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, buke));
         simulation.run(MINUTE);
-        Optional<Key> first = buke.groupKey();
-        assertEquals(first, busa.groupKey());
-        assertEquals(Optional.empty(), roma.groupKey(), "ROMA is of another group");
+        Optional<Key> first = buke.groupKey;
+        assertEquals(first, busa.groupKey);
+        assertEquals(Optional.empty(), roma.groupKey, "ROMA is of another group");
 
-        roma.identity().take(authority.revoke(authority.certified("LOST")).toBytes());
+        roma.identity.take(authority.revoke(authority.certified("LOST")).toBytes());
         roma.board.reset();
         simulation.run(MINUTE);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, buke));
         simulation.run(MINUTE);
-        assertNotEquals(first, buke.groupKey());
-        assertEquals(buke.groupKey(), busa.groupKey());
+        assertNotEquals(first, buke.groupKey);
+        assertEquals(buke.groupKey, busa.groupKey);
 
-        buke.kill();
+        buke.crash();
         simulation.run(MINUTE);
-        assertEquals(buke.groupKey(), busa.groupKey(), "a group key server that starts again keeps the key");
+        assertEquals(buke.groupKey, busa.groupKey, "a group key server that starts again keeps the key");
     }
 
     @Test
     void groupKey_fromWhoIsNoGroupKeyServer_isRefused() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);
-        Simulation.Host busa = simulation.add(authority.certified("BUSA"));
-        Simulation.Host busb = simulation.add(authority.certified("BUSB"));
+        CertifiedHost busa = simulation.add(authority.certified("BUSA"));
+        CertifiedHost busb = simulation.add(authority.certified("BUSB"));
         assertEquals(Optional.of(Ending.DELIVERED), end(busa, busb));
         busa.agreement.received(busb.address,
                 new HostMessage(HostMessage.Kind.GROUP_KEY, Simulation.anyKey(simulation.random).bytes()),
                 simulation.millis());
-        assertEquals(Optional.empty(), busa.groupKey());
+        assertEquals(Optional.empty(), busa.groupKey);
         assertEquals(1, count(busa, Event.REFUSED));
     }
 
     @Test
     void eightPairs_atOnce_noneStarves() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);
-        List<Simulation.Letter> letters = new ArrayList<>();
+        List<Letter> letters = new ArrayList<>();
         for (char pair = 'A'; pair <= 'H'; pair++) {
-            Simulation.Host from = simulation.add(authority.certified("BU" + pair + "A"));
+            CertifiedHost from = simulation.add(authority.certified("BU" + pair + "A"));
             letters.add(from.send(simulation.add(authority.certified("BU" + pair + "B")).address));
         }
         letters.forEach(letter -> simulation.runUntilEnd(letter, 2 * MINUTE));
-        assertTrue(letters.stream().allMatch(Simulation.Letter::isDelivered));
+        assertTrue(letters.stream().allMatch(Letter::isDelivered));
     }
 
     @Test
     void attack_forgedReplayedReflectedMixed_nothingIsAcceptedAndNoKeyLost() throws Exception {
-        assertEquals(new Attacker.Siege(300, List.of(), 0, 0, 0, true), Attacker.siege(1, 300, elsewhere));
+        assertEquals(new Siege(300, List.of(), 0, 0, 0, true), Siege.of(1, 300, elsewhere));
     }
 
     @Test
     @Tag("verify")
     void attack_tenThousand_nothingIsAcceptedAndNoKeyLost() throws Exception {
-        assertEquals(new Attacker.Siege(10_000, List.of(), 0, 0, 0, true), Attacker.siege(2, 10_000, elsewhere));
+        assertEquals(new Siege(10_000, List.of(), 0, 0, 0, true), Siege.of(2, 10_000, elsewhere));
     }
 }

@@ -6,15 +6,22 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiFunction;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+
+import simulation.Attacker;
+import simulation.Network;
+import simulation.SimulatedHost;
 
 /** Moves of some agents to and fro in a {@link Simulation}, with whatever goes wrong, and what came of them. */
 public final class RandomMoves {
 
     /** So many times agents are told to move in one run. */
     public static final int MOVES = 40;
+    /** So many messages an attacker sends meanwhile. */
+    private static final int ACTS = 5;
 
     /** Of each run, the first or more of them. */
     private static final List<String> AGENTS = List.of("inspector", "porter", "guide", "clerk");
@@ -27,7 +34,8 @@ public final class RandomMoves {
      * @param refusing  moves begun to a MAS that admitted nobody then.
      * @param messages  that were said.
      * @param lost      messages that did not arrive.
-     * @param kills     how often a program was killed, by what it was about to do or had just done.
+     * @param faults    kills and resets, by what the program was about to do or had just done.
+     * @param wrong     what was accepted or set, and should not have been.
      * @param both      times at which two were awake, with what was known.
      * @param agents    how many agents there were.
      * @param lostAgents   of which none was awake when contact had been back for long.
@@ -38,7 +46,7 @@ public final class RandomMoves {
      * @param told      what both programs said.
      */
     public record Tally(long begun, long arrived, long refusing, long messages, long lost,
-            Map<String, Integer> kills, List<String> both, int agents, long lostAgents, long doubled, long changed,
+            Map<String, Integer> faults, List<String> wrong, List<String> both, int agents, long lostAgents, long doubled, long changed,
             long unasked, int unended,
             List<String> told) {
     }
@@ -46,9 +54,17 @@ public final class RandomMoves {
     private RandomMoves() {
     }
 
-    /** @param folder for the records of both; empty. */
+    /** Between hosts whose boards have keys for each other. @param folder for the records of both; empty. */
     public static Tally run(long seed, Path folder) {
-        Simulation simulation = new Simulation(seed, folder);
+        return run(seed, new Simulation(seed, folder));
+    }
+
+    /** Between hosts of any kind. @param maker of the host that has an address. */
+    public static Tally run(long seed, Path folder, BiFunction<Network<?>, Address, SimulatedHost> maker) {
+        return run(seed, new Simulation(seed, folder, maker));
+    }
+
+    private static Tally run(long seed, Simulation simulation) {
         List<String> agents = AGENTS.subList(0, 1 + (int) (seed % AGENTS.size()));
         Set<List<Bytes>> known = new HashSet<>();
         simulation.lived = old -> {
@@ -59,7 +75,7 @@ public final class RandomMoves {
             known.add(now);
             return now;
         };
-        List<Simulation.Side> sides = List.of(simulation.side(Simulation.STATION), simulation.side(Simulation.BUS));
+        List<Side> sides = List.of(simulation.side(Simulation.STATION), simulation.side(Simulation.BUS));
         for (String agent : agents) {
             List<Bytes> texts = List.of(Bytes.ofText(("+!" + agent + "(" + seed + ") <- a(X); b(X).\n").repeat(5)),
                     Bytes.ofText("x".repeat(simulation.random.nextInt(2000)) + seed));
@@ -67,18 +83,24 @@ public final class RandomMoves {
             sides.get(simulation.random.nextInt(2)).program.put(agent, texts);
         }
         simulation.watched.addAll(agents);
-        sides.forEach(Simulation.Side::start);
+        sides.forEach(Side::start);
+        Attacker attacker = new Attacker(simulation.random, List.of(Simulation.STATION, Simulation.BUS),
+                simulation.voice());
+        simulation.listener = packet -> attacker.hear(packet.from, packet.message);
         long begun = 0;
         long refusing = 0;
         for (int i = 0; i < MOVES; i++) {
             disturb(simulation);
+            for (int act = 0; act < ACTS; act++) {
+                simulation.after(simulation.random.nextInt(60_000), attacker::act);
+            }
             sides.forEach(side -> side.admits = simulation.random.nextInt(8) > 0);
-            sides.stream().filter(side -> side.on).forEach(
+            sides.stream().filter(side -> side.host.on).forEach(
                     side -> side.program.keySet().forEach(agent -> forge(simulation, side, agent)));
-            for (Simulation.Side side : sides) {
-                Simulation.Side other = sides.get(1 - sides.indexOf(side));
+            for (Side side : sides) {
+                Side other = sides.get(1 - sides.indexOf(side));
                 for (String agent : agents) {
-                    if (side.on && side.awake.containsKey(agent)) {
+                    if (side.host.on && side.awake.containsKey(agent)) {
                         begun++;
                         refusing += other.admits ? 0 : 1;
                         side.depart(agent, simulation.random.nextBoolean() ? Protocol.MUTUALISM : Protocol.INQUILINISM,
@@ -90,12 +112,12 @@ public final class RandomMoves {
             simulation.contact = simulation.random.nextInt(4) > 0;
             simulation.runUntil(simulation.millis() + simulation.random.nextInt(100_000));
         }
-        calm(simulation);
+        simulation.calm();
         simulation.runUntil(simulation.millis() + agents.size() * 600_000L);
         List<String> told = new ArrayList<>();
         sides.forEach(side -> told.addAll(side.told));
-        return new Tally(begun, simulation.arrivals, refusing, simulation.messages, simulation.lostMessages,
-                simulation.kills, simulation.both,
+        return new Tally(begun, simulation.arrivals, refusing, simulation.messages, simulation.air.lost,
+                simulation.faults, simulation.wrong, simulation.both,
                 agents.size(), agents.stream().filter(agent -> simulation.awake(agent) == 0).count(),
                 agents.stream().filter(agent -> simulation.awake(agent) > 1).count(),
                 sides.stream().flatMap(side -> side.awake.entrySet().stream())
@@ -110,7 +132,7 @@ public final class RandomMoves {
     }
 
     /** Somebody knows all of an agent that is at home there or away but its token; he knows those of earlier trips. */
-    private static void forge(Simulation simulation, Simulation.Side home, String agent) {
+    private static void forge(Simulation simulation, Side home, String agent) {
         List<Bytes> drawn = home.drawn.getOrDefault(agent, List.of());
         byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
         simulation.random.nextBytes(token);
@@ -124,15 +146,12 @@ public final class RandomMoves {
     private static void disturb(Simulation simulation) {
         simulation.lost = simulation.random.nextDouble() * 0.3;
         simulation.untold = simulation.random.nextDouble() * 0.2;
-        simulation.twice = simulation.random.nextDouble() * 0.2;
+        simulation.again = simulation.random.nextDouble() * 0.2;
         simulation.victim = simulation.random.nextBoolean() ? Simulation.STATION : Simulation.BUS;
-        simulation.killAfter = simulation.random.nextInt(30) - 5;
-    }
-
-    private static void calm(Simulation simulation) {
-        simulation.lost = 0;
-        simulation.untold = 0;
-        simulation.contact = true;
-        simulation.killAfter = -1;
+        simulation.fault = Network.Fault.values()[simulation.random.nextInt(Network.Fault.values().length)];
+        simulation.faultAfter = simulation.random.nextInt(30) - 5;
+        simulation.air.errors = simulation.random.nextInt(3) * 5e-4;
+        simulation.twice = simulation.random.nextInt(3) * 0.2;
+        simulation.late = simulation.random.nextInt(3) * 0.1;
     }
 }

@@ -49,7 +49,7 @@ class MachinesTest {
     @TempDir
     Path folder;
     private Simulation simulation;
-    private Simulation.Side side;
+    private Side side;
 
     @BeforeEach
     void start() throws IOException {

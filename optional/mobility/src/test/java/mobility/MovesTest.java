@@ -40,8 +40,8 @@ class MovesTest {
     @TempDir
     Path folder;
     private Simulation simulation;
-    private Simulation.Side station;
-    private Simulation.Side bus;
+    private Side station;
+    private Side bus;
 
     @BeforeEach
     void start() throws IOException {
@@ -57,7 +57,7 @@ class MovesTest {
         return station.depart(AGENT, Protocol.MUTUALISM, Simulation.BUS);
     }
 
-    private void assertOnlyAt(Simulation.Side here, Simulation.Side other) {
+    private void assertOnlyAt(Side here, Side other) {
         assertEquals(TEXTS, here.awake.get(AGENT), () -> station.told + " " + bus.told);
         assertEquals(Set.of(), other.awake.keySet());
     }
@@ -144,12 +144,12 @@ class MovesTest {
     void depart_secondVisit_takesLessThanHalfTheAir() {
         move();
         simulation.runUntil(30_000);
-        long first = simulation.bits;
+        long first = simulation.air.bits;
         bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
         simulation.runUntil(60_000);
         assertOnlyAt(station, bus);
         // Its texts are there already.
-        assertTrue(simulation.bits - first < first, simulation.bits + " bits, of which " + first + " on the first way");
+        assertTrue(simulation.air.bits - first < first, simulation.air.bits + " bits, of which " + first + " on the first way");
     }
 
     @Test
@@ -328,7 +328,7 @@ class MovesTest {
         move();
         until(() -> isIn(bus, Move.State.READY));
         until(() -> isIn(station, Move.State.GONE));
-        for (Simulation.Side side : List.of(bus, station)) {
+        for (Side side : List.of(bus, station)) {
             side.kill();
             Path record = record(side);
             byte[] good = Files.readAllBytes(record);
@@ -362,7 +362,7 @@ class MovesTest {
         }
     }
 
-    private Path record(Simulation.Side side) throws IOException {
+    private Path record(Side side) throws IOException {
         try (Stream<Path> files = Files.list(folder.resolve(side.address.toString()))) {
             return files.filter(file -> file.toString().endsWith(".move")).findFirst().orElseThrow();
         }
@@ -503,7 +503,7 @@ class MovesTest {
         }
     }
 
-    private static boolean isIn(Simulation.Side side, Move.State state) {
+    private static boolean isIn(Side side, Move.State state) {
         return side.open().stream().anyMatch(each -> each.state() == state);
     }
 
@@ -530,10 +530,10 @@ class MovesTest {
         simulation.contact = false;
         simulation.runUntil(80_000);
         simulation.contact = true;
-        long before = simulation.bits;
+        long before = simulation.air.bits;
         simulation.runUntil(200_000);
         assertEquals(AGENT, end.join());
         assertEquals(texts, bus.awake.get(AGENT));
-        assertTrue(simulation.bits - before < before * 3 / 2, "it did not begin anew");
+        assertTrue(simulation.air.bits - before < before * 3 / 2, "it did not begin anew");
     }
 }

@@ -65,6 +65,7 @@ class RandomMovesTest {
     void moves_killsLossesAndSilence_neverTwoAwakeAndOneInTheEnd(long seed) throws IOException {
         RandomMoves.Tally tally = RandomMoves.run(seed, folder);
 
+        assertEquals(List.of(), tally.wrong());
         assertEquals(List.of(), tally.both());
         assertEquals(0, tally.lostAgents(), () -> String.join("\n", tally.told()));
         assertEquals(0, tally.doubled(), () -> String.join("\n", tally.told()));

@@ -21,7 +21,7 @@ class RetransmissionTest {
     @Test
     void say_untilAnswered_atTheTimesOfSpec(@TempDir Path folder) {
         Simulation simulation = new Simulation(1, folder);
-        Simulation.Side side = simulation.side(Simulation.STATION);
+        Side side = simulation.side(Simulation.STATION);
         side.start();
         Deque<CompletableFuture<Outcome>> outcomes =
                 new ArrayDeque<>(Collections.nCopies(6, CompletableFuture.completedFuture(Outcome.UNDELIVERED)));
@@ -29,7 +29,7 @@ class RetransmissionTest {
         outcomes.add(CompletableFuture.completedFuture(Outcome.UNDELIVERED));
         outcomes.add(CompletableFuture.completedFuture(Outcome.DELIVERED));
         List<Long> seconds = new ArrayList<>();
-        Retransmission call = new Retransmission(side, said -> {
+        Retransmission call = new Retransmission(side.host, said -> {
             seconds.add(simulation.millis() / 1_000);
             return outcomes.isEmpty() ? new CompletableFuture<>() : outcomes.remove();
         }, event -> {});

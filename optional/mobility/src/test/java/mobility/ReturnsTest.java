@@ -31,9 +31,9 @@ class ReturnsTest {
     @TempDir
     Path folder;
     private Simulation simulation;
-    private Simulation.Side station;
-    private Simulation.Side bus;
-    private Simulation.Side hospital;
+    private Side station;
+    private Side bus;
+    private Side hospital;
 
     @BeforeEach
     void start() throws IOException {
@@ -43,22 +43,22 @@ class ReturnsTest {
         bus = simulation.side(Simulation.BUS);
         hospital = simulation.side(Simulation.HOSPITAL);
         station.program.put(AGENT, TEXTS);
-        Stream.of(station, bus, hospital).forEach(Simulation.Side::start);
+        Stream.of(station, bus, hospital).forEach(Side::start);
     }
 
-    private CompletableFuture<String> move(Simulation.Side from, Protocol protocol, Simulation.Side to) {
+    private CompletableFuture<String> move(Side from, Protocol protocol, Side to) {
         CompletableFuture<String> end = from.depart(AGENT, protocol, to.address);
         simulation.runUntil(simulation.millis() + 60_000);
         return end;
     }
 
-    private void assertOnlyAt(Simulation.Side here) {
+    private void assertOnlyAt(Side here) {
         assertEquals(1, simulation.awake(AGENT));
         assertEquals(TEXTS, here.awake.get(AGENT), () -> station.told + " " + bus.told + " " + hospital.told);
         assertEquals(List.of(), simulation.both);
     }
 
-    private Move record(Simulation.Side side, Move.State state) {
+    private Move record(Side side, Move.State state) {
         return Folder.records(folder.resolve(side.address.toString())).stream().filter(move -> move.state() == state)
                 .findFirst().orElseThrow();
     }

@@ -22,7 +22,7 @@ import javino.protocol.Content;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 import javino.protocol.HostMessage;
-import keyagreement.Attacker;
+import simulation.Attacker;
 import trace.TraceEvent;
 
 /** Two hosts that have certificates and no common key. */

@@ -6,9 +6,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import keyagreement.Attacker;
 import keyagreement.RandomRuns;
 import keyagreement.RandomRuns.Tally;
+import keyagreement.Siege;
 
 /** Whether hosts that never met come to one key, whatever happens, and whether an attacker can spoil it. */
 final class KeyAgreements implements Campaign {
@@ -50,7 +50,7 @@ final class KeyAgreements implements Campaign {
         report.never("without an end", sum(all, Tally::open));
         report.never("not in order again", sum(all, Tally::late));
         report.never("more than two agreements", all.stream().filter(tally -> tally.agreements() > 2).count());
-        Attacker.Siege siege = Attacker.siege(settings.seed(), settings.choose(10_000, 100),
+        Siege siege = Siege.of(settings.seed(), settings.choose(10_000, 100),
                 Files.createDirectory(folder.resolve("siege")));
         report.never("keys lost under " + siege.sent() + " messages of an attacker", siege.lost());
         report.never("keys set, EEPROM written or messages accepted by these",

@@ -53,20 +53,21 @@ final class MovesInMemory {
             **In memory.** Two MAS with the program that moves agents (SPEC 9) and real folders, and an air and a time
             of their own. One to four agents move to and fro, also at the same time and towards each other. Up to 30 %
             of the messages are lost, up to 20 % arrive but are told undelivered, contact is lost for a while after
-            every fourth move, one MAS in eight admits nobody, and programs are killed before and after whatever they
-            write, say or do, and start again up to 20 s later.
+            every fourth move, one MAS in eight admits nobody, and an attacker says what he likes. Programs are killed or
+            boards reset before and after whatever programs write, say or do; they start again up to 20 s later.
             """);
-        Map<String, Integer> kills = new TreeMap<>();
-        all.forEach(tally -> tally.kills().forEach((where, count) -> kills.merge(where, count, Integer::sum)));
-        int killed = kills.values().stream().mapToInt(n -> n).sum();
-        report.claim("moves in memory, with " + killed + " kills", sum(all, Tally::begun) + " begun",
+        Map<String, Integer> faults = new TreeMap<>();
+        all.forEach(tally -> tally.faults().forEach((where, count) -> faults.merge(where, count, Integer::sum)));
+        int befallen = faults.values().stream().mapToInt(n -> n).sum();
+        report.claim("moves in memory, with " + befallen + " kills and resets", sum(all, Tally::begun) + " begun",
                 sum(all, Tally::arrived) + " arrived");
-        report.table(new Table("moves", "begun", "arrived", "to who admitted nobody", "messages", "lost", "kills").row(
+        report.table(new Table("moves", "begun", "arrived", "to who admitted nobody", "messages", "lost", "faults").row(
                 "all", sum(all, Tally::begun), sum(all, Tally::arrived), sum(all, Tally::refusing),
-                sum(all, Tally::messages), sum(all, Tally::lost), killed));
-        Table table = new Table("killed", "times");
-        kills.forEach(table::row);
+                sum(all, Tally::messages), sum(all, Tally::lost), befallen));
+        Table table = new Table("killed or reset", "times");
+        faults.forEach(table::row);
         report.table(table);
+        report.never("in memory: accepted or set amiss", sum(all, tally -> tally.wrong().size()));
         report.never("in memory: two awake at once",
                 sum(all, tally -> tally.both().size() + tally.doubled()));
         report.never("in memory: lost", sum(all, Tally::lostAgents));

@@ -1,8 +1,7 @@
-package keyagreement;
+package simulation;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
@@ -11,10 +10,11 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 
 /** The air that boards share, as far as SPEC 6 and 7 make it slow: airtime, waits, collisions, damage. */
-final class SimulatedChannel {
+public final class SimulatedChannel {
 
     /** At 2000 bit/s. */
-    static final double BITS_A_MILLI = 2;
+    public static final double BITS_A_MILLI = 2;
+    private static final int FRAME_LENGTH = 64;
     private static final int SLOT_MILLIS = 8;
     private static final int QUIET_SLOTS = 6;
     private static final int WINDOW = 16;
@@ -23,23 +23,26 @@ final class SimulatedChannel {
     private static final long ACKNOWLEDGED_MILLIS = 160;
     private static final long UNACKNOWLEDGED_MILLIS = 150;
 
-    private final Simulation simulation;
-    private final Random random;
+    private final Network<?> network;
     private final List<Packet> waiting = new ArrayList<>();
     private final List<Packet> onAir = new ArrayList<>();
     private long began;
     private long busyUntil;
     private long freeSince;
     /** Share of bits that are wrong. */
-    double errors;
-    long packets;
+    public double errors;
+    /** That have been on the air. */
+    public long bits;
+    /** Unicasts that have ended, and that nobody has taken. */
+    public long lost;
+    long nonces;
 
     /** A packet of a board. */
-    static final class Packet {
+    public static final class Packet {
 
-        final Address from;
-        final Address to;
-        final Bytes message;
+        public final Address from;
+        public final Address to;
+        public final Bytes message;
         /** Null for a broadcast. */
         final Key key;
         final long nonce;
@@ -49,8 +52,11 @@ final class SimulatedChannel {
         private long start;
         private int slots = -1;
         private boolean damaged;
+        boolean isLost;
+        boolean isUntold;
+        boolean isTaken;
 
-        Packet(Address from, Address to, Bytes message, Key key, long nonce, CompletableFuture<Outcome> end) {
+        public Packet(Address from, Address to, Bytes message, Key key, long nonce, CompletableFuture<Outcome> end) {
             this.from = from;
             this.to = to;
             this.message = message;
@@ -63,17 +69,18 @@ final class SimulatedChannel {
             end.complete(key == null ? Outcome.SENT : delivered ? Outcome.DELIVERED : Outcome.UNDELIVERED);
         }
 
-        int bits() {
-            return Airtime.bits(10 + message.length() + (key == null ? 0 : 14));
+        /** A repeat is of the frame that was not acknowledged. */
+        public int bits() {
+            int length = attempt == 0 ? message.length() : Math.min(message.length(), FRAME_LENGTH);
+            return Airtime.bits(10 + length + (key == null ? 0 : 14));
         }
     }
 
-    SimulatedChannel(Simulation simulation) {
-        this.simulation = simulation;
-        random = simulation.random;
+    SimulatedChannel(Network<?> network) {
+        this.network = network;
     }
 
-    void send(Packet packet) {
+    public void send(Packet packet) {
         waiting.add(packet);
         draw(packet);
     }
@@ -83,24 +90,24 @@ final class SimulatedChannel {
     }
 
     private void draw(Packet packet) {
-        long now = simulation.millis();
+        long now = network.millis();
         if (now < busyUntil) {
             return;
         }
         boolean free = packet.attempt == 0 && now - freeSince >= FREE_SLOTS * SLOT_MILLIS;
         if (packet.slots < 0) {
-            packet.slots = random.nextInt(WINDOW << Math.min(packet.attempt, 3));
+            packet.slots = network.random.nextInt(WINDOW << Math.min(packet.attempt, 3));
         } else if (packet.start > began) {
             // Of the slots, those are left that were not quiet.
             packet.slots = (int) Math.min(packet.slots, (packet.start - began) / SLOT_MILLIS);
         }
         packet.start = free ? now : Math.max(now, freeSince + SLOT_MILLIS * (QUIET_SLOTS + packet.slots));
         long start = packet.start;
-        simulation.after(start - now, () -> begin(packet, start));
+        network.after(start - now, () -> begin(packet, start));
     }
 
     private void begin(Packet packet, long start) {
-        long now = simulation.millis();
+        long now = network.millis();
         if (!waiting.contains(packet) || packet.start != start || now < busyUntil && now - began >= SLOT_MILLIS) {
             return;
         }
@@ -111,32 +118,33 @@ final class SimulatedChannel {
         }
         onAir.add(packet);
         onAir.forEach(each -> each.damaged = onAir.size() > 1);
-        packets++;
+        bits += packet.bits();
         long takes = (long) (packet.bits() / BITS_A_MILLI);
         busyUntil = Math.max(busyUntil, now + takes + 1);
-        simulation.after(takes, () -> end(packet));
+        network.after(takes, () -> end(packet));
     }
 
     private void end(Packet packet) {
         onAir.remove(packet);
         boolean taken = false;
-        for (Simulation.Host host : simulation.hosts()) {
-            boolean heard = !packet.damaged && !host.address.equals(packet.from) && !isSpoilt(packet.bits(),
+        for (SimulatedHost host : network.hosts.values()) {
+            boolean heard = network.contact && !packet.isLost && !packet.damaged && !host.address.equals(packet.from) && !isSpoilt(packet.bits(),
                     packet.key == null ? 0 : packet.attempt);
             taken |= heard && host.board.hear(packet);
         }
         // What was acknowledged is known to the sender unless that is lost.
-        boolean known = taken && !isSpoilt(300, 2);
+        boolean known = taken && !isSpoilt(300, 2) && !packet.isUntold;
+        packet.isTaken |= taken;
         long rest = packet.key == null ? 0 : taken ? ACKNOWLEDGED_MILLIS : UNACKNOWLEDGED_MILLIS;
         if (taken) {
-            busyUntil = Math.max(busyUntil, simulation.millis() + rest);
+            busyUntil = Math.max(busyUntil, network.millis() + rest);
         }
-        simulation.after(rest, () -> simulation.host(packet.from).board.sent(packet, known));
-        simulation.after(Math.max(0, busyUntil - simulation.millis()), this::freed);
+        network.after(rest, () -> network.host(packet.from).board.sent(packet, known));
+        network.after(Math.max(0, busyUntil - network.millis()), this::freed);
     }
 
     private void freed() {
-        if (simulation.millis() >= busyUntil && onAir.isEmpty()) {
+        if (network.millis() >= busyUntil && onAir.isEmpty()) {
             freeSince = Math.max(freeSince, busyUntil);
             new ArrayList<>(waiting).forEach(this::draw);
         }
@@ -151,6 +159,6 @@ final class SimulatedChannel {
             term *= expected / i;
             borne += term;
         }
-        return random.nextDouble() >= Math.exp(-expected) * borne;
+        return network.random.nextDouble() >= Math.exp(-expected) * borne;
     }
 }
