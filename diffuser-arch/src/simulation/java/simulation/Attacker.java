@@ -23,11 +23,8 @@ public final class Attacker {
     /** How his words come to be on the air. */
     public interface Voice {
 
-        /** Says a word to all, in somebody's name. */
-        void broadcast(Address from, Bytes word);
-
-        /** Says noise to somebody in somebody's name, as if it were sealed. */
-        void unicast(Address from, Address to, Bytes noise);
+        /** Says a word to all in somebody's name; or to somebody noise, as if it were sealed. */
+        void say(Address from, Address to, Bytes word);
     }
 
     private record Said(Address from, Bytes word) {
@@ -53,12 +50,16 @@ public final class Attacker {
         Address name = random.nextInt(4) == 0 ? new Address(random.nextInt(0xF00000)) : pick(names);
         switch (random.nextInt(heard.isEmpty() ? 2 : 6)) {
             case 0 -> forge(name, victim);
-            case 1 -> voice.unicast(name, victim, noise(random.nextInt(MOST_NOISE)));
+            case 1 -> voice.say(name, victim, noise(random.nextInt(MOST_NOISE)));
             case 2 -> replay(pick(heard));
             case 3 -> reflect(pick(heard));
             case 4 -> change(pick(heard));
             default -> mix(pick(heard), pick(heard));
         }
+    }
+
+    private void broadcast(Address from, Bytes word) {
+        voice.say(from, Address.BROADCAST, word);
     }
 
     private <T> T pick(List<T> from) {
@@ -81,28 +82,28 @@ public final class Attacker {
         Kind kind = plain[random.nextInt(plain.length)];
         Bytes body = kind == Kind.WANT ? Bytes.of(plain[random.nextInt(plain.length)].first(), random.nextInt(2))
                 : noise(kind.length());
-        voice.broadcast(name, pick(HostMessage.fragments(kind, victim, body)).encode());
+        broadcast(name, pick(HostMessage.fragments(kind, victim, body)).encode());
     }
 
     private void replay(Said said) {
-        voice.broadcast(said.from, said.word);
+        broadcast(said.from, said.word);
     }
 
     /** Back to whoever said it, in the name of whom it was for, or of somebody of those. */
     private void reflect(Said said) {
         Address to = new Address((int) said.word.number(1, 4));
-        voice.broadcast(to.kind() == Address.Kind.DEVICE ? to : pick(names),
+        broadcast(to.kind() == Address.Kind.DEVICE ? to : pick(names),
                 Bytes.join(said.word.slice(0, 1), address(said.from), said.word.from(4)));
     }
 
     private void change(Said said) {
         byte[] bytes = said.word.toArray();
         bytes[1 + random.nextInt(bytes.length - 1)] ^= (byte) (1 << random.nextInt(8));
-        voice.broadcast(said.from, Bytes.copyOf(bytes));
+        broadcast(said.from, Bytes.copyOf(bytes));
     }
 
     /** The one's words in the other's name, to another. */
     private void mix(Said one, Said other) {
-        voice.broadcast(other.from, Bytes.join(one.word.slice(0, 1), other.word.slice(1, 4), one.word.from(4)));
+        broadcast(other.from, Bytes.join(one.word.slice(0, 1), other.word.slice(1, 4), one.word.from(4)));
     }
 }

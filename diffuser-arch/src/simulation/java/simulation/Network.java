@@ -25,12 +25,9 @@ public class Network<H extends SimulatedHost> {
     private record Event(long at, long order, Runnable what) {
     }
 
-    /** What a board or a host suffers. */
+    /** What befalls a host: its program is killed, or its board boots, by which session keys are gone. */
     public enum Fault {
-        /** The program on the host ends and starts again. */
-        KILL,
-        /** The board boots, without and with a loss of power: either way session keys are gone. */
-        RESET
+        KILL, RESET
     }
 
     public final Random random;
@@ -56,7 +53,7 @@ public class Network<H extends SimulatedHost> {
     public final Map<String, Integer> faults = new TreeMap<>();
     /** Until a killed host starts again, at most. */
     public int restartMillis = 5000;
-    protected final Map<Address, H> hosts = new LinkedHashMap<>();
+    public final Map<Address, H> hosts = new LinkedHashMap<>();
     private final PriorityQueue<Event> events =
             new PriorityQueue<>(Comparator.comparingLong(Event::at).thenComparingLong(Event::order));
     private long now;
@@ -109,23 +106,15 @@ public class Network<H extends SimulatedHost> {
         contact = true;
     }
 
-    /** That of an attacker, whom all boards hear. */
-    public Attacker.Voice voice() {
-        return new Attacker.Voice() {
-            @Override
-            public void broadcast(Address from, Bytes word) {
-                hear(new SimulatedChannel.Packet(from, Address.BROADCAST, word, null, 0, null));
-            }
-
-            @Override
-            public void unicast(Address from, Address to, Bytes noise) {
-                hear(new SimulatedChannel.Packet(from, to, noise, anyKey(random), Long.MAX_VALUE / 2, null));
-            }
-
-            private void hear(SimulatedChannel.Packet packet) {
-                hosts.values().forEach(host -> host.board.hear(packet));
-            }
-        };
+    /** An attacker who hears all, and whom all boards hear. @param names in which he speaks, and to whom. */
+    public Attacker attacker(List<Address> names) {
+        Attacker attacker = new Attacker(random, names, (from, to, word) -> {
+            Key key = to.equals(Address.BROADCAST) ? null : anyKey(random);
+            hosts.values().forEach(host -> host.board.hear(new SimulatedChannel.Packet(from, to, word, key,
+                    Long.MAX_VALUE / 2, null)));
+        });
+        listener = packet -> attacker.hear(packet.from, packet.message);
+        return attacker;
     }
 
     /** A key that nobody has. */

@@ -128,8 +128,9 @@ public final class SimulatedChannel {
         onAir.remove(packet);
         boolean taken = false;
         for (SimulatedHost host : network.hosts.values()) {
-            boolean heard = network.contact && !packet.isLost && !packet.damaged && !host.address.equals(packet.from) && !isSpoilt(packet.bits(),
-                    packet.key == null ? 0 : packet.attempt);
+            boolean heard = network.contact && !packet.isLost && !packet.damaged && !host.address.equals(packet.from)
+                    && !isSpoilt(packet.bits(),
+                            packet.key == null ? 0 : packet.attempt);
             taken |= heard && host.board.hear(packet);
         }
         // What was acknowledged is known to the sender unless that is lost.

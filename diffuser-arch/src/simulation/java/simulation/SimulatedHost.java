@@ -1,14 +1,22 @@
 package simulation;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.concurrent.CompletableFuture;
-import java.util.function.Consumer;
-
 import diffuser.HostChannel;
 import diffuser.HostClock;
+import diffuser.HostService;
 import diffuser.TrustLevel;
-
+import java.io.UncheckedIOException;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
@@ -22,18 +30,34 @@ public class SimulatedHost implements HostClock {
     /** What a host needs for what comes, and a board for a request, in ms. */
     private static final int HOST_MILLIS = 30;
     private static final int BOARD_MILLIS = 10;
+    private static final int ATTEMPTS = 8;
+    private static final long BOOT_MILLIS = 1500;
+    private static final long LATE_MILLIS = 3000;
+    /** How long a board is away, on the average. */
+    private static final long LOST_MILLIS = 60_000;
 
     /** What is thrown where a program is killed. */
-    private static final class Killed extends Error {
-        private static final long serialVersionUID = 1L;
+    private static final Error KILLED = new Error("killed");
 
-        Killed() {
-            super("killed", null, false, false);
+    /** What a host runs. */
+    public interface Program extends HostService {
+
+        /** The host has started, and has nothing of before but what is on its disk. */
+        void started();
+
+        @Override
+        default Map<String, Object> status() {
+            return Map.of();
+        }
+
+        /** The host is killed. */
+        @Override
+        default void stop() {
         }
     }
 
     public final Address address;
-    public final SimulatedBoard board;
+    public final Board board = new Board();
     public final List<Program> programs = new ArrayList<>();
     protected final Network<?> network;
     protected HostChannel channel;
@@ -42,7 +66,7 @@ public class SimulatedHost implements HostClock {
     public boolean on;
     public long killedAt = -1;
     protected int life;
-    /** Told of what a step has thrown. */
+    /** Told where a step has failed. */
     public Consumer<RuntimeException> failed = e -> {
         throw e;
     };
@@ -50,7 +74,6 @@ public class SimulatedHost implements HostClock {
     public SimulatedHost(Network<?> network, Address address) {
         this.network = network;
         this.address = address;
-        board = new SimulatedBoard(network, this);
     }
 
     public void start() {
@@ -83,7 +106,7 @@ public class SimulatedHost implements HostClock {
         if (address.equals(network.victim) && network.faultAfter >= 0 && network.faultAfter-- == 0) {
             network.faults.merge(where, 1, Integer::sum);
             if (network.fault == Network.Fault.KILL) {
-                throw new Killed();
+                throw KILLED;
             }
             board.reset();
         }
@@ -93,10 +116,12 @@ public class SimulatedHost implements HostClock {
     public void within(Runnable step) {
         try {
             step.run();
-            programs.forEach(Program::stepped);
-        } catch (Killed e) {
+        } catch (Error e) {
+            if (e != KILLED) {
+                throw e;
+            }
             crash();
-        } catch (RuntimeException e) {
+        } catch (UncheckedIOException | IllegalStateException e) {
             failed.accept(e);
         }
     }
@@ -122,7 +147,7 @@ public class SimulatedHost implements HostClock {
     }
 
     /** The host is told something by its board, some time later. */
-    void told(Runnable what) {
+    private void told(Runnable what) {
         after(HOST_MILLIS, what);
     }
 
@@ -131,7 +156,15 @@ public class SimulatedHost implements HostClock {
         after(BOARD_MILLIS, what);
     }
 
-    void receive(SimulatedChannel.Packet packet) {
+    /** A sealed packet has come for which the board has no key. */
+    protected void noKey(Address from) {
+    }
+
+    /** The board has booted. */
+    protected void booted() {
+    }
+
+    private void receive(SimulatedChannel.Packet packet) {
         try {
             channel.receive(packet.from, packet.to, trust, HostMessage.decode(packet.message));
         } catch (ProtocolException e) {
@@ -155,5 +188,141 @@ public class SimulatedHost implements HostClock {
             }
         });
         return new Transmission(new CompletableFuture<>(), end);
+    }
+
+    /** The board of a host. */
+    public final class Board {
+
+        public final Map<Address, Key> keys = new LinkedHashMap<>();
+        /** Of these, those that it has again when it has booted. */
+        public final Set<Address> stored = new HashSet<>();
+        private final Set<Key> had = new HashSet<>();
+        private final Map<Address, Long> newest = new HashMap<>();
+        private final Deque<SimulatedChannel.Packet> packets = new ArrayDeque<>();
+        private SimulatedChannel.Packet underWay;
+        private boolean deaf;
+        public boolean lost;
+        public int eepromWrites;
+
+        void send(SimulatedChannel.Packet packet) {
+            if (packet.key != null) {
+                packet.isLost = packet.message.length() > network.longest || isOneOf(network.lost);
+                packet.isUntold = isOneOf(network.untold);
+            }
+            packets.add(packet);
+            next();
+        }
+
+        private boolean isOneOf(double share) {
+            return share > 0 && network.random.nextDouble() < share;
+        }
+
+        private void next() {
+            if (underWay == null && !packets.isEmpty() && !deaf) {
+                underWay = packets.poll();
+                network.air.send(underWay);
+            }
+        }
+
+        /** The packet has been on the air. */
+        void sent(SimulatedChannel.Packet packet, boolean known) {
+            if (packet != underWay) {
+                return;
+            }
+            underWay = null;
+            if (packet.key == null || known || ++packet.attempt == ATTEMPTS) {
+                network.air.lost += packet.key == null || packet.isTaken ? 0 : 1;
+                later(() -> packet.end(known));
+            } else {
+                packets.add(packet);
+            }
+            next();
+        }
+
+        /** A packet comes undamaged. Tells whether it is acknowledged. */
+        boolean hear(SimulatedChannel.Packet packet) {
+            if (deaf) {
+                return false;
+            }
+            if (packet.key == null) {
+                network.listener.accept(packet);
+                for (int i = network.random.nextDouble() < network.twice ? 2 : 1; i > 0; i--) {
+                    long wait = network.random.nextDouble() < network.late ? network.random.nextLong(LATE_MILLIS) : 0;
+                    network.after(wait, () -> told(() -> receive(packet)));
+                }
+                return false;
+            }
+            if (!packet.to.equals(address)) {
+                return false;
+            }
+            Key key = keys.get(packet.from);
+            if (key == null) {
+                told(() -> noKey(packet.from));
+                return false;
+            }
+            if (!key.equals(packet.key) || !on) {
+                return false;
+            }
+            if (packet.nonce > newest.getOrDefault(packet.from, -1L)) {
+                newest.put(packet.from, packet.nonce);
+                told(() -> receive(packet));
+                return true;
+            }
+            return packet.nonce == newest.get(packet.from);
+        }
+
+        /** Takes a session key. Tells whether it does. */
+        public boolean set(Address device, Key key) {
+            if (!had.add(key)) {
+                network.wrong.add(address + " set a key a second time for " + device);
+                return false;
+            }
+            newest.remove(device);
+            if (keys.put(device, key) != null) {
+                // What is sealed with the key that was replaced is undelivered.
+                drop(packet -> packet.to.equals(device)).forEach(packet -> later(() -> packet.end(false)));
+                next();
+            }
+            return true;
+        }
+
+        /** Takes what is to be sent off the air. */
+        private List<SimulatedChannel.Packet> drop(Predicate<SimulatedChannel.Packet> which) {
+            List<SimulatedChannel.Packet> old = new ArrayList<>(packets);
+            if (underWay != null) {
+                old.add(0, underWay);
+            }
+            old.removeIf(which.negate());
+            packets.removeAll(old);
+            if (old.contains(underWay)) {
+                network.air.forget(underWay);
+                underWay = null;
+            }
+            return old;
+        }
+
+        /** Does nothing of what it is told from now on, and says nothing, until it boots. */
+        public void lose() {
+            lost = true;
+            deaf = true;
+            network.after(network.random.nextLong(2 * LOST_MILLIS), () -> {
+                lost = false;
+                reset();
+            });
+        }
+
+        /** Boots. */
+        public void reset() {
+            List<SimulatedChannel.Packet> dropped = drop(packet -> true);
+            keys.keySet().retainAll(stored);
+            newest.clear();
+            deaf = true;
+            network.after(BOOT_MILLIS, () -> {
+                deaf = false;
+                told(SimulatedHost.this::booted);
+                dropped.forEach(packet -> later(() -> packet.end(false)));
+                next();
+            });
+        }
     }
 }

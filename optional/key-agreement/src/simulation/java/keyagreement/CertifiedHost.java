@@ -1,6 +1,5 @@
 package keyagreement;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.HashMap;
@@ -12,7 +11,6 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
-import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.HostMessage;
@@ -21,11 +19,10 @@ import javino.protocol.Outcome;
 import javino.protocol.Performative;
 import diffuser.TrustLevel;
 import simulation.Network;
-import simulation.Program;
 import simulation.SimulatedHost;
 
 /** A host that agrees on keys by its certificate: it sends by these alone. */
-public final class CertifiedHost extends SimulatedHost implements Program {
+public final class CertifiedHost extends SimulatedHost implements SimulatedHost.Program {
 
     final Identity identity;
     KeyAgreement agreement;
@@ -34,12 +31,13 @@ public final class CertifiedHost extends SimulatedHost implements Program {
     Optional<Key> groupKey = Optional.empty();
     final Map<Address, Integer> met = new LinkedHashMap<>();
     int keysSet;
-    private int letters;
-    private final Map<String, Letter> said = new HashMap<>();
+    private final Map<String, Simulation.Letter> said;
 
-    CertifiedHost(Network<?> network, Identity identity) {
+    /** @param said what agents have said, by its content. */
+    CertifiedHost(Network<?> network, Identity identity, Map<String, Simulation.Letter> said) {
         super(network, identity.certificate().address());
         this.identity = identity;
+        this.said = said;
         trust = TrustLevel.CERTIFIED;
         programs.add(this);
     }
@@ -47,13 +45,8 @@ public final class CertifiedHost extends SimulatedHost implements Program {
     /** Makes hosts with certificates of one authority. @param folder where these are. */
     public static BiFunction<Network<?>, Address, SimulatedHost> maker(Path folder) {
         TestAuthority authority = new TestAuthority(folder);
-        return (network, address) -> {
-            try {
-                return new CertifiedHost(network, authority.certified(address.toString()));
-            } catch (IOException | JavinoException e) {
-                throw new IllegalStateException(e);
-            }
-        };
+        return (network, address) -> new CertifiedHost(network, authority.certified(address.toString()),
+                new HashMap<>());
     }
 
     @Override
@@ -81,12 +74,12 @@ public final class CertifiedHost extends SimulatedHost implements Program {
     }
 
     @Override
-    public void noKey(Address from) {
+    protected void noKey(Address from) {
         agreement.noKey(from, millis());
     }
 
     @Override
-    public void booted() {
+    protected void booted() {
         agreement.booted(millis());
     }
 
@@ -95,15 +88,11 @@ public final class CertifiedHost extends SimulatedHost implements Program {
         super.within(() -> {
             fault("before a step");
             step.run();
+            for (List<Effect> due = agreement.effects(); !due.isEmpty(); due = agreement.effects()) {
+                due.forEach(this::perform);
+            }
         });
-    }
-
-    @Override
-    public void stepped() {
-        for (List<Effect> due = agreement.effects(); !due.isEmpty(); due = agreement.effects()) {
-            due.forEach(this::perform);
-        }
-        long next = agreement.next();
+        long next = on ? agreement.next() : Long.MAX_VALUE;
         if (next < tick) {
             tick = next;
             after(next - millis(), () -> {
@@ -115,9 +104,9 @@ public final class CertifiedHost extends SimulatedHost implements Program {
         }
     }
 
-    Letter send(Address to) {
-        Content content = new Content(Performative.TELL, "x" + address + letters++);
-        Letter letter = new Letter(address, to, millis());
+    Simulation.Letter send(Address to) {
+        Content content = new Content(Performative.TELL, "x" + said.size());
+        Simulation.Letter letter = new Simulation.Letter(address, to, millis());
         said.put(content.term(), letter);
         within(() -> {
             if (on) {
@@ -193,7 +182,7 @@ public final class CertifiedHost extends SimulatedHost implements Program {
             message.end(end.how(), null);
             return;
         }
-        Letter letter = (Letter) end.ticket();
+        Simulation.Letter letter = (Simulation.Letter) end.ticket();
         if (letter.end.isPresent()) {
             network.wrong.add("a message ended twice");
         }
@@ -202,8 +191,8 @@ public final class CertifiedHost extends SimulatedHost implements Program {
     }
 
     private void received(Address from, Content content) {
-        Letter letter = network.host(from) instanceof CertifiedHost sender ? sender.said.get(content.term()) : null;
-        if (letter == null || !letter.to.equals(address)) {
+        Simulation.Letter letter = said.get(content.term());
+        if (letter == null || !letter.from.equals(from) || !letter.to.equals(address)) {
             network.wrong.add(address + " accepted " + content + " from " + from);
         } else if (!letter.receivedBy.add(address + " " + life)) {
             network.wrong.add(content + " came twice to " + address);

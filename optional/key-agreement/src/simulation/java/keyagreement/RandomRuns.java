@@ -1,12 +1,14 @@
 package keyagreement;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import javino.JavinoException;
+import java.util.stream.IntStream;
+import javino.protocol.Address;
+import javino.protocol.Key;
+import simulation.Attacker;
 import simulation.Network;
 
 /** Two or three hosts that meet, with whatever goes wrong, and then quiet air, in which all must be in order again. */
@@ -15,12 +17,14 @@ public final class RandomRuns {
     private static final long STORM_MILLIS = 60_000;
     private static final long CALM_MILLIS = 30_000;
     private static final long PATIENCE_MILLIS = 90_000;
+    private static final long MINUTE = 60_000;
+    /** As many packets of an attacker as the air takes. */
+    private static final long EVERY_MILLIS = 300;
     private static final double[] ERRORS = {0, 1e-4, 1e-3, 2e-3};
 
     /**
      * What came of a run.
      *
-     * @param seed       of the run.
      * @param wrong      what is not as it must be: accepted, doubled, set twice.
      * @param untrue     messages that were told delivered and never came.
      * @param open       messages of hosts that were not killed, and never ended.
@@ -35,11 +39,21 @@ public final class RandomRuns {
             Map<String, Integer> faults) {
     }
 
+    /**
+     * What came of an attack on hosts that have keys with each other.
+     *
+     * @param wrong     what was accepted, or is otherwise not as it must be.
+     * @param lost      hosts with other keys than before.
+     * @param delivered whether a message afterwards needed no further key, and came.
+     */
+    public record Siege(int sent, List<String> wrong, long lost, int keysSet, int eeprom, boolean delivered) {
+    }
+
     private RandomRuns() {
     }
 
     /** Runs with the seeds from the first on. @param folder where an authority certifies the hosts. */
-    public static List<Tally> run(long first, int runs, Path folder) throws IOException, JavinoException {
+    public static List<Tally> run(long first, int runs, Path folder) {
         TestAuthority authority = new TestAuthority(folder);
         List<Identity> identities =
                 List.of(authority.certified("ROMA"), authority.certified("SUPO"), authority.certified("SUBB"));
@@ -60,7 +74,7 @@ public final class RandomRuns {
         simulation.air.errors = ERRORS[random.nextInt(ERRORS.length)];
         simulation.twice = random.nextInt(3) * 0.2;
         simulation.late = random.nextInt(3) * 0.1;
-        List<Letter> letters = new ArrayList<>();
+        List<Simulation.Letter> letters = new ArrayList<>();
         for (int i = 0; i < 6; i++) {
             CertifiedHost from = hosts.get(random.nextInt(hosts.size()));
             CertifiedHost to = hosts.get(random.nextInt(hosts.size()));
@@ -82,7 +96,7 @@ public final class RandomRuns {
         simulation.run(CALM_MILLIS);
 
         List<Integer> keys = hosts.stream().map(host -> host.keysSet).toList();
-        List<Letter> last = new ArrayList<>();
+        List<Simulation.Letter> last = new ArrayList<>();
         for (CertifiedHost from : hosts) {
             for (CertifiedHost to : hosts) {
                 if (from != to) {
@@ -100,12 +114,40 @@ public final class RandomRuns {
         }
         letters.addAll(last);
         boolean killed = hosts.stream().anyMatch(host -> host.killedAt >= 0);
-        List<Letter> whole = killed ? List.of() : letters;
+        List<Simulation.Letter> whole = killed ? List.of() : letters;
         return new Tally(seed, simulation.wrong, whole.stream().filter(l -> l.isDelivered() && !l.isReceived()).count(),
                 whole.stream().filter(l -> l.end.isEmpty()).count(),
                 agreements, last.stream().filter(l -> !l.isDelivered()).count(),
                 last.stream().mapToLong(l -> l.endedAt - l.at).max().orElse(0),
-                letters.stream().filter(Letter::isDelivered).count() / (double) letters.size(),
+                letters.stream().filter(Simulation.Letter::isDelivered).count() / (double) letters.size(),
                 simulation.faults);
+    }
+
+    /** Lays siege to two hosts that have agreed on a key by certificates, and once more by a renewal. */
+    public static Siege siege(long seed, int messages, Path folder) {
+        TestAuthority authority = new TestAuthority(folder);
+        Simulation simulation = new Simulation(seed);
+        CertifiedHost roma = simulation.add(authority.certified("ROMA"));
+        CertifiedHost supo = simulation.add(authority.certified("SUPO"));
+        Attacker attacker = simulation.attacker(List.of(roma.address, supo.address));
+        simulation.runUntilEnd(roma.send(supo.address), MINUTE);
+        simulation.run(MINUTE);
+        roma.board.reset();
+        simulation.run(MINUTE);
+        simulation.runUntilEnd(roma.send(supo.address), MINUTE);
+        simulation.run(MINUTE);
+        List<CertifiedHost> hosts = List.of(roma, supo);
+        List<Map<Address, Key>> keys = hosts.stream().map(host -> Map.copyOf(host.board.keys)).toList();
+        int before = roma.keysSet + supo.keysSet;
+        for (int i = 0; i < messages; i++) {
+            attacker.act();
+            simulation.run(EVERY_MILLIS);
+        }
+        long lost = IntStream.range(0, hosts.size())
+                .filter(i -> keys.get(i).isEmpty() || !keys.get(i).equals(hosts.get(i).board.keys)).count();
+        Simulation.Letter after = roma.send(supo.address);
+        simulation.runUntilEnd(after, MINUTE);
+        return new Siege(messages, simulation.wrong, lost, roma.keysSet + supo.keysSet - before,
+                roma.board.eepromWrites + supo.board.eepromWrites, after.isDelivered());
     }
 }

@@ -26,27 +26,31 @@ final class TestAuthority {
         this.folder = folder;
     }
 
-    Identity certified(String id) throws IOException, JavinoException {
+    Identity certified(String id) {
         return certified(id, TODAY.plusDays(100));
     }
 
-    Identity certified(String id, LocalDate until) throws IOException, JavinoException {
+    Identity certified(String id, LocalDate until) {
         return certified(id, until, false);
     }
 
     /** The device that gives out the key of its group. */
-    Identity groupKeyServer(String id) throws IOException, JavinoException {
+    Identity groupKeyServer(String id) {
         return certified(id, TODAY.plusDays(100), true);
     }
 
-    private Identity certified(String id, LocalDate until, boolean groupKeyServer) throws IOException, JavinoException {
-        Path request = folder.resolve(id + ".request");
-        enroll(id, "--request", request);
-        Request asked = Request.decode(Entries.read(request).get(Request.NAME).orElseThrow());
-        Path answer = folder.resolve(id + ".certificate");
-        Files.writeString(answer, authority.issue(asked, until, groupKeyServer, TODAY, RANDOM).format());
-        enroll(id, "--certificate", answer);
-        return Identity.read(folder, Address.parse(id)).orElseThrow();
+    private Identity certified(String id, LocalDate until, boolean groupKeyServer) {
+        try {
+            Path request = folder.resolve(id + ".request");
+            enroll(id, "--request", request);
+            Request asked = Request.decode(Entries.read(request).get(Request.NAME).orElseThrow());
+            Path answer = folder.resolve(id + ".certificate");
+            Files.writeString(answer, authority.issue(asked, until, groupKeyServer, TODAY, RANDOM).format());
+            enroll(id, "--certificate", answer);
+            return Identity.read(folder, Address.parse(id)).orElseThrow();
+        } catch (IOException | JavinoException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     private void enroll(String id, String option, Path file) {

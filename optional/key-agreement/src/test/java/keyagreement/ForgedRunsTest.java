@@ -99,8 +99,8 @@ class ForgedRunsTest {
      */
     private List<String> late(String what, CertifiedHost one, CertifiedHost other) {
         List<String> late = new ArrayList<>();
-        for (Letter letter : List.of(one.send(other.address), other.send(one.address))) {
-            Letter last = letter;
+        for (Simulation.Letter letter : List.of(one.send(other.address), other.send(one.address))) {
+            Simulation.Letter last = letter;
             List<String> ends = new ArrayList<>();
             for (int more = 2; !isDelivered(what, last, ends) && more > 0; more--) {
                 last = simulation.host(letter.from).send(letter.to);
@@ -113,14 +113,14 @@ class ForgedRunsTest {
         return late;
     }
 
-    private boolean isDelivered(String what, Letter letter, List<String> ends) {
+    private boolean isDelivered(String what, Simulation.Letter letter, List<String> ends) {
         simulation.runUntilEnd(letter, 2 * MINUTE);
         assertInTime(what, letter);
         ends.add(letter.end.toString());
         return letter.isDelivered();
     }
 
-    private static void assertInTime(String what, Letter letter) {
+    private static void assertInTime(String what, Simulation.Letter letter) {
         assertTrue(letter.end.isPresent() && letter.endedAt - letter.at <= MessageQueue.MOST_MILLIS, () -> what + ": "
                 + letter.from + " learned " + letter.end + " after " + (letter.endedAt - letter.at));
     }
@@ -129,7 +129,7 @@ class ForgedRunsTest {
     private void storm(long seed) {
         start(seed);
         simulation.add(identities.get(2));
-        List<CertifiedHost> hosts = List.copyOf(simulation.hosts());
+        List<CertifiedHost> hosts = List.copyOf(simulation.hosts.values());
         simulation.air.errors = simulation.random.nextInt(3) * 1e-3;
         simulation.twice = simulation.random.nextInt(3) * 0.2;
         simulation.late = simulation.random.nextInt(3) * 0.1;
@@ -139,7 +139,7 @@ class ForgedRunsTest {
                 SHARES[simulation.random
                         .nextInt(SHARES.length)],
                 STORM_MILLIS);
-        List<Letter> letters = new ArrayList<>();
+        List<Simulation.Letter> letters = new ArrayList<>();
         int period = 500 + simulation.random.nextInt(8000);
         for (long at = 0; at < STORM_MILLIS; at += simulation.random.nextInt(2 * period)) {
             simulation.after(at, () -> {
@@ -162,7 +162,7 @@ class ForgedRunsTest {
         }
         simulation.run(STORM_MILLIS + MessageQueue.MOST_MILLIS);
         letters.removeIf(letter -> letter.isRefused || simulation.host(letter.from).killedAt >= letter.at);
-        for (Letter letter : letters) {
+        for (Simulation.Letter letter : letters) {
             assertInTime("seed " + seed, letter);
             assertTrue(ENDINGS.contains(letter.end.orElseThrow()), () -> "seed " + seed + ": " + letter.end);
         }

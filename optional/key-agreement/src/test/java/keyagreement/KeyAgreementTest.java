@@ -56,7 +56,7 @@ class KeyAgreementTest {
     }
 
     private Optional<Ending> end(CertifiedHost from, CertifiedHost to) {
-        Letter letter = from.send(to.address);
+        Simulation.Letter letter = from.send(to.address);
         simulation.runUntilEnd(letter, 2 * MINUTE);
         return letter.end;
     }
@@ -75,12 +75,12 @@ class KeyAgreementTest {
         simulation = new Simulation(seed);
         CertifiedHost roma = simulation.add(romaIdentity);
         CertifiedHost supo = simulation.add(supoIdentity);
-        Letter first = roma.send(supo.address);
+        Simulation.Letter first = roma.send(supo.address);
         simulation.runUntilEnd(first, MINUTE);
         simulation.run(MINUTE);
         roma.board.reset();
         simulation.run(MINUTE);
-        Letter second = roma.send(supo.address);
+        Simulation.Letter second = roma.send(supo.address);
         simulation.runUntilEnd(second, MINUTE);
         assertTrue(first.isDelivered() && second.isDelivered());
         nothingIsWrong();
@@ -106,7 +106,7 @@ class KeyAgreementTest {
             simulation = new Simulation(seed);
             CertifiedHost roma = simulation.add(romaIdentity);
             CertifiedHost supo = simulation.add(supoIdentity);
-            List<Letter> letters = new ArrayList<>(List.of(roma.send(supo.address)));
+            List<Simulation.Letter> letters = new ArrayList<>(List.of(roma.send(supo.address)));
             if (within >= 0) {
                 simulation.run(simulation.random.nextInt(within + 1));
                 letters.add(supo.send(roma.address));
@@ -122,10 +122,10 @@ class KeyAgreementTest {
     void send_bothAtOnce_oneHandshakeGivesTheKey() {
         CertifiedHost roma = simulation.add(romaIdentity);
         CertifiedHost supo = simulation.add(supoIdentity);
-        List<Letter> letters = List.of(roma.send(supo.address), supo.send(roma.address));
+        List<Simulation.Letter> letters = List.of(roma.send(supo.address), supo.send(roma.address));
         letters.forEach(letter -> simulation.runUntilEnd(letter, MINUTE));
 
-        assertTrue(letters.stream().allMatch(Letter::isDelivered));
+        assertTrue(letters.stream().allMatch(Simulation.Letter::isDelivered));
         assertEquals(1, roma.keysSet);
         assertEquals(1, supo.keysSet);
         assertEquals(1, count(supo, Event.ANSWERED), "ROMA is the lower address");
@@ -308,23 +308,23 @@ class KeyAgreementTest {
     @Test
     void eightPairs_atOnce_noneStarves() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);
-        List<Letter> letters = new ArrayList<>();
+        List<Simulation.Letter> letters = new ArrayList<>();
         for (char pair = 'A'; pair <= 'H'; pair++) {
             CertifiedHost from = simulation.add(authority.certified("BU" + pair + "A"));
             letters.add(from.send(simulation.add(authority.certified("BU" + pair + "B")).address));
         }
         letters.forEach(letter -> simulation.runUntilEnd(letter, 2 * MINUTE));
-        assertTrue(letters.stream().allMatch(Letter::isDelivered));
+        assertTrue(letters.stream().allMatch(Simulation.Letter::isDelivered));
     }
 
     @Test
     void attack_forgedReplayedReflectedMixed_nothingIsAcceptedAndNoKeyLost() throws Exception {
-        assertEquals(new Siege(300, List.of(), 0, 0, 0, true), Siege.of(1, 300, elsewhere));
+        assertEquals(new RandomRuns.Siege(300, List.of(), 0, 0, 0, true), RandomRuns.siege(1, 300, elsewhere));
     }
 
     @Test
     @Tag("verify")
     void attack_tenThousand_nothingIsAcceptedAndNoKeyLost() throws Exception {
-        assertEquals(new Siege(10_000, List.of(), 0, 0, 0, true), Siege.of(2, 10_000, elsewhere));
+        assertEquals(new RandomRuns.Siege(10_000, List.of(), 0, 0, 0, true), RandomRuns.siege(2, 10_000, elsewhere));
     }
 }

@@ -29,24 +29,18 @@ public final class RandomMoves {
     /**
      * What came of a run.
      *
-     * @param begun     moves that were begun.
-     * @param arrived   moves at whose end the agent woke elsewhere.
-     * @param refusing  moves begun to a MAS that admitted nobody then.
-     * @param messages  that were said.
-     * @param lost      messages that did not arrive.
-     * @param faults    kills and resets, by what the program was about to do or had just done.
-     * @param wrong     what was accepted or set, and should not have been.
-     * @param both      times at which two were awake, with what was known.
-     * @param agents    how many agents there were.
-     * @param lostAgents   of which none was awake when contact had been back for long.
-     * @param doubled   of which two or more were awake then.
-     * @param changed   agents awake then that were not as they had been.
-     * @param unasked   arrivals that no plan had admitted.
-     * @param unended   records of moves then that had not ended.
-     * @param told      what both programs said.
+     * @param refusing moves begun to a MAS that admitted nobody then.
+     * @param lost     messages that did not arrive.
+     * @param faults   kills and resets, by what the program was about to do or had just done.
+     * @param wrong    what was accepted or set, and should not have been.
+     * @param both     times at which two were awake, with what was known.
+     * @param changed  agents that, as those lost and doubled, are not as before when contact has been back for long.
+     * @param unasked  arrivals that no plan had admitted.
+     * @param unended  records of moves then that had not ended.
      */
     public record Tally(long begun, long arrived, long refusing, long messages, long lost,
-            Map<String, Integer> faults, List<String> wrong, List<String> both, int agents, long lostAgents, long doubled, long changed,
+            Map<String, Integer> faults, List<String> wrong, List<String> both, long lostAgents, long doubled,
+            long changed,
             long unasked, int unended,
             List<String> told) {
     }
@@ -75,7 +69,7 @@ public final class RandomMoves {
             known.add(now);
             return now;
         };
-        List<Side> sides = List.of(simulation.side(Simulation.STATION), simulation.side(Simulation.BUS));
+        List<Simulation.Side> sides = List.of(simulation.side(Simulation.STATION), simulation.side(Simulation.BUS));
         for (String agent : agents) {
             List<Bytes> texts = List.of(Bytes.ofText(("+!" + agent + "(" + seed + ") <- a(X); b(X).\n").repeat(5)),
                     Bytes.ofText("x".repeat(simulation.random.nextInt(2000)) + seed));
@@ -83,10 +77,8 @@ public final class RandomMoves {
             sides.get(simulation.random.nextInt(2)).program.put(agent, texts);
         }
         simulation.watched.addAll(agents);
-        sides.forEach(Side::start);
-        Attacker attacker = new Attacker(simulation.random, List.of(Simulation.STATION, Simulation.BUS),
-                simulation.voice());
-        simulation.listener = packet -> attacker.hear(packet.from, packet.message);
+        sides.forEach(side -> side.host.start());
+        Attacker attacker = simulation.attacker(List.of(Simulation.STATION, Simulation.BUS));
         long begun = 0;
         long refusing = 0;
         for (int i = 0; i < MOVES; i++) {
@@ -97,8 +89,8 @@ public final class RandomMoves {
             sides.forEach(side -> side.admits = simulation.random.nextInt(8) > 0);
             sides.stream().filter(side -> side.host.on).forEach(
                     side -> side.program.keySet().forEach(agent -> forge(simulation, side, agent)));
-            for (Side side : sides) {
-                Side other = sides.get(1 - sides.indexOf(side));
+            for (Simulation.Side side : sides) {
+                Simulation.Side other = sides.get(1 - sides.indexOf(side));
                 for (String agent : agents) {
                     if (side.host.on && side.awake.containsKey(agent)) {
                         begun++;
@@ -118,7 +110,7 @@ public final class RandomMoves {
         sides.forEach(side -> told.addAll(side.told));
         return new Tally(begun, simulation.arrivals, refusing, simulation.messages, simulation.air.lost,
                 simulation.faults, simulation.wrong, simulation.both,
-                agents.size(), agents.stream().filter(agent -> simulation.awake(agent) == 0).count(),
+                agents.stream().filter(agent -> simulation.awake(agent) == 0).count(),
                 agents.stream().filter(agent -> simulation.awake(agent) > 1).count(),
                 sides.stream().flatMap(side -> side.awake.entrySet().stream())
                         .filter(agent -> !known.contains(agent.getValue()) || !isOf(agent.getKey(), agent.getValue()))
@@ -132,7 +124,7 @@ public final class RandomMoves {
     }
 
     /** Somebody knows all of an agent that is at home there or away but its token; he knows those of earlier trips. */
-    private static void forge(Simulation simulation, Side home, String agent) {
+    private static void forge(Simulation simulation, Simulation.Side home, String agent) {
         List<Bytes> drawn = home.drawn.getOrDefault(agent, List.of());
         byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
         simulation.random.nextBytes(token);

@@ -1,19 +1,27 @@
 package mobility;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-
+import diffuser.Failure;
+import diffuser.Policy;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.HostMessage;
 import javino.protocol.Key;
-
+import javino.protocol.Outcome;
 import simulation.Network;
 import simulation.SimulatedHost;
 
@@ -41,7 +49,7 @@ final class Simulation extends Network<SimulatedHost> {
     final List<String> both = new ArrayList<>();
     /** Agents that came although no plan admitted their last move. */
     long unasked;
-    final Set<String> asked = new HashSet<>();
+    private final Set<String> asked = new HashSet<>();
     long arrivals;
     private int forgeries;
     long messages;
@@ -62,7 +70,7 @@ final class Simulation extends Network<SimulatedHost> {
         victim = STATION;
         for (Address address : List.of(STATION, BUS, HOSPITAL)) {
             hosts.put(address, maker.apply(this, address));
-            sides.put(address, new Side(this, hosts.get(address), folder.resolve(address.toString())));
+            sides.put(address, new Side(hosts.get(address), folder.resolve(address.toString())));
         }
     }
 
@@ -104,5 +112,239 @@ final class Simulation extends Network<SimulatedHost> {
     int awake(String agent) {
         return (int) sides.values().stream().flatMap(side -> side.awake.keySet().stream())
                 .filter(name -> name.matches(agent + "\\d*")).count();
+    }
+
+    /** A computer with a MAS. */
+    final class Side implements Mas, SimulatedHost.Program {
+
+        final SimulatedHost host;
+        final Address address;
+        private final Path place;
+        private Folder folder;
+        Moves moves;
+        /** The agents that are awake, with what they are. */
+        final Map<String, List<Bytes>> awake = new HashMap<>();
+        final List<String> told = new ArrayList<>();
+        /** What the machines of its moves have come to. */
+        final List<Enum<?>> reached = new ArrayList<>();
+        /** Names of agents that the program starts. */
+        final Map<String, List<Bytes>> program = new HashMap<>();
+        /** Of agents that are at home here: the tokens that were ever drawn for them. */
+        final Map<String, List<Bytes>> drawn = new HashMap<>();
+        /** What came last. */
+        private Runnable last = () -> {};
+        boolean admits = true;
+        /** What its disk does not do now: write, delete. */
+        final Set<String> broken = new HashSet<>();
+        /** Its MAS cannot make an agent now. */
+        boolean crowded;
+        RefusedException refusal;
+        /** Why its board sends nothing. */
+        Optional<Failure> unsent = Optional.empty();
+
+        Side(SimulatedHost host, Path place) {
+            this.host = host;
+            this.place = place;
+            address = host.address;
+            host.programs.add(this);
+            host.failed = e -> told.add(e.getMessage());
+        }
+
+        @Override
+        public void started() {
+            folder = new Deadly(place);
+            program.forEach((name, texts) -> {
+                if (folder.records().stream().noneMatch(move -> move.identity().home().equals(address)
+                        && move.identity().name().equals(name) && (move.isAbsent()
+                                || Set.of(Move.State.OFFERED, Move.State.HERE).contains(move.state())))) {
+                    awake.put(name, texts);
+                }
+            });
+            moves = new Moves(host, folder, this, Moves.Limits.USUAL, random);
+            host.within(moves::start);
+            if (random.nextDouble() < again) {
+                // The program ended before it could tell the board that it has the message.
+                last.run();
+            }
+        }
+
+        /** A folder before and after whose every change the program may be killed. */
+        private final class Deadly extends Folder {
+
+            Deadly(Path place) {
+                super(place);
+            }
+
+            private void change(String operation, String what, Runnable change) {
+                if (broken.contains(operation)) {
+                    throw new UncheckedIOException(new IOException("the disk does not " + operation));
+                }
+                host.fault("before " + what);
+                change.run();
+                host.fault("after " + what);
+            }
+
+            @Override
+            void write(Move move) {
+                if (move.state() == Move.State.OFFERED && move.identity().home().equals(address)) {
+                    drawn.computeIfAbsent(move.identity().name(), any -> new ArrayList<>())
+                            .add(move.identity().token());
+                }
+                String operation = broken.contains("write") ? "write" : "write " + move.state();
+                change(operation, "the record " + move.state(), () -> super.write(move));
+            }
+
+            @Override
+            void delete(Move.Key key) {
+                change("delete", "a record is deleted", () -> super.delete(key));
+            }
+
+            @Override
+            void keep(Bytes hash, Bytes text) {
+                change("write", "a part is kept", () -> super.keep(hash, text));
+            }
+
+            @Override
+            void append(Bytes hash, Bytes packed) {
+                change("write", "bytes of a part are kept", () -> super.append(hash, packed));
+            }
+        }
+
+        @Override
+        public void stop() {
+            moves.close();
+            folder.close();
+            awake.clear();
+        }
+
+        /** What is recorded of moves that have not ended. */
+        List<Move> open() {
+            return folder.records().stream()
+                    .filter(move -> !Set.of(Move.State.HERE, Move.State.AWAY, Move.State.LEFT).contains(move.state()))
+                    .toList();
+        }
+
+        @Override
+        public Set<HostMessage.Use> uses() {
+            return Set.of(HostMessage.Use.MOVE);
+        }
+
+        @Override
+        public void received(Address from, HostMessage message) {
+            last = () -> hear(from, message);
+            moves.received(from, message);
+        }
+
+        void hear(Address from, HostMessage message) {
+            host.execute(() -> moves.received(from, message));
+        }
+
+        @Override
+        public CompletableFuture<Outcome> send(Address to, HostMessage message) {
+            host.fault("before the message " + message.kind());
+            if (unsent.isPresent()) {
+                return CompletableFuture.failedFuture(unsent.get().toException());
+            }
+            messages++;
+            CompletableFuture<Outcome> end = host.send(to, message);
+            host.fault("after the message " + message.kind());
+            return end;
+        }
+
+        @Override
+        public CompletableFuture<Void> admit(Move move, boolean returns) {
+            Policy.Decision decision = Policy.decide(Policy.Act.OFFER, move.provenance(host.trust, here(), returns));
+            if (decision.verdict() == Policy.Verdict.REFUSED) {
+                return CompletableFuture.failedFuture(new RefusedException("refused", decision.reason()));
+            }
+            host.fault("before a plan was asked");
+            if (admits) {
+                asked.add(move.name());
+            }
+            return admits ? CompletableFuture.completedFuture(null)
+                    : CompletableFuture.failedFuture(new RefusedException("refused", "no plan admits it"));
+        }
+
+        @Override
+        public Optional<Address> here() {
+            return Optional.of(address);
+        }
+
+        @Override
+        public void check(List<Bytes> texts) throws RefusedException {
+            if (refusal != null) {
+                throw refusal;
+            }
+        }
+
+        @Override
+        public void wake(Move move, List<Bytes> texts, boolean anew, Consumer<String> named) {
+            host.fault("before the agent wakes");
+            if (crowded) {
+                throw new IllegalStateException("the agent cannot live here");
+            }
+            if (!anew) {
+                arrivals++;
+                unasked += asked.contains(move.name()) ? 0 : 1;
+            }
+            String name = move.name();
+            for (int i = 1; awake.containsKey(name); i++) {
+                name = move.name() + i;
+            }
+            named.accept(name);
+            host.fault("before the agent begins");
+            awake.put(name, texts);
+            host.fault("after the agent has woken");
+        }
+
+        @Override
+        public void left(Move move) {
+            host.fault("before the agent is removed");
+            told.add("left " + move.name());
+        }
+
+        @Override
+        public void stays(Move move, List<Bytes> texts, Failure why) {
+            host.fault("before the agent stays");
+            awake.put(move.name(), texts);
+            told.add("stays " + move.name() + " " + why.error());
+        }
+
+        @Override
+        public boolean starts(String agent) {
+            return program.containsKey(agent);
+        }
+
+        @Override
+        public void progress(String agent, Address peer, boolean out, int percent) {
+            told.add("progress " + agent + " " + out + " " + percent);
+        }
+
+        @Override
+        public void warn(String what) {
+            told.add(what);
+        }
+
+        @Override
+        public void reached(String machine, Address peer, String id, Enum<?> state) {
+            reached.add(state);
+        }
+
+        /** Moves an agent; until it has gone it sleeps, and where it stays it wakes. */
+        CompletableFuture<String> depart(String agent, Protocol protocol, Address to) {
+            asked.remove(agent);
+            List<Bytes> texts = lived.apply(protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent));
+            CompletableFuture<String> end = new CompletableFuture<>();
+            host.execute(() -> moves.depart(agent, protocol, address, to, texts).handle((name, thrown) -> thrown == null
+                    ? end.complete(name) : end.completeExceptionally(thrown)));
+            Moves mine = moves;
+            end.whenComplete((name, thrown) -> {
+                if (host.on && mine == moves && thrown != null) {
+                    awake.put(agent, texts);
+                }
+                told.add(thrown == null ? "moved " + name : "stayed " + Failure.of(thrown).error());
+            });
+            return end;
+        }
     }
 }

@@ -49,13 +49,13 @@ class MachinesTest {
     @TempDir
     Path folder;
     private Simulation simulation;
-    private Side side;
+    private Simulation.Side side;
 
     @BeforeEach
     void start() throws IOException {
         simulation = new Simulation(1, folder);
         side = simulation.side(Simulation.STATION);
-        side.start();
+        side.host.start();
         // Else one event would follow the other.
         side.crowded = true;
     }

@@ -40,8 +40,8 @@ class MovesTest {
     @TempDir
     Path folder;
     private Simulation simulation;
-    private Side station;
-    private Side bus;
+    private Simulation.Side station;
+    private Simulation.Side bus;
 
     @BeforeEach
     void start() throws IOException {
@@ -49,15 +49,15 @@ class MovesTest {
         station = simulation.side(Simulation.STATION);
         bus = simulation.side(Simulation.BUS);
         station.awake.put(AGENT, TEXTS);
-        station.start();
-        bus.start();
+        station.host.start();
+        bus.host.start();
     }
 
     private CompletableFuture<String> move() {
         return station.depart(AGENT, Protocol.MUTUALISM, Simulation.BUS);
     }
 
-    private void assertOnlyAt(Side here, Side other) {
+    private void assertOnlyAt(Simulation.Side here, Simulation.Side other) {
         assertEquals(TEXTS, here.awake.get(AGENT), () -> station.told + " " + bus.told);
         assertEquals(Set.of(), other.awake.keySet());
     }
@@ -149,7 +149,8 @@ class MovesTest {
         simulation.runUntil(60_000);
         assertOnlyAt(station, bus);
         // Its texts are there already.
-        assertTrue(simulation.air.bits - first < first, simulation.air.bits + " bits, of which " + first + " on the first way");
+        assertTrue(simulation.air.bits - first < first,
+                simulation.air.bits + " bits, of which " + first + " on the first way");
     }
 
     @Test
@@ -286,8 +287,8 @@ class MovesTest {
         simulation.runUntil(simulation.millis() + 60_000);
         bus.broken.clear();
         simulation.runUntil(simulation.millis() + 60_000);
-        bus.kill();
-        bus.start();
+        bus.host.kill();
+        bus.host.start();
         simulation.runUntil(simulation.millis() + 60_000);
         assertOnlyAt(station, bus);
     }
@@ -328,19 +329,19 @@ class MovesTest {
         move();
         until(() -> isIn(bus, Move.State.READY));
         until(() -> isIn(station, Move.State.GONE));
-        for (Side side : List.of(bus, station)) {
-            side.kill();
+        for (Simulation.Side side : List.of(bus, station)) {
+            side.host.kill();
             Path record = record(side);
             byte[] good = Files.readAllBytes(record);
             Files.write(record, garbage.getBytes(StandardCharsets.ISO_8859_1));
-            side.start();
+            side.host.start();
             simulation.runUntil(simulation.millis() + 60_000);
             assertTrue(side.told.get(side.told.size() - 1).contains(record.getFileName().toString()),
                     () -> "" + side.told);
             assertEquals(0, simulation.awake(AGENT));
-            side.kill();
+            side.host.kill();
             Files.write(record, good);
-            side.start();
+            side.host.start();
             simulation.contact = side == station;
         }
         simulation.runUntil(simulation.millis() + 100_000);
@@ -351,7 +352,7 @@ class MovesTest {
     void start_recordThatLacksALine_isDamaged() throws IOException {
         move();
         until(() -> isIn(station, Move.State.OFFERED));
-        station.kill();
+        station.host.kill();
         Path record = record(station);
         List<String> lines = Files.readAllLines(record);
         for (String line : lines) {
@@ -362,7 +363,7 @@ class MovesTest {
         }
     }
 
-    private Path record(Side side) throws IOException {
+    private Path record(Simulation.Side side) throws IOException {
         try (Stream<Path> files = Files.list(folder.resolve(side.address.toString()))) {
             return files.filter(file -> file.toString().endsWith(".move")).findFirst().orElseThrow();
         }
@@ -374,19 +375,19 @@ class MovesTest {
         move();
         station.depart("other", Protocol.MUTUALISM, Simulation.BUS);
         simulation.runUntil(60_000);
-        bus.kill();
+        bus.host.kill();
         Move move = Folder.records(folder.resolve("SUBB")).get(0);
         assertEquals(2, Folder.records(folder.resolve("SUBB")).size());
         Path part = folder.resolve("SUBB").resolve("parts").resolve(move.parts().get(0).hex());
         byte[] good = Files.readAllBytes(part);
         Files.write(part, new byte[0]);
-        bus.start();
+        bus.host.start();
         simulation.runUntil(100_000);
         assertEquals(Set.of(), bus.awake.keySet(), "not with an empty text");
         assertEquals(2, bus.told.stream().filter(line -> line.contains("lost or damaged")).count());
-        bus.kill();
+        bus.host.kill();
         Files.write(part, good);
-        bus.start();
+        bus.host.start();
         assertEquals(Set.of(AGENT, "other"), bus.awake.keySet());
     }
 
@@ -408,8 +409,8 @@ class MovesTest {
         bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
         until(() -> isIn(bus, Move.State.OFFERED));
         simulation.contact = false;
-        bus.kill();
-        bus.start();
+        bus.host.kill();
+        bus.host.start();
         deliver(number, new MoveMessage.Go());
         deliver(number, new MoveMessage.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
                 identity()));
@@ -422,8 +423,8 @@ class MovesTest {
         simulation.runUntil(30_000);
         bus.awake.remove(AGENT);
         bus.moves.ended(AGENT);
-        bus.kill();
-        bus.start();
+        bus.host.kill();
+        bus.host.start();
         simulation.runUntil(60_000);
         assertEquals(0, simulation.awake(AGENT));
     }
@@ -503,7 +504,7 @@ class MovesTest {
         }
     }
 
-    private static boolean isIn(Side side, Move.State state) {
+    private static boolean isIn(Simulation.Side side, Move.State state) {
         return side.open().stream().anyMatch(each -> each.state() == state);
     }
 

@@ -21,8 +21,8 @@ class RetransmissionTest {
     @Test
     void say_untilAnswered_atTheTimesOfSpec(@TempDir Path folder) {
         Simulation simulation = new Simulation(1, folder);
-        Side side = simulation.side(Simulation.STATION);
-        side.start();
+        Simulation.Side side = simulation.side(Simulation.STATION);
+        side.host.start();
         Deque<CompletableFuture<Outcome>> outcomes =
                 new ArrayDeque<>(Collections.nCopies(6, CompletableFuture.completedFuture(Outcome.UNDELIVERED)));
         outcomes.add(CompletableFuture.failedFuture(new IllegalStateException("the board takes nothing")));

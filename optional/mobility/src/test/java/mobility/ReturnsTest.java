@@ -31,9 +31,9 @@ class ReturnsTest {
     @TempDir
     Path folder;
     private Simulation simulation;
-    private Side station;
-    private Side bus;
-    private Side hospital;
+    private Simulation.Side station;
+    private Simulation.Side bus;
+    private Simulation.Side hospital;
 
     @BeforeEach
     void start() throws IOException {
@@ -43,22 +43,22 @@ class ReturnsTest {
         bus = simulation.side(Simulation.BUS);
         hospital = simulation.side(Simulation.HOSPITAL);
         station.program.put(AGENT, TEXTS);
-        Stream.of(station, bus, hospital).forEach(Side::start);
+        Stream.of(station, bus, hospital).forEach(side -> side.host.start());
     }
 
-    private CompletableFuture<String> move(Side from, Protocol protocol, Side to) {
+    private CompletableFuture<String> move(Simulation.Side from, Protocol protocol, Simulation.Side to) {
         CompletableFuture<String> end = from.depart(AGENT, protocol, to.address);
         simulation.runUntil(simulation.millis() + 60_000);
         return end;
     }
 
-    private void assertOnlyAt(Side here) {
+    private void assertOnlyAt(Simulation.Side here) {
         assertEquals(1, simulation.awake(AGENT));
         assertEquals(TEXTS, here.awake.get(AGENT), () -> station.told + " " + bus.told + " " + hospital.told);
         assertEquals(List.of(), simulation.both);
     }
 
-    private Move record(Side side, Move.State state) {
+    private Move record(Simulation.Side side, Move.State state) {
         return Folder.records(folder.resolve(side.address.toString())).stream().filter(move -> move.state() == state)
                 .findFirst().orElseThrow();
     }
@@ -116,22 +116,22 @@ class ReturnsTest {
     void agent_broughtBackTwice_wakesOnce() {
         move(station, Protocol.MUTUALISM, bus);
         Move.Identity who = record(station, Move.State.AWAY).identity();
-        bus.kill();
+        bus.host.kill();
         int first = simulation.forgeOffer(station, Simulation.BUS, Protocol.MUTUALISM, who);
         int second = simulation.forgeOffer(station, Simulation.BUS, Protocol.MUTUALISM, who);
         simulation.deliver(station, Simulation.BUS, first, new MoveMessage.Go());
         assertEquals(1, simulation.awake(AGENT));
         simulation.deliver(station, Simulation.BUS, second, new MoveMessage.Go());
         assertEquals(1, simulation.awake(AGENT));
-        station.kill();
-        station.start();
+        station.host.kill();
+        station.host.start();
         simulation.deliver(station, Simulation.BUS, second, new MoveMessage.Go());
         assertEquals(1, simulation.awake(AGENT));
     }
 
     @Test
     void offer_whileTheAgentIsStillOffered_isRefused() {
-        bus.kill();
+        bus.host.kill();
         station.depart(AGENT, Protocol.MUTUALISM, Simulation.BUS);
         simulation.runUntil(simulation.millis() + 1_000);
         simulation.forge(station, Simulation.BUS, Protocol.MUTUALISM, record(station, Move.State.OFFERED).identity());
@@ -153,8 +153,8 @@ class ReturnsTest {
         simulation.forge(bus, Simulation.HOSPITAL, Protocol.MUTUALISM, inspector(0));
         simulation.forge(bus, Simulation.STATION, Protocol.MUTUALISM, gone.identity());
         assertEquals(gone, record(bus, Move.State.GONE));
-        bus.kill();
-        bus.start();
+        bus.host.kill();
+        bus.host.start();
         assertEquals(gone, record(bus, Move.State.GONE));
     }
 
@@ -187,8 +187,8 @@ class ReturnsTest {
         simulation.watched.clear();
         move(bus, Protocol.CLONING, station);
         Move away = record(station, Move.State.AWAY);
-        station.kill();
-        station.start();
+        station.host.kill();
+        station.host.start();
         assertEquals(away, record(station, Move.State.AWAY));
         assertEquals(2, simulation.awake(AGENT), "the clone here, and the agent there");
     }

@@ -88,16 +88,9 @@ final class CertifiedPair implements AutoCloseable {
      */
     void besiege(Random random, int messages) throws InterruptedException {
         List<Frame> sealed = heard.stream().filter(frame -> !frame.destination().equals(Address.BROADCAST)).toList();
-        Attacker attacker = new Attacker(random, List.of(one.address(), other.address()), new Attacker.Voice() {
-            @Override
-            public void broadcast(Address from, Bytes word) {
-                send(new Frame(Address.BROADCAST, from, word));
-            }
-
-            @Override
-            public void unicast(Address from, Address to, Bytes noise) {
-                send(random.nextBoolean() ? sealed.get(random.nextInt(sealed.size())) : new Frame(to, from, noise));
-            }
+        Attacker attacker = new Attacker(random, List.of(one.address(), other.address()), (from, to, word) -> {
+            boolean replays = !to.equals(Address.BROADCAST) && random.nextBoolean();
+            send(replays ? sealed.get(random.nextInt(sealed.size())) : new Frame(to, from, word));
         });
         heard.stream().filter(frame -> HostMessage.isHostMessage(frame.message()))
                 .forEach(frame -> attacker.hear(frame.origin(), frame.message()));

@@ -8,7 +8,6 @@ import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
 import keyagreement.RandomRuns;
 import keyagreement.RandomRuns.Tally;
-import keyagreement.Siege;
 
 /** Whether hosts that never met come to one key, whatever happens, and whether an attacker can spoil it. */
 final class KeyAgreements implements Campaign {
@@ -50,7 +49,7 @@ final class KeyAgreements implements Campaign {
         report.never("without an end", sum(all, Tally::open));
         report.never("not in order again", sum(all, Tally::late));
         report.never("more than two agreements", all.stream().filter(tally -> tally.agreements() > 2).count());
-        Siege siege = Siege.of(settings.seed(), settings.choose(10_000, 100),
+        RandomRuns.Siege siege = RandomRuns.siege(settings.seed(), settings.choose(10_000, 100),
                 Files.createDirectory(folder.resolve("siege")));
         report.never("keys lost under " + siege.sent() + " messages of an attacker", siege.lost());
         report.never("keys set, EEPROM written or messages accepted by these",
