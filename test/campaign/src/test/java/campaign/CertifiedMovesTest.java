@@ -20,7 +20,7 @@ class CertifiedMovesTest {
     Path folder;
 
     @ParameterizedTest
-    @ValueSource(longs = {1, 2})
+    @ValueSource(longs = {1, 2, 5, 6})
     void moves_killsResetsLossesAndAnAttacker_neverTwoAwakeAndOneInTheEnd(long seed) throws Exception {
         Tally tally = RandomMoves.run(seed, Files.createDirectory(folder.resolve("records")),
                 CertifiedHost.maker(Files.createDirectory(folder.resolve("identities"))));
