@@ -2,28 +2,46 @@ package diffuser;
 
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 import jason.asSyntax.Literal;
 
+import javino.board.Board;
+import javino.board.ReceivedMessage;
+import javino.board.Transmission;
 import javino.protocol.Address;
+import javino.protocol.Content;
 import javino.protocol.HostMessage;
+import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
-/** Which keys a board has, for its agent. For any thread. */
-final class BoardKeys {
+/** Which keys a board has, and what its agent and key agreement do by these. For any thread. */
+final class BoardKeys implements KeyService.Host {
 
+    private final Device device;
+    private final CompletableFuture<Board> session;
+    private final Device.DeviceContext context;
+    private volatile List<StoredKey> told = List.of();
     private final Set<Address> stored = ConcurrentHashMap.newKeySet();
     /** Who has had a session key since the port was opened: nobody gets both kinds of keys meanwhile. */
     private final Set<Address> certified = ConcurrentHashMap.newKeySet();
     private volatile Set<Address> met = Set.of();
     private volatile boolean known;
 
+    BoardKeys(Device device, CompletableFuture<Board> session, Device.DeviceContext context) {
+        this.device = device;
+        this.session = session;
+        this.context = context;
+    }
+
     /** The board has told its keys. */
     void told(List<StoredKey> keys) {
+        told = keys;
         Set<Address> inEeprom = addresses(keys.stream().filter(key -> key.role() != Role.SESSION));
         stored.retainAll(inEeprom);
         stored.addAll(inEeprom);
@@ -36,19 +54,61 @@ final class BoardKeys {
         return keys.map(StoredKey::address).collect(Collectors.toSet());
     }
 
-    /** A group's key is being stored. */
-    void store(Address group) {
-        stored.add(group);
+    /** The board is there, with an address: key agreement may begin. */
+    void online(Address self, int bootEpoch) {
+        context.keyService().ifPresent(keyService -> keyService.online(this, self, bootEpoch, told));
     }
 
-    /** A device's session key is being set. */
-    void addCertified(Address device) {
-        certified.add(device);
+    /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
+    Transmission transmit(Address to, Message message) {
+        return context.keyService().filter(keyService -> device.hasRadio() && lacks(to))
+                .map(keyService -> keyService.transmit(this, to, message))
+                .orElseGet(() -> message instanceof HostMessage ofHosts ? send(to, ofHosts)
+                        : transmitAsIs(to, message));
     }
 
-    /** With which devices the board has session keys now. */
-    void setMet(Set<Address> devices) {
-        met = Set.copyOf(devices);
+    @Override
+    public Transmission transmitAsIs(Address to, Message message) {
+        Transmission begun = session.join().transmit(to, message);
+        return new Transmission(begun.taken(), begun.end().thenApply(device::ended));
+    }
+
+    @Override
+    public Transmission send(Address to, HostMessage message) {
+        return context.hosts().send(to, message);
+    }
+
+    @Override
+    public CompletableFuture<?> setSessionKey(Address peer, Key key) {
+        certified.add(peer);
+        return session.join().setSessionKey(peer, key);
+    }
+
+    @Override
+    public CompletableFuture<?> setGroupKey(Address group, Key key) {
+        return session.join().setKey(group, key).thenRun(() -> stored.add(group));
+    }
+
+    @Override
+    public CompletableFuture<?> deleteKey(Address peer) {
+        return session.join().deleteKey(peer);
+    }
+
+    @Override
+    public void met(Set<Address> peers) {
+        met = Set.copyOf(peers);
+        device.keysChanged();
+    }
+
+    @Override
+    public void received(Address from, Content content) {
+        device.address()
+                .ifPresent(self -> device.take(new ReceivedMessage(from, self, 0, content), TrustLevel.CERTIFIED));
+    }
+
+    @Override
+    public void warn(String what) {
+        context.warnings().once(what);
     }
 
     /** Whether a message to that address would need a key that is not stored. */
@@ -58,14 +118,14 @@ final class BoardKeys {
     }
 
     /** What a device is from which something came sealed; as long as that is not known, certified only. */
-    TrustLevel peer(Address device) {
-        return known && !certified.contains(device) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
+    TrustLevel peer(Address from) {
+        return known && !certified.contains(from) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
     }
 
     /** The same of a host message: keys are agreed on with nobody for whom one is stored, or may be. */
-    TrustLevel peer(Address device, HostMessage.Use use) {
-        return use == HostMessage.Use.MOVE ? peer(device)
-                : lacks(device) ? TrustLevel.CERTIFIED : TrustLevel.PROVISIONED;
+    TrustLevel peer(Address from, HostMessage.Use use) {
+        return use == HostMessage.Use.MOVE ? peer(from)
+                : lacks(from) ? TrustLevel.CERTIFIED : TrustLevel.PROVISIONED;
     }
 
     /** A belief for each device with a key. */

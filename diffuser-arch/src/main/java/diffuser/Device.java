@@ -19,16 +19,11 @@ import javino.board.BoardListener;
 import javino.board.LostState;
 import javino.board.ReceivedMessage;
 import javino.board.SketchTimes;
-import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
-import javino.protocol.Content;
 import javino.protocol.Counter;
-import javino.protocol.Key;
-import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
-import javino.protocol.Reply.StoredKey;
 import javino.protocol.Status;
 import javino.protocol.HostMessage;
 
@@ -36,7 +31,7 @@ import javino.protocol.HostMessage;
  * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
  * agent finds it in its next cycle; then the agent is woken.
  */
-final class Device implements BoardListener, KeyService.Host {
+final class Device implements BoardListener {
 
     /** Longer than a session waits for two actions, so that it ends only what the session itself has lost. */
     private static final long ANSWER_SECONDS = 30;
@@ -48,8 +43,7 @@ final class Device implements BoardListener, KeyService.Host {
     private final DeviceContext context;
     private final Percepts percepts;
     private final Communicability communicability;
-    private final BoardKeys keys = new BoardKeys();
-    private volatile List<StoredKey> toldKeys = List.of();
+    private final BoardKeys keys;
     private volatile int bootEpoch;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
@@ -83,6 +77,7 @@ final class Device implements BoardListener, KeyService.Host {
         this.settings = settings;
         this.context = context;
         this.percepts = new Percepts(term, settings.percepts(), context.warnings());
+        this.keys = new BoardKeys(this, session, context);
         this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings());
     }
 
@@ -138,6 +133,11 @@ final class Device implements BoardListener, KeyService.Host {
     /** Whether an action of that name is the board's; one that speaks the older protocol cannot say, so any may be. */
     boolean performs(String action) {
         return legacy || hasAction(action);
+    }
+
+    /** Which keys the board has, and what is sent by these. */
+    BoardKeys keys() {
+        return keys;
     }
 
     /** Whether agents can communicate by the board's radio. */
@@ -198,26 +198,8 @@ final class Device implements BoardListener, KeyService.Host {
         return session.thenCompose(board -> board.reading(within));
     }
 
-    /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
-    Transmission transmit(Address to, Message message) {
-        return context.keyService().filter(keyService -> hasRadio && keys.lacks(to))
-                .map(keyService -> keyService.transmit(this, to, message))
-                .orElseGet(() -> message instanceof HostMessage ofHosts ? send(to, ofHosts)
-                        : transmitAsIs(to, message));
-    }
-
-    @Override
-    public Transmission transmitAsIs(Address to, Message message) {
-        Transmission begun = session.join().transmit(to, message);
-        return new Transmission(begun.taken(), begun.end().thenApply(this::ended));
-    }
-
-    @Override
-    public Transmission send(Address to, HostMessage message) {
-        return context.hosts().send(to, message);
-    }
-
-    private Outcome ended(Outcome outcome) {
+    /** What became of a message that the board has transmitted. */
+    Outcome ended(Outcome outcome) {
         if (outcome == Outcome.DELIVERED) {
             communicability.heard();
         } else if (outcome == Outcome.UNDELIVERED) {
@@ -254,48 +236,6 @@ final class Device implements BoardListener, KeyService.Host {
 
     private static <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
         return answer.copy().orTimeout(ANSWER_SECONDS, TimeUnit.SECONDS);
-    }
-
-    /** What a device is from which something came sealed. */
-    TrustLevel peer(Address from) {
-        return keys.peer(from);
-    }
-
-    // What key agreement wants of the board.
-
-    @Override
-    public CompletableFuture<?> setSessionKey(Address device, Key key) {
-        keys.addCertified(device);
-        return session.join().setSessionKey(device, key);
-    }
-
-    @Override
-    public CompletableFuture<?> setGroupKey(Address group, Key key) {
-        return session.join().setKey(group, key).thenRun(() -> keys.store(group));
-    }
-
-    @Override
-    public CompletableFuture<?> deleteKey(Address device) {
-        return session.join().deleteKey(device);
-    }
-
-    @Override
-    public void met(Set<Address> peers) {
-        keys.setMet(peers);
-        if (online) {
-            percepts.peers(keys.beliefs());
-            tellAgent();
-        }
-    }
-
-    @Override
-    public void received(Address from, Content content) {
-        address().ifPresent(self -> take(new ReceivedMessage(from, self, 0, content), TrustLevel.CERTIFIED));
-    }
-
-    @Override
-    public void warn(String what) {
-        context.warnings().once(what);
     }
 
     // On the session's thread:
@@ -340,7 +280,6 @@ final class Device implements BoardListener, KeyService.Host {
         }
         session.thenCompose(Board::keys).whenComplete((list, thrown) -> {
             if (thrown == null) {
-                toldKeys = list;
                 keys.told(list);
                 LostState.ofFloors(list).ifPresent(context.warnings()::once);
             } else {
@@ -362,10 +301,17 @@ final class Device implements BoardListener, KeyService.Host {
         tellFinder();
     }
 
+    /** The board has keys for others than before. */
+    void keysChanged() {
+        if (online) {
+            percepts.peers(keys.beliefs());
+            tellAgent();
+        }
+    }
+
     private void tellFinder() {
         if (online && hasRadio && !closed) {
-            address().ifPresent(self -> context.keyService()
-                    .ifPresent(keyService -> keyService.online(this, self, bootEpoch, toldKeys)));
+            address().ifPresent(self -> keys.online(self, bootEpoch));
         }
     }
 
@@ -394,7 +340,8 @@ final class Device implements BoardListener, KeyService.Host {
         take(message, shared ? TrustLevel.CERTIFIED : keys.peer(message.from()));
     }
 
-    private void take(ReceivedMessage message, TrustLevel peer) {
+    /** A message for the agent. */
+    void take(ReceivedMessage message, TrustLevel peer) {
         // After the end it is left to the next session, as the board was not told that it was taken.
         if (!closed) {
             communicability.heard();

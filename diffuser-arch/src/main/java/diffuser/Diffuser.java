@@ -296,11 +296,11 @@ public class Diffuser extends AgArch {
      * @return fails with what {@link Failure#of} reads, also where no port was opened.
      */
     public Transmission transmit(Address to, javino.protocol.Message message) {
-        return transmission(board -> board.transmit(to, message));
+        return transmission(board -> board.keys().transmit(to, message));
     }
 
     private Transmission transmitAsIs(Address to, HostMessage message) {
-        return transmission(board -> board.transmitAsIs(to, message));
+        return transmission(board -> board.keys().transmitAsIs(to, message));
     }
 
     private Transmission transmission(Function<Device, Transmission> begin) {
@@ -335,7 +335,7 @@ public class Diffuser extends AgArch {
 
     /** What a device is from which something came sealed; without a board, certified only. For any thread. */
     public TrustLevel peer(Address device) {
-        return device().map(board -> board.peer(device)).orElse(TrustLevel.CERTIFIED);
+        return device().map(board -> board.keys().peer(device)).orElse(TrustLevel.CERTIFIED);
     }
 
     /** Where the board's messages go. */
