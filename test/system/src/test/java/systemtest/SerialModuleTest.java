@@ -33,8 +33,8 @@ class SerialModuleTest {
     private Host sender;
     private Host receiver;
 
-    private void start(String module, double loss, int hops) throws Exception {
-        Emulator.Scenario scenario = new Emulator.Scenario().radio("module", module).radio("loss", loss).speed("4");
+    private void start(String module, double loss, int hops, String speed) throws Exception {
+        Emulator.Scenario scenario = new Emulator.Scenario().radio("module", module).radio("loss", loss).speed(speed);
         for (int i = 0; i <= hops; i++) {
             String name = i == 0 ? "from" : i == hops ? "to" : "relay";
             scenario.board(name, "Station", Map.of("position", List.of(i * STEP_METRES, 0)));
@@ -59,7 +59,8 @@ class SerialModuleTest {
     @ParameterizedTest
     @ValueSource(strings = {"hc-12", "e32"})
     void unicasts_withoutLosses_areSentOnce(String module) throws Exception {
-        start(module, 0, 1);
+        // At the speed of life: a host that is late is no loss, but its message is sent again.
+        start(module, 0, 1, "1");
         for (int i = 0; i < 3; i++) {
             assertDelivers("tell;n(" + i + ")");
         }
@@ -71,13 +72,13 @@ class SerialModuleTest {
     @ParameterizedTest
     @ValueSource(strings = {"hc-12", "e32"})
     void longUnicasts_withLosses_areDelivered(String module) throws Exception {
-        start(module, 0.05, 1);
+        start(module, 0.05, 1, "4");
         assertDelivers("tell;long(\"" + "x".repeat(200) + "\")");
     }
 
     @Test
     void unicast_byARelay_isDelivered() throws Exception {
-        start("hc-12", 0, 2);
+        start("hc-12", 0, 2, "4");
         try (Host relay = Host.of(emulator, "relay")) {
             assertTrue(Host.get(relay.board.relaying(true)));
             assertDelivers("tell;help");
