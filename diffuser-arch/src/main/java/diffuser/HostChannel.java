@@ -16,7 +16,6 @@ import javino.board.QueueFullException;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
-import javino.protocol.Outcome;
 
 /**
  * Sends host messages: one broadcast at a time, and one unicast to each device. Hands those that come to the libraries
@@ -35,7 +34,7 @@ public final class HostChannel {
     /** Of each address the first is under way. */
     private final Map<Address, Deque<Sending>> sendings = new HashMap<>();
 
-    private record Sending(HostMessage message, CompletableFuture<Void> taken, CompletableFuture<Outcome> end) {
+    private record Sending(HostMessage message, Transmission transmission) {
     }
 
     /**
@@ -58,7 +57,8 @@ public final class HostChannel {
      *         many.
      */
     public Transmission send(Address to, HostMessage message) {
-        Sending mine = new Sending(message, new CompletableFuture<>(), new CompletableFuture<>());
+        Sending mine = new Sending(message,
+                new Transmission(new CompletableFuture<>(), new CompletableFuture<>()));
         int before;
         synchronized (sendings) {
             Deque<Sending> all = sendings.computeIfAbsent(to, any -> new ArrayDeque<>());
@@ -74,12 +74,12 @@ public final class HostChannel {
         if (before == 0) {
             begin(to, mine);
         }
-        return new Transmission(mine.taken, mine.end);
+        return mine.transmission;
     }
 
     private void begin(Address to, Sending sending) {
         Transmission begun = transmit.apply(to, sending.message);
-        begun.taken().whenComplete((taken, thrown) -> complete(sending.taken, taken, thrown));
+        begun.taken().whenComplete((taken, thrown) -> complete(sending.transmission.taken(), taken, thrown));
         begun.end().whenComplete((outcome, thrown) -> {
             Optional<Sending> next;
             synchronized (sendings) {
@@ -87,7 +87,7 @@ public final class HostChannel {
                 next = Optional.ofNullable(sendings.get(to).peek());
                 sendings.computeIfPresent(to, (any, rest) -> rest.isEmpty() ? null : rest);
             }
-            complete(sending.end, outcome, thrown);
+            complete(sending.transmission.end(), outcome, thrown);
             next.ifPresent(waiting -> begin(to, waiting));
         });
     }
