@@ -116,7 +116,7 @@ final class MovesOnBoards {
                 + pairs.stream().mapToLong(MovePair::wrongMarks).sum());
         report.never("on boards: admitted without a plan",
                 sum("] arrived cloning"));
-        refusal.ifPresent(why -> report.text("The model refuses the trace: `" + why + "`."));
+        refusal.ifPresent(why -> report.progress("the model refuses the trace: %s", why));
         report.never("on boards: a trace that the model refuses", refusal.isPresent() ? 1 : 0);
         report.never("on boards: a fault that did not come about",
                 pairs.stream().mapToLong(MovePair::failures).sum());

@@ -119,6 +119,13 @@ final class HostMachine {
         return false;
     }
 
+    /** It was over, and answers a message 1 that has come again: what the model calls its next answer. */
+    void beginAgain() {
+        states.clear();
+        states.add(Set.of(model.initial()));
+        came.removeIf(word -> word.startsWith("third"));
+    }
+
     /** What its host may say. */
     Set<String> words() {
         return states.stream().flatMap(Set::stream).flatMap(state -> model.says(state, came::contains).stream())

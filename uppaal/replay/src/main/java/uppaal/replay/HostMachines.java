@@ -115,6 +115,9 @@ final class HostMachines {
                 untold.get(host) + "; expected that it tells first of a machine");
         told++;
         HostMachine machine = machine(key);
+        if (key.machine().equals("responder") && state.equals("answering") && machine.is("over")) {
+            machine.beginAgain();
+        }
         boolean isRecorded =
                 key.machine().equals("departure") || key.machine().equals("arrival") && machine.agent.isEmpty();
         Optional<String> from = machine.tell(state, meant, isRecorded, word -> mayHaveSaid(

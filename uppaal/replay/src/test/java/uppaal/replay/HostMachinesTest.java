@@ -346,6 +346,23 @@ class HostMachinesTest {
     }
 
     @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"answered | accepted",
+            "setting | its responder 8c25ac59 with ROMA is 'setting'; expected 'half_open', or from there 'over', 's"})
+    void handshake_thatIsAnsweredAnew_needsItsMessage3Anew(String last, String why) {
+        lines = Lines.of("hosts/handshake");
+        boolean isLate = last.equals("setting");
+        int line = lines.where(each -> lines.text(each, "machine").equals("responder")
+                && lines.text(each, "state").equals(isLate ? "setting" : "half_open")).get(0) - (isLate ? 1 : 0);
+        for (String told : List.of("over", "answering")) {
+            JsonObject more = lines.copy(lines.where(each -> lines.text(each, "machine").equals("responder")).get(0));
+            more.add("t", lines.get(line).get("t"));
+            more.addProperty("state", told);
+            lines.all.add(line++, more);
+        }
+        assertTrue(refusal().contains(why), refusal());
+    }
+
+    @ParameterizedTest
     @CsvSource({"open, asking", "half_open, answered", "half_open, due", "done, closing", "done, over"})
     void handshake_inWordsOfItsHost_isAccepted(String state, String told) {
         lines = Lines.of("hosts/handshake");
