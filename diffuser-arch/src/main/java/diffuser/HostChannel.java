@@ -66,8 +66,7 @@ public final class HostChannel {
             boolean same = all.stream().skip(1).anyMatch(other -> other.message.equals(message));
             if (same || before > MOST_WAITING) {
                 notSent.incrementAndGet();
-                QueueFullException full = new QueueFullException(message.toString(), MOST_WAITING);
-                return new Transmission(CompletableFuture.failedFuture(full), CompletableFuture.failedFuture(full));
+                return failed(new QueueFullException(message.toString(), MOST_WAITING));
             }
             all.add(mine);
         }
@@ -77,8 +76,17 @@ public final class HostChannel {
         return mine.transmission;
     }
 
+    private static Transmission failed(Exception why) {
+        return new Transmission(CompletableFuture.failedFuture(why), CompletableFuture.failedFuture(why));
+    }
+
     private void begin(Address to, Sending sending) {
-        Transmission begun = transmit.apply(to, sending.message);
+        Transmission begun;
+        try {
+            begun = transmit.apply(to, sending.message);
+        } catch (IllegalArgumentException wrong) {
+            begun = failed(wrong); // so that those behind it are sent
+        }
         begun.taken().whenComplete((taken, thrown) -> complete(sending.transmission.taken(), taken, thrown));
         begun.end().whenComplete((outcome, thrown) -> {
             Optional<Sending> next;

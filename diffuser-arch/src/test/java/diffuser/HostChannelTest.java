@@ -135,6 +135,23 @@ class HostChannelTest {
     }
 
     @Test
+    void send_whatTheBoardRefusesAtOnce_failsAndLetsTheNextOneGo() {
+        HostChannel channel = new HostChannel(List.of(), (to, message) -> {
+            if (message.equals(sequences(2))) {
+                throw new IllegalArgumentException("too long");
+            }
+            return transmit(to, message);
+        }, warnings::add);
+        channel.send(ROMA, sequences(1));
+        Transmission refused = channel.send(ROMA, sequences(2));
+        channel.send(ROMA, sequences(3));
+        ends.poll().complete(Outcome.DELIVERED);
+        assertTrue(refused.taken().isCompletedExceptionally());
+        assertTrue(refused.end().isCompletedExceptionally());
+        assertEquals(List.of(sequences(1), sequences(3)), sent);
+    }
+
+    @Test
     void send_whatWaitsAlreadyOrTooMany_failsAndIsCounted() {
         HostChannel channel = channel();
         channel.send(ROMA, sequences(0));
