@@ -144,7 +144,9 @@ class ReturnsTest {
         move(station, Protocol.MUTUALISM, bus);
         // The bus never learns that the agent is awake at the hospital.
         bus.depart(AGENT, Protocol.MUTUALISM, Simulation.HOSPITAL);
-        while (bus.open().stream().noneMatch(move -> move.state() == Move.State.GONE)) {
+        long latest = simulation.millis() + 60_000;
+        while (simulation.millis() < latest
+                && bus.open().stream().noneMatch(move -> move.state() == Move.State.GONE)) {
             simulation.runUntil(simulation.millis() + 1);
         }
         simulation.contact = false;
