@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import jason.asSyntax.Literal;
 
 import javino.board.Board;
+import javino.board.LostState;
 import javino.board.ReceivedMessage;
 import javino.board.Transmission;
 import javino.protocol.Address;
@@ -25,7 +26,7 @@ final class BoardKeys implements KeyService.Host {
 
     private final Device device;
     private final CompletableFuture<Board> session;
-    private final Device.DeviceContext context;
+    private final DeviceContext context;
     private volatile List<StoredKey> told = List.of();
     private final Set<Address> stored = ConcurrentHashMap.newKeySet();
     /** Who has had a session key since the port was opened: nobody gets both kinds of keys meanwhile. */
@@ -33,7 +34,7 @@ final class BoardKeys implements KeyService.Host {
     private volatile Set<Address> met = Set.of();
     private volatile boolean known;
 
-    BoardKeys(Device device, CompletableFuture<Board> session, Device.DeviceContext context) {
+    BoardKeys(Device device, CompletableFuture<Board> session, DeviceContext context) {
         this.device = device;
         this.session = session;
         this.context = context;
@@ -48,6 +49,7 @@ final class BoardKeys implements KeyService.Host {
         certified.addAll(addresses(keys.stream().filter(key -> key.role() == Role.SESSION)));
         certified.removeAll(inEeprom);
         known = true;
+        LostState.ofFloors(keys).ifPresent(context.warnings()::once);
     }
 
     private static Set<Address> addresses(Stream<StoredKey> keys) {
@@ -120,6 +122,13 @@ final class BoardKeys implements KeyService.Host {
     /** What a device is from which something came sealed; as long as that is not known, certified only. */
     TrustLevel peer(Address from) {
         return known && !certified.contains(from) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
+    }
+
+    /** The same of a message's sender; anyone with a certificate has the key of a group that key agreement shares. */
+    TrustLevel peer(ReceivedMessage message) {
+        boolean shared = message.to().kind() == Address.Kind.MULTICAST
+                && context.keyService().map(KeyService::sharesGroup).orElse(false);
+        return shared ? TrustLevel.CERTIFIED : peer(message.from());
     }
 
     /** The same of a host message: keys are agreed on with nobody for whom one is stored, or may be. */

@@ -5,10 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
 
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
@@ -16,7 +14,6 @@ import jason.asSyntax.Term;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
-import javino.board.LostState;
 import javino.board.ReceivedMessage;
 import javino.board.SketchTimes;
 import javino.protocol.Address;
@@ -39,41 +36,20 @@ final class Device implements BoardListener {
     private static final Duration NEVER = Duration.ofDays(36_500);
 
     private final ExclusivePort link;
-    private final String port;
     private final DeviceContext context;
     private final Percepts percepts;
     private final Communicability communicability;
     private final BoardKeys keys;
-    private volatile int bootEpoch;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
     private volatile BoardSettings settings;
     private volatile boolean online;
-    private volatile boolean legacy;
-    private volatile boolean hasRadio = true;
-    /** What the sketch has named, when it was greeted last; null before the first time. */
-    private volatile Set<String> actions;
-    private volatile Optional<Address> address = Optional.empty();
+    /** What the board said of itself when it was greeted last. */
+    private volatile Optional<BoardInfo> info = Optional.empty();
     private volatile boolean closed;
-
-    /**
-     * The agent around a device.
-     *
-     * @param agent    its name.
-     * @param inbox    where its messages go.
-     * @param hosts    where messages of hosts go.
-     * @param warnings where its user is told what went wrong.
-     * @param wake     ends its sleep.
-     * @param printed  is told what the sketch prints.
-     * @param keyService   agrees on keys, if that library is there.
-     */
-    record DeviceContext(String agent, Inbox inbox, HostChannel hosts, Warnings warnings, Runnable wake,
-            Consumer<String> printed, Optional<KeyService> keyService) {
-    }
 
     private Device(ExclusivePort link, Term term, BoardSettings settings, DeviceContext context) {
         this.link = link;
-        this.port = link.name();
         this.settings = settings;
         this.context = context;
         this.percepts = new Percepts(term, settings.percepts(), context.warnings());
@@ -107,7 +83,7 @@ final class Device implements BoardListener {
 
     /** The port as the agent's program names it. */
     String port() {
-        return port;
+        return link.name();
     }
 
     /** Whether the board is there. */
@@ -117,22 +93,22 @@ final class Device implements BoardListener {
 
     /** The address that the board has or is to have, as far as is known. */
     Optional<Address> address() {
-        return hasRadio ? settings.rfId().or(() -> address) : Optional.empty();
+        return hasRadio() ? settings.rfId().or(() -> info.flatMap(BoardInfo::rfId)) : Optional.empty();
     }
 
     /** Whether the board speaks the older protocol, as far as is known: then it has actions for {@code .act} only. */
     boolean isLegacy() {
-        return legacy;
+        return info.map(BoardInfo::isLegacy).orElse(false);
     }
 
     /** Whether the board has a radio, as far as is known. */
     boolean hasRadio() {
-        return hasRadio;
+        return info.map(BoardInfo::hasRadio).orElse(true);
     }
 
     /** Whether an action of that name is the board's; one that speaks the older protocol cannot say, so any may be. */
     boolean performs(String action) {
-        return legacy || hasAction(action);
+        return isLegacy() || hasAction(action);
     }
 
     /** Which keys the board has, and what is sent by these. */
@@ -157,12 +133,12 @@ final class Device implements BoardListener {
 
     /** Whether a board was here ever. */
     boolean isKnown() {
-        return actions != null;
+        return info.isPresent();
     }
 
     /** Whether the sketch of the board that is here, or was here last, has named an action so. */
     boolean hasAction(String name) {
-        return actions != null && actions.contains(name);
+        return info.map(board -> board.actions().contains(name)).orElse(false);
     }
 
     /** Has the board do as wished, now and whenever it comes back; {@link #setRfId} and {@link #radio} add when. */
@@ -223,8 +199,8 @@ final class Device implements BoardListener {
     /** Asks for the board's counters, and warns of what in the sketch keeps the radio waiting. */
     CompletableFuture<Map<Counter, Long>> counters() {
         return session.thenCompose(Board::statistics).thenApply(counters -> {
-            SketchTimes.slow(counters, hasRadio).forEach(slow -> context.warnings().once(slow.part(),
-                    "the sketch on " + port + " is slow, " + slow.part() + ": " + slow.remedy()));
+            SketchTimes.slow(counters, hasRadio()).forEach(slow -> context.warnings().once(slow.part(),
+                    "the sketch on " + port() + " is slow, " + slow.part() + ": " + slow.remedy()));
             return counters;
         });
     }
@@ -241,50 +217,39 @@ final class Device implements BoardListener {
     // On the session's thread:
 
     @Override
-    public void online(BoardInfo info) {
+    public void online(BoardInfo board) {
         if (closed) {
             return;
         }
-        legacy = info.isLegacy();
-        hasRadio = info.hasRadio();
-        actions = Set.copyOf(info.actions());
-        address = info.rfId();
-        if (legacy) {
-            context.warnings()
-                    .once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
-                            + " radio does not; for that flash a sketch with the Javino library");
-        }
-        bootEpoch = info.bootEpoch();
+        info = Optional.of(board);
         BoardSettings wanted = settings;
-        if (!hasRadio && !legacy && (wanted.radio() || wanted.rfId().isPresent())) {
-            context.warnings().once(port + ": " + Status.NO_RADIO.explanation());
+        if (board.isLegacy()) {
+            context.warnings().once("the board on " + port() + " speaks the older protocol: percepts and .act work, the"
+                    + " radio does not; for that flash a sketch with the Javino library");
+        } else if (!board.hasRadio() && (wanted.radio() || wanted.rfId().isPresent())) {
+            context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }
-        boolean hasOther = hasRadio && wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
-        if (hasOther) {
-            session.thenCompose(board -> board.setRfId(wanted.rfId().get())).whenComplete((done, thrown) -> {
-                if (thrown != null) {
-                    context.warnings().always(Failure.of(thrown).message());
-                }
-                askForKeys(thrown == null || info.rfId().isPresent());
-            });
-        } else {
-            askForKeys(info.rfId().isPresent());
-        }
+        boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());
+        session.thenCompose(open -> other ? open.setRfId(wanted.rfId().get()) : CompletableFuture.completedFuture(null))
+                .whenComplete((done, thrown) -> {
+                    if (thrown != null) {
+                        context.warnings().always(Failure.of(thrown).message());
+                    }
+                    askForKeys(board.rfId().isPresent() || other && thrown == null);
+                });
     }
 
     /** Before the agent may act, it is to be known for whom there are keys. */
     private void askForKeys(boolean hasAddress) {
-        if (!hasRadio) {
+        if (!hasRadio()) {
             nowOnline(false);
             return;
         }
         session.thenCompose(Board::keys).whenComplete((list, thrown) -> {
             if (thrown == null) {
                 keys.told(list);
-                LostState.ofFloors(list).ifPresent(context.warnings()::once);
             } else {
-                context.warnings()
-                        .once("it is not known which keys the board has: " + Failure.of(thrown).message());
+                context.warnings().once("it is not known which keys the board has: " + Failure.of(thrown).message());
             }
             nowOnline(hasAddress);
         });
@@ -310,8 +275,8 @@ final class Device implements BoardListener {
     }
 
     private void tellFinder() {
-        if (online && hasRadio && !closed) {
-            address().ifPresent(self -> keys.online(self, bootEpoch));
+        if (online && !closed) {
+            address().ifPresent(self -> keys.online(self, info.map(BoardInfo::bootEpoch).orElse(0)));
         }
     }
 
@@ -335,9 +300,7 @@ final class Device implements BoardListener {
 
     @Override
     public void message(ReceivedMessage message) {
-        boolean shared = message.to().kind() == Address.Kind.MULTICAST
-                && context.keyService().map(KeyService::sharesGroup).orElse(false);
-        take(message, shared ? TrustLevel.CERTIFIED : keys.peer(message.from()));
+        take(message, keys.peer(message));
     }
 
     /** A message for the agent. */

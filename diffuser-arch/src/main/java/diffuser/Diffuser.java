@@ -145,7 +145,7 @@ public class Diffuser extends AgArch {
             }
             ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
             device = Device.open(link, portTerm(port), boardConfig(), settings,
-                    new Device.DeviceContext(getAgName(), inbox, hosts, warnings, this::wakeAgent,
+                    new DeviceContext(getAgName(), inbox, hosts, warnings, this::wakeAgent,
                             text -> printed.accept(text), service(KeyService.class)));
             return device.decided().thenCompose(decided -> believed());
         }
