@@ -30,6 +30,8 @@ final class HostMachine {
     /** Where it was ever. */
     private final Set<String> been = new HashSet<>();
     private final Set<String> came = new HashSet<>();
+    /** Where it may have been when its host was killed, until it tells of a state. */
+    private Set<String> killed = Set.of();
     private boolean isKnown;
     /** What its agent is called here, as the host has said since it was started. */
     Optional<String> name = Optional.empty();
@@ -93,8 +95,11 @@ final class HostMachine {
                     + now().stream().sorted().map(before -> "'" + before + "', or from there "
                             + model.expected(before, isClone())).collect(Collectors.joining("; or ")));
         }
-        Optional<String> from = now().containsAll(able) ? Optional.empty() : now().stream()
-                .filter(before -> model.leads(before, meant.get(0), isClone(), known)).findFirst();
+        Optional<String> from = (now().containsAll(able) ? killed : now()).stream()
+                .filter(before -> !before.equals(meant.get(0))
+                        && model.leads(before, meant.get(0), isClone(), known))
+                .findFirst();
+        killed = Set.of();
         if (now().containsAll(able)) {
             states.remove(states.size() - 1);
         }
@@ -134,6 +139,7 @@ final class HostMachine {
 
     /** Its host may have been killed and started again. */
     void restart() {
+        killed = now();
         Set<String> after = now().stream().flatMap(state -> model.killed(state, isClone(), came::contains).stream())
                 .collect(Collectors.toSet());
         states.set(states.size() - 1, after);

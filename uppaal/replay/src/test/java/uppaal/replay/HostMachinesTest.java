@@ -278,6 +278,9 @@ class HostMachinesTest {
                     + "away says W 1 000000000000; cut",
             "after away says A 1; away restarts; away hears G 1; away says A 1 78",
             "after home hears R 1; home restarts; home says G 1; cut",
+            "after away hears G 1; away restarts",
+            "after home says O 1; home hears X 1 6e6f; home restarts; home tells departure over 1; "
+                    + "home tells departure offered 3; home says O 3; cut",
             // States that the models do not tell apart.
             "after home hears W 1; home tells departure sending 1; home says D 1; home tells departure sent 1; "
                     + "home says O 1; home tells departure none 1; cut",
