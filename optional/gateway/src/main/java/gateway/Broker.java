@@ -13,6 +13,7 @@ import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscribe;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscription;
+import com.hivemq.client.mqtt.mqtt5.message.subscribe.suback.Mqtt5SubAck;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.HashMap;
@@ -21,6 +22,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -46,7 +48,8 @@ final class Broker implements AutoCloseable {
     private static final int LONGEST = 4096;
 
     private final BrokerConfig config;
-    private final List<Mqtt5Subscription> subscriptions;
+    /** Topics, and whether this client gets what it has published there itself. */
+    private final Map<String, Boolean> topics = new ConcurrentHashMap<>();
     private final Message will;
     private final Listener listener;
     private volatile Mqtt5AsyncClient client;
@@ -116,13 +119,15 @@ final class Broker implements AutoCloseable {
         }
     }
 
-    private Broker(BrokerConfig config, List<String> topics, Message will, Listener listener) {
+    private Broker(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener) {
         this.config = config;
         this.will = will;
         this.listener = listener;
-        subscriptions = topics.stream()
-                .map(topic -> Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).build())
-                .toList();
+        this.topics.putAll(topics);
+    }
+
+    private static Mqtt5Subscription subscription(String topic, boolean own) {
+        return Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).noLocal(!own).build();
     }
 
     /** Connects, by a name that this client has never had and nobody else knows. */
@@ -147,11 +152,11 @@ final class Broker implements AutoCloseable {
     /**
      * Connects to a broker.
      *
-     * @param topics that it wants to be told of.
+     * @param topics that it wants to be told of; and of each, whether of its own messages, too.
      * @param will   what the broker publishes when this client has gone.
      * @throws BrokerException if the broker is not there, or refuses.
      */
-    static Broker connect(BrokerConfig config, List<String> topics, Message will, Listener listener)
+    static Broker connect(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener)
             throws JavinoException, InterruptedException {
         Broker broker = new Broker(config, topics, will, listener);
         try {
@@ -168,7 +173,8 @@ final class Broker implements AutoCloseable {
 
     private void subscribe() {
         // Anew with each connection: what was subscribed before has ended with its session.
-        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(subscriptions).build(),
+        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(topics.entrySet().stream()
+                .map(topic -> subscription(topic.getKey(), topic.getValue())).toList()).build(),
                 publish -> listener.arrived(Message.of(publish)))
                 .whenComplete((granted, failure) -> {
                     if (failure == null) {
@@ -176,12 +182,19 @@ final class Broker implements AutoCloseable {
                         connectedAt = System.nanoTime();
                         listener.connected();
                         subscribed.complete(null);
-                    } else if (!subscribed.completeExceptionally(failure) && failure instanceof Mqtt5SubAckException) {
-                        // That the connection was lost, the other listener tells.
-                        listener.disconnected(BrokerException.of(config, failure));
-                        client.disconnect();
+                    } else if (!subscribed.completeExceptionally(failure)) {
+                        refused(failure);
                     }
                 });
+    }
+
+    private Mqtt5SubAck refused(Throwable failure) {
+        // That the connection was lost, the other listener tells.
+        if (failure instanceof Mqtt5SubAckException) {
+            listener.disconnected(BrokerException.of(config, failure));
+            client.disconnect();
+        }
+        return null;
     }
 
     private void disconnected(MqttClientDisconnectedContext context) {
@@ -197,6 +210,17 @@ final class Broker implements AutoCloseable {
                     open();
                 }
             });
+        }
+    }
+
+    /** Wants to be told of a topic, too, now and after each loss of the connection; or no longer. */
+    void follow(String topic, boolean wanted) {
+        boolean isNew = wanted ? topics.put(topic, false) == null : topics.remove(topic) != null;
+        if (isNew && connected && wanted) {
+            client.subscribe(Mqtt5Subscribe.builder().addSubscription(subscription(topic, false)).build(),
+                    publish -> listener.arrived(Message.of(publish))).exceptionally(this::refused);
+        } else if (isNew && connected) {
+            client.unsubscribeWith().topicFilter(topic).send();
         }
     }
 

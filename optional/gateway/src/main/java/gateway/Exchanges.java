@@ -1,6 +1,8 @@
 package gateway;
 
+import java.util.LinkedHashSet;
 import java.util.Optional;
+import java.util.Set;
 import javino.protocol.Address;
 import javino.protocol.Frame;
 import javino.protocol.Payload;
@@ -12,27 +14,34 @@ final class Exchanges {
 
     private static final int MOST = 1024;
     private static final int ID = 2;
+    /** Cells that ask by the same 12 bits. */
+    private static final int MOST_ASKERS = 4;
     /** So long an acknowledgement is on its way to its cell and through it. */
     private static final long UNDER_WAY_MILLIS = 1000;
 
     private final BoundedMap<String, Address> headers = new BoundedMap<>(MOST);
-    private final BoundedMap<String, Boolean> awaited = new BoundedMap<>(MOST);
+    private final BoundedMap<String, Set<String>> askers = new BoundedMap<>(MOST);
     private final BoundedMap<String, Long> given = new BoundedMap<>(MOST);
 
-    /** A frame was heard, here or elsewhere. */
-    void learn(Frame frame, boolean here, long now) {
+    /** A frame was heard here, or in another cell. */
+    void learn(Frame frame, Optional<String> other, long now) {
         Payload packet = Payload.of(frame.encode());
         Payload whole = packet.whole();
         if (whole != packet && Payload.lengthIn(whole.bytes()) > 0) {
             headers.renew(message(frame), Address.parse(whole.destination()));
         }
-        if (here) {
-            question(whole).ifPresent(question -> awaited.renew(question, true));
-            if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
-                    && frame.message().length() == Payload.TAG_LENGTH) {
-                given.renew(answer(frame), now);
-            }
-        }
+        if (other.isPresent()) {
+            question(whole).ifPresent(question -> {
+                Set<String> cells = askers.getOrDefault(question, new LinkedHashSet<>());
+                if (cells.size() < MOST_ASKERS) {
+                    cells.add(other.get());
+                }
+                askers.renew(question, cells);
+            });
+        } else if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
+                && frame.message().length() == Payload.TAG_LENGTH) {
+                    given.renew(answer(frame), now);
+                }
     }
 
     /** Whom a fragment is for; nothing where the first fragment of its message is not known. */
@@ -40,9 +49,9 @@ final class Exchanges {
         return Optional.ofNullable(headers.get(message(fragment)));
     }
 
-    /** Whether an acknowledgement answers what was heard here. */
-    boolean isAwaited(Frame acknowledgement) {
-        return awaited.containsKey(answer(acknowledgement));
+    /** The cells from which the frame came that an acknowledgement answers. */
+    Set<String> askers(Frame acknowledgement) {
+        return askers.getOrDefault(answer(acknowledgement), Set.of());
     }
 
     /** Whether the acknowledgement of a frame was heard here just now. */

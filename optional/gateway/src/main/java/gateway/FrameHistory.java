@@ -13,7 +13,7 @@ import javino.protocol.Bytes;
 final class FrameHistory {
 
     private static final int MOST = 2048;
-    private static final int MOST_GATEWAYS = 8;
+    private static final int MOST_CELLS = 8;
 
     private final BoundedMap<Bytes, Sighting> frames = new BoundedMap<>(MOST);
 
@@ -53,26 +53,37 @@ final class FrameHistory {
             return false;
         }
 
-        /** It is on the air here once more. */
-        void onAir(long now) {
+        /** It is on the air here once more: for the n-th time, which is told. */
+        int onAir(long now) {
             seen(now);
-            onAir++;
+            return ++onAir;
         }
 
-        /** It has come from that gateway of another cell: for the n-th time, which is told. */
-        int arrived(String gateway, long now) {
+        /**
+         * It has come from another cell.
+         *
+         * @param attempt how often it was heard there; 0 if that is not said: then it is one more.
+         * @return which attempt it is; 0 if that has come before, by another gateway or topic, or twice by the broker,
+         * or if too many cells tell of it.
+         */
+        int arrived(String cell, int attempt, long now) {
             seen(now);
             lastArrival = now;
-            return arrivals.size() < MOST_GATEWAYS || arrivals.containsKey(gateway)
-                    ? arrivals.merge(gateway, 1, Integer::sum) : 0;
+            int before = arrivals.getOrDefault(cell, 0);
+            int nth = attempt == 0 ? before + 1 : attempt;
+            if (nth <= before || before == 0 && arrivals.size() == MOST_CELLS) {
+                return 0;
+            }
+            arrivals.put(cell, nth);
+            return nth;
         }
 
-        /** Whether nobody has told of it yet but one gateway, once. */
+        /** Whether nobody has told of it yet but one cell. */
         boolean isNew() {
-            return onAir == 0 && arrivals.values().stream().mapToInt(Integer::intValue).sum() == 1;
+            return onAir == 0 && arrivals.size() == 1;
         }
 
-        /** Whether the n-th copy from a gateway stands for one that has not been on the air here. */
+        /** Whether a cell's n-th attempt stands for one that has not been on the air here. */
         boolean lacks(int nth) {
             return nth > onAir;
         }

@@ -1,12 +1,13 @@
 package gateway;
 
+import gateway.Router.Whom;
+import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
+import java.util.HashMap;
 import java.util.HexFormat;
-import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -34,7 +35,7 @@ final class Gateway implements AutoCloseable {
     private static final int NAME_BYTES = 4;
     private static final long MILLIS_A_LINE = 10_000;
     private static final String TIME = "time";
-    private static final String HOW = "how";
+    private static final String ATTEMPT = "attempt";
     private static final String GATEWAY = "gateway";
 
     private final Config config;
@@ -58,6 +59,8 @@ final class Gateway implements AutoCloseable {
     private final AirtimeBudget lines = new AirtimeBudget(20 * MILLIS_A_LINE, 100, now());
     private int unsaid;
     private boolean takeoverSaid;
+    /** Whether the broker has taken all of the packet that is published. */
+    private boolean isTaken;
 
     /**
      * What a gateway is told.
@@ -65,8 +68,9 @@ final class Gateway implements AutoCloseable {
      * @param cell       its own.
      * @param prefix     of all topics.
      * @param broadcasts whether broadcasts of other cells are relayed.
+     * @param groups     whose multicasts are relayed even if no member was heard.
      */
-    record Config(BrokerConfig broker, String cell, String prefix, boolean broadcasts) {
+    record Config(BrokerConfig broker, String cell, String prefix, boolean broadcasts, Set<Address> groups) {
     }
 
     private Gateway(Config config, Consumer<String> log) {
@@ -75,9 +79,9 @@ final class Gateway implements AutoCloseable {
         byte[] random = new byte[NAME_BYTES];
         new SecureRandom().nextBytes(random);
         name = HexFormat.of().formatHex(random);
-        topics = new Topics(config.prefix());
+        topics = new Topics(config.prefix(), config.cell());
         cellGateways = new CellGateways(name);
-        router = new Router(config.cell(), config.broadcasts(), new Effects(), counters, now());
+        router = new Router(config.cell(), config.broadcasts(), config.groups(), new Effects(), counters, now());
     }
 
     /**
@@ -108,9 +112,17 @@ final class Gateway implements AutoCloseable {
     }
 
     private void openBroker() throws JavinoException, InterruptedException {
-        List<String> wanted = List.of(topics.air("+"), topics.heard("+", "+"), topics.gateway(config.cell(), "+"));
-        Broker opened = Broker.connect(config.broker(), wanted,
-                Broker.Message.none(topics.gateway(config.cell(), name)), new Post());
+        Map<String, Boolean> wanted = new HashMap<>();
+        wanted.put(Topics.fromAll(topics.air(Whom.CELL, config.cell())), false);
+        wanted.put(Topics.fromAll(topics.heard(config.cell(), "+")), false);
+        wanted.put(Topics.fromAll(topics.air(Whom.SEARCH, "all")), false);
+        if (config.broadcasts()) {
+            wanted.put(Topics.fromAll(topics.air(Whom.BROADCAST, "all")), false);
+        }
+        config.groups().forEach(group -> wanted.put(Topics.fromAll(topics.air(Whom.GROUP, group.member())), false));
+        // Its own, too: a will of an earlier connection may come late.
+        wanted.put(topics.gateway("+"), true);
+        Broker opened = Broker.connect(config.broker(), wanted, Broker.Message.none(topics.gateway(name)), new Post());
         synchronized (this) {
             broker = opened;
         }
@@ -130,22 +142,20 @@ final class Gateway implements AutoCloseable {
     /** Tells the broker, and the other gateways of the cell, that this one works, and what it has counted. */
     private void sayThere() {
         if (broker != null && board.state() == BoardState.ONLINE) {
-            broker.publish(Broker.Message.kept(topics.gateway(config.cell(), name), counters.json(),
+            broker.publish(Broker.Message.kept(topics.gateway(name), counters.json(),
                     TimeUnit.MILLISECONDS.toSeconds(CellGateways.GONE_MILLIS)));
         }
     }
 
     private void sayGone() {
         if (broker != null) {
-            broker.publish(Broker.Message.none(topics.gateway(config.cell(), name)));
+            broker.publish(Broker.Message.none(topics.gateway(name)));
         }
     }
 
-    private boolean publish(PollReply.Overheard packet) {
-        Map<String, String> properties = Map.of(GATEWAY, name, TIME, "" + System.currentTimeMillis(), HOW,
-                packet.how().toString().toLowerCase(Locale.ROOT));
-        return broker != null && broker.publish(Broker.Message.passing(topics.air(config.cell()),
-                packet.payload().toArray(), TimeUnit.MILLISECONDS.toSeconds(Router.LIFE_MILLIS), properties));
+    private boolean publish(String topic, byte[] payload, Map<String, String> properties) {
+        return broker != null && broker.publish(Broker.Message.passing(topic, payload,
+                TimeUnit.MILLISECONDS.toSeconds(Router.LIFE_MILLIS), properties));
     }
 
     /** Gives the board the next frame, if it has none. */
@@ -202,8 +212,11 @@ final class Gateway implements AutoCloseable {
                 counters.count(GatewayCounter.HEARD);
                 if (packet.how() == PollReply.Reception.DAMAGED) {
                     counters.count(GatewayCounter.DAMAGED);
-                } else if (router.heard(packet.payload(), now())) {
-                    counters.count(publish(packet) ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
+                } else {
+                    isTaken = true;
+                    if (router.heard(packet.payload(), now())) {
+                        counters.count(isTaken ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
+                    }
                 }
             }
         }
@@ -214,9 +227,6 @@ final class Gateway implements AutoCloseable {
 
         @Override
         public void connected() {
-            synchronized (Gateway.this) {
-                router.connected();
-            }
             note("broker: connected to " + config.broker());
             clock.execute(Gateway.this::sayThere);
         }
@@ -243,29 +253,53 @@ final class Gateway implements AutoCloseable {
 
         private void take(Topics.Topic topic, Broker.Message message) {
             switch (topic.about()) {
-                case AIR -> takeFrame(topic.cell(), message);
-                case HEARD -> topic.device().filter(device -> message.retained()).ifPresent(device -> router
-                        .kept(topic.cell(), device, now() - ageOfKept(message.expiry())));
-                case GATEWAY -> {
-                    boolean isThere = message.payload().length > 0;
-                    cellGateways.said(topic.name(), isThere, now());
-                    if (topic.name().equals(name) && !isThere) {
-                        // The will of an earlier connection, which the broker takes for lost only now.
-                        clock.execute(Gateway.this::sayThere);
+                case TO -> {
+                    if (topic.heard().isEmpty()) {
+                        takeFrame(topic, message);
+                    } else {
+                        topic.device().ifPresent(device -> router.told(topic.from(), device, age(message), now()));
                     }
                 }
+                case GROUP, SEARCH, BROADCAST -> takeFrame(topic, message);
+                case SEEK -> topic.device().ifPresent(device -> router.sought(topic.from(), device, now()));
+                case GATEWAY -> takeGateway(topic.name(), message.payload().length > 0);
             }
         }
 
-        private void takeFrame(String cell, Broker.Message message) {
+        private void takeGateway(String other, boolean isThere) {
+            if (cellGateways.said(other, isThere, now())) {
+                // It may not have what the broker has retained.
+                clock.execute(Gateway.this::sayThere);
+                router.joined(now());
+            }
+            if (other.equals(name) && !isThere) {
+                // The will of an earlier connection, which the broker takes for lost only now.
+                clock.execute(Gateway.this::sayThere);
+            }
+        }
+
+        private void takeFrame(Topics.Topic topic, Broker.Message message) {
             String from = message.properties().getOrDefault(GATEWAY, "");
             if (from.equals(name)) {
                 return;
             }
             counters.count(GatewayCounter.ARRIVED);
-            long until = now() + Router.LIFE_MILLIS - age(cell + "/" + from, message.properties().get(TIME));
-            router.arrived(cell, from, Bytes.copyOf(message.payload()), until,
+            long until = now() + Router.LIFE_MILLIS
+                    - age(topic.from() + "/" + from, message.properties().get(TIME));
+            router.arrived(topic.from(), topic.whom(), attempt(message), Bytes.copyOf(message.payload()), until,
                     cellGateways.isOwnTurn(now()) && board.state() == BoardState.ONLINE, now());
+        }
+
+        private static int attempt(Broker.Message message) {
+            String told = message.properties().getOrDefault(ATTEMPT, "");
+            return told.matches("[1-9][0-9]{0,2}") ? Integer.parseInt(told) : 0;
+        }
+
+        /** How long ago a device was heard, in ms. */
+        private static long age(Broker.Message message) {
+            String seconds = new String(message.payload(), StandardCharsets.UTF_8);
+            return TimeUnit.SECONDS.toMillis(seconds.matches("[0-9]{1,6}") ? Long.parseLong(seconds)
+                    : TimeUnit.MILLISECONDS.toSeconds(DeviceLocations.KEEP_MILLIS));
         }
 
         private long age(String gateway, String sent) {
@@ -274,11 +308,6 @@ final class Gateway implements AutoCloseable {
             } catch (NumberFormatException none) {
                 return 0;
             }
-        }
-
-        private static long ageOfKept(OptionalLong left) {
-            long millis = left.isPresent() ? TimeUnit.SECONDS.toMillis(left.getAsLong()) : 0;
-            return Math.max(0, DeviceLocations.KEEP_MILLIS - millis);
         }
     }
 
@@ -292,17 +321,27 @@ final class Gateway implements AutoCloseable {
         }
 
         @Override
-        public void keep(Address device) {
-            if (broker != null) {
-                broker.publish(Broker.Message.kept(topics.heard(config.cell(), device), name,
-                        TimeUnit.MILLISECONDS.toSeconds(DeviceLocations.KEEP_MILLIS)));
-            }
+        public void publish(Whom whom, String to, Bytes packet, int attempt) {
+            isTaken &= Gateway.this.publish(topics.air(whom, to), packet.toArray(), Map.of(GATEWAY, name, TIME,
+                    "" + System.currentTimeMillis(), ATTEMPT, "" + attempt));
         }
 
         @Override
-        public void forget(Address device) {
+        public void seek(Address device) {
+            Gateway.this.publish(topics.seek(device), new byte[0], Map.of());
+        }
+
+        @Override
+        public void tell(String cell, Address device, long age) {
+            Gateway.this.publish(topics.heard(cell, device),
+                    ("" + TimeUnit.MILLISECONDS.toSeconds(age)).getBytes(StandardCharsets.UTF_8), Map.of());
+        }
+
+        @Override
+        public void serve(Address address, boolean wanted) {
             if (broker != null) {
-                broker.publish(Broker.Message.none(topics.heard(config.cell(), device)));
+                broker.follow(Topics.fromAll(address.kind() == Address.Kind.MULTICAST
+                        ? topics.air(Whom.GROUP, address.member()) : topics.seek(address)), wanted);
             }
         }
     }

@@ -3,13 +3,18 @@ package gateway;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import gateway.Router.Whom;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Random;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
@@ -40,37 +45,64 @@ class CellsTest {
         private final String name;
         private final Router router;
         private final Map<Node, Long> last = new HashMap<>();
+        private final Set<String> served = new HashSet<>();
 
         Node(String cell, String name) {
             this.cell = cell;
             this.name = name;
-            router = new Router(cell, true, this, new GatewayCounters(), now);
+            router = new Router(cell, true, Set.of(), this, new GatewayCounters(), now);
         }
 
         void hears(Bytes frame) {
-            if (random.nextDouble() < hears && router.heard(frame, now)) {
-                nodes.stream().filter(node -> node != this).forEach(node -> send(node, frame));
+            if (random.nextDouble() < hears) {
+                router.heard(frame, now);
             }
         }
 
-        private void send(Node node, Bytes frame) {
-            long at = Math.max(last.getOrDefault(node, 0L), now + 5 + random.nextInt(slowest));
-            last.put(node, at);
-            events.add(new Event(at, () -> node.router.arrived(cell, name, frame, now + Router.LIFE_MILLIS,
-                    !node.name.equals("b2"), now)));
+        /** Has the broker deliver something to the gateways that want it: in order, and one in ten twice. */
+        private void send(Predicate<Node> wanted, Consumer<Node> what) {
+            nodes.stream().filter(node -> node != this && wanted.test(node)).forEach(node -> {
+                long at = Math.max(last.getOrDefault(node, 0L), now + 5 + random.nextInt(slowest));
+                last.put(node, at);
+                events.add(new Event(at, () -> what.accept(node)));
+                if (random.nextInt(10) == 0) {
+                    events.add(new Event(at, () -> what.accept(node)));
+                }
+            });
+        }
+
+        @Override
+        public void publish(Whom whom, String to, Bytes packet, int attempt) {
+            send(node -> switch (whom) {
+                case CELL -> node.cell.equals(to);
+                case GROUP -> node.served.contains("//" + to);
+                case SEARCH, BROADCAST -> true;
+            }, node -> node.router.arrived(cell, whom, attempt, packet, now + Router.LIFE_MILLIS,
+                    !node.name.equals("b2"), now));
+        }
+
+        @Override
+        public void seek(Address device) {
+            send(node -> node.served.contains(device.toString()), node -> node.router.sought(cell, device, now));
+        }
+
+        @Override
+        public void tell(String to, Address device, long age) {
+            send(node -> node.cell.equals(to), node -> node.router.told(cell, device, age, now));
+        }
+
+        @Override
+        public void serve(Address address, boolean wanted) {
+            if (wanted) {
+                served.add(address.toString());
+            } else {
+                served.remove(address.toString());
+            }
         }
 
         @Override
         public void relay(Frame frame, long until) {
             events.add(new Event(now + 200 + random.nextInt(500), () -> air(cell, frame.encode(), this)));
-        }
-
-        @Override
-        public void keep(Address device) {
-        }
-
-        @Override
-        public void forget(Address device) {
         }
     }
 
