@@ -110,7 +110,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
                         name(cell), broker, broker.port())));
             }
             AtomicLong frames = new AtomicLong();
-            closing.add(BrokerClient.enter(broker, Mosquitto.OWNER)).watch("javino/+/air",
+            closing.add(BrokerClient.enter(broker, Mosquitto.OWNER)).watch("javino/+/+/from/+/air",
                     (topic, frame) -> frames.incrementAndGet());
             CompletableFuture.allOf(flows(all, true).map(flow -> flow.send(all.get(0).timetable))
                     .toArray(CompletableFuture[]::new)).join();
@@ -205,7 +205,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
         try (BrokerClient client = BrokerClient.enter(broker, Mosquitto.OWNER)) {
             Address nobody = Address.parse("NONE");
             for (int i = 0; i < FLOOD; i++) {
-                client.air("none", "flood",
+                client.air("search/all", "none", "flood",
                         new Frame(nobody, nobody, Bytes.ofNumber(i, FLOOD_BYTES)).encode().toArray());
             }
         }
