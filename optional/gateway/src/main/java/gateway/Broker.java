@@ -1,5 +1,6 @@
 package gateway;
 
+import com.hivemq.client.mqtt.MqttGlobalPublishFilter;
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.lifecycle.MqttClientDisconnectedContext;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
@@ -119,7 +120,11 @@ final class Broker implements AutoCloseable {
         }
     }
 
-    private Broker(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener) {
+    /**
+     * @param topics that it wants to be told of; and of each, whether of its own messages, too.
+     * @param will   what the broker publishes when this client has gone.
+     */
+    Broker(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener) {
         this.config = config;
         this.will = will;
         this.listener = listener;
@@ -145,28 +150,24 @@ final class Broker implements AutoCloseable {
         client = config.user().isEmpty() ? builder.buildAsync() : builder.simpleAuth().username(config.user().get())
                 .password(config.password().orElse("").getBytes(StandardCharsets.UTF_8)).applySimpleAuth()
                 .buildAsync();
+        client.publishes(MqttGlobalPublishFilter.ALL, publish -> listener.arrived(Message.of(publish)));
         return client.connectWith().keepAlive(KEEP_ALIVE_SECONDS)
                 .restrictions().receiveMaximum(MOST_ARRIVED).maximumPacketSize(LONGEST).applyRestrictions().send();
     }
 
     /**
-     * Connects to a broker.
+     * Connects to the broker, from now on again and again.
      *
-     * @param topics that it wants to be told of; and of each, whether of its own messages, too.
-     * @param will   what the broker publishes when this client has gone.
      * @throws BrokerException if the broker is not there, or refuses.
      */
-    static Broker connect(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener)
-            throws JavinoException, InterruptedException {
-        Broker broker = new Broker(config, topics, will, listener);
+    void connect() throws JavinoException, InterruptedException {
         try {
-            broker.open().thenCompose(entered -> broker.subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
-            return broker;
+            open().thenCompose(entered -> subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
         } catch (ExecutionException e) {
-            broker.close();
+            close();
             throw BrokerException.of(config, e.getCause());
         } catch (TimeoutException e) {
-            broker.close();
+            close();
             throw BrokerException.of(config, e);
         }
     }
@@ -174,8 +175,7 @@ final class Broker implements AutoCloseable {
     private void subscribe() {
         // Anew with each connection: what was subscribed before has ended with its session.
         client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(topics.entrySet().stream()
-                .map(topic -> subscription(topic.getKey(), topic.getValue())).toList()).build(),
-                publish -> listener.arrived(Message.of(publish)))
+                .map(topic -> subscription(topic.getKey(), topic.getValue())).toList()).build())
                 .whenComplete((granted, failure) -> {
                     if (failure == null) {
                         connected = true;
@@ -216,10 +216,12 @@ final class Broker implements AutoCloseable {
     /** Wants to be told of a topic, too, now and after each loss of the connection; or no longer. */
     void follow(String topic, boolean wanted) {
         boolean isNew = wanted ? topics.put(topic, false) == null : topics.remove(topic) != null;
-        if (isNew && connected && wanted) {
-            client.subscribe(Mqtt5Subscribe.builder().addSubscription(subscription(topic, false)).build(),
-                    publish -> listener.arrived(Message.of(publish))).exceptionally(this::refused);
-        } else if (isNew && connected) {
+        // Also while the first ones are being subscribed, which may be without this one.
+        boolean isThere = isNew && client != null && client.getState().isConnected();
+        if (isThere && wanted) {
+            client.subscribe(Mqtt5Subscribe.builder().addSubscription(subscription(topic, false)).build())
+                    .exceptionally(this::refused);
+        } else if (isThere) {
             client.unsubscribeWith().topicFilter(topic).send();
         }
     }
@@ -238,6 +240,9 @@ final class Broker implements AutoCloseable {
     @Override
     public void close() {
         wanted = false;
+        if (client == null) {
+            return;
+        }
         try {
             client.disconnectWith().reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE).send()
                     .get(CLOSE_SECONDS, TimeUnit.SECONDS);

@@ -1,6 +1,6 @@
 package gateway;
 
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,15 +12,17 @@ final class DeviceLocations {
 
     /** So long a device that says nothing is remembered. */
     static final long KEEP_MILLIS = 24 * 3_600_000L;
-    private static final int MOST = 4096;
     private static final int MOST_HERE = 256;
+    private static final int MOST_CELLS = 256;
+    /** Devices of another cell: no cell displaces those of others. */
+    private static final int MOST_THERE = 64;
     /** Other cells of one device. */
-    private static final int MOST_CELLS = 3;
+    private static final int MOST_CHOSEN = 3;
 
     private final BoundedMap<Address, Long> here = new BoundedMap<>(MOST_HERE + 1);
-    private final BoundedMap<Address, Map<String, Long>> others = new BoundedMap<>(MOST);
+    private final BoundedMap<String, BoundedMap<Address, Long>> cells = new BoundedMap<>(MOST_CELLS);
 
-    /** A device was heard here, at that time in ms. @return whether it was not known here before. */
+    /** A device was heard here, at that time in ms. Tells whether it was not known here before. */
     boolean heardHere(Address device, long when) {
         boolean isNew = !here.containsKey(device);
         here.renew(device, when);
@@ -29,12 +31,9 @@ final class DeviceLocations {
 
     /** A device was heard in another cell, at that time in ms. */
     void heardThere(Address device, String cell, long when) {
-        Map<String, Long> cells = others.getOrDefault(device, new LinkedHashMap<>());
-        cells.merge(cell, when, Math::max);
-        if (cells.size() > MOST_CELLS) {
-            cells.keySet().stream().findFirst().ifPresent(cells::remove);
-        }
-        others.renew(device, cells);
+        BoundedMap<Address, Long> there = cells.getOrDefault(cell, new BoundedMap<>(MOST_THERE));
+        there.renew(device, Math.max(when, there.getOrDefault(device, when)));
+        cells.renew(cell, there);
     }
 
     /** Removes the one of too many devices here that was silent for the longest time: attackers can invent devices. */
@@ -49,11 +48,24 @@ final class DeviceLocations {
         return Optional.ofNullable(here.get(device)).filter(when -> now - when < KEEP_MILLIS);
     }
 
-    /** The other cells where a device was heard within a day, the last one first. */
+    /** Whether a device was heard here within a day, and nowhere else since. */
+    boolean isHere(Address device, long now) {
+        return here(device, now)
+                .filter(when -> cells.values().stream().allMatch(there -> there.getOrDefault(device, when) <= when))
+                .isPresent();
+    }
+
+    /** The other cells where a device was heard within a day, at most three, the last one first. */
     List<String> others(Address device, long now) {
-        return others.getOrDefault(device, Map.of()).entrySet().stream()
-                .filter(place -> now - place.getValue() < KEEP_MILLIS)
-                .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).map(Map.Entry::getKey).toList();
+        Map<String, Long> times = new HashMap<>();
+        cells.forEach((cell, there) -> {
+            Long when = there.get(device);
+            if (when != null && now - when < KEEP_MILLIS) {
+                times.put(cell, when);
+            }
+        });
+        return times.entrySet().stream().sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+                .map(Map.Entry::getKey).limit(MOST_CHOSEN).toList();
     }
 
     /** The devices that were heard here, the one that was silent for the longest time first. */

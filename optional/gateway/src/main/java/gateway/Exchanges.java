@@ -1,6 +1,5 @@
 package gateway;
 
-import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import javino.protocol.Address;
@@ -20,43 +19,59 @@ final class Exchanges {
     private static final long UNDER_WAY_MILLIS = 1000;
 
     private final BoundedMap<String, Address> headers = new BoundedMap<>(MOST);
-    private final BoundedMap<String, Set<String>> askers = new BoundedMap<>(MOST);
+    private final BoundedMap<String, BoundedMap<String, Boolean>> askers = new BoundedMap<>(MOST);
     private final BoundedMap<String, Long> given = new BoundedMap<>(MOST);
 
-    /** A frame was heard here, or in another cell. */
-    void learn(Frame frame, Optional<String> other, long now) {
-        Payload packet = Payload.of(frame.encode());
-        Payload whole = packet.whole();
-        if (whole != packet && Payload.lengthIn(whole.bytes()) > 0) {
-            headers.renew(message(frame), Address.parse(whole.destination()));
-        }
-        if (other.isPresent()) {
-            question(whole).ifPresent(question -> {
-                Set<String> cells = askers.getOrDefault(question, new LinkedHashSet<>());
-                if (cells.size() < MOST_ASKERS) {
-                    cells.add(other.get());
-                }
-                askers.renew(question, cells);
-            });
-        } else if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
+    /** A frame was heard here. */
+    void heard(Frame frame, long now) {
+        learnHeader(frame);
+        if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
                 && frame.message().length() == Payload.TAG_LENGTH) {
-                    given.renew(answer(frame), now);
-                }
+            given.renew(answer(frame), now);
+        }
     }
 
-    /** Whom a fragment is for; nothing where the first fragment of its message is not known. */
-    Optional<Address> destination(Frame fragment) {
-        return Optional.ofNullable(headers.get(message(fragment)));
+    /** A frame has come from another cell: its acknowledgement goes there. */
+    void arrived(Frame frame, String cell) {
+        learnHeader(frame);
+        question(whole(frame)).ifPresent(question -> {
+            BoundedMap<String, Boolean> cells = askers.getOrDefault(question, new BoundedMap<>(MOST_ASKERS));
+            cells.renew(cell, true);
+            askers.renew(question, cells);
+        });
+    }
+
+    private void learnHeader(Frame frame) {
+        header(frame).ifPresent(destination -> headers.renew(message(frame), destination));
+    }
+
+    private static Payload whole(Frame frame) {
+        return Payload.of(frame.encode()).whole();
+    }
+
+    /** Whom the message is for whose first fragment this is. */
+    private static Optional<Address> header(Frame frame) {
+        Payload whole = whole(frame);
+        return frame.destination().kind() == Address.Kind.FRAGMENT && Payload.lengthIn(whole.bytes()) > 0
+                && !whole.bytes().equals(frame.encode()) ? Optional.of(Address.parse(whole.destination()))
+                        : Optional.empty();
+    }
+
+    /** For whom a frame is, or the message whose fragment it is; nothing where the first fragment is not known. */
+    Optional<Address> destination(Frame frame) {
+        return frame.destination().kind() == Address.Kind.FRAGMENT
+                ? header(frame).or(() -> Optional.ofNullable(headers.get(message(frame))))
+                : Optional.of(frame.destination());
     }
 
     /** The cells from which the frame came that an acknowledgement answers. */
     Set<String> askers(Frame acknowledgement) {
-        return askers.getOrDefault(answer(acknowledgement), Set.of());
+        return askers.getOrDefault(answer(acknowledgement), new BoundedMap<>(0)).keySet();
     }
 
     /** Whether the acknowledgement of a frame was heard here just now. */
     boolean isAnswered(Frame frame, long now) {
-        return question(Payload.of(frame.encode()).whole()).map(given::get)
+        return question(whole(frame)).map(given::get)
                 .filter(when -> now - when < UNDER_WAY_MILLIS).isPresent();
     }
 

@@ -33,11 +33,15 @@ final class FrameHistory {
         private long lastArrival = NEVER;
         private long lastOwn = NEVER;
 
-        private void seen(long now) {
+        private void expire(long now) {
             if (now - last > ROUND_MILLIS) {
                 arrivals.clear();
                 onAir = 0;
             }
+        }
+
+        private void seen(long now) {
+            expire(now);
             last = now;
         }
 
@@ -60,40 +64,35 @@ final class FrameHistory {
         }
 
         /**
-         * It has come from another cell.
+         * Which attempt of another cell it is that comes now; 0 if that has come before, by another gateway or topic,
+         * or twice by the broker, or if too many cells tell of it, or if it was on the air here that often already.
          *
          * @param attempt how often it was heard there; 0 if that is not said: then it is one more.
-         * @return which attempt it is; 0 if that has come before, by another gateway or topic, or twice by the broker,
-         * or if too many cells tell of it.
          */
-        int arrived(String cell, int attempt, long now) {
-            seen(now);
-            lastArrival = now;
+        int next(String cell, int attempt, long now) {
+            expire(now);
             int before = arrivals.getOrDefault(cell, 0);
             int nth = attempt == 0 ? before + 1 : attempt;
-            if (nth <= before || before == 0 && arrivals.size() == MOST_CELLS) {
-                return 0;
-            }
+            return nth <= before || before == 0 && arrivals.size() == MOST_CELLS || nth <= onAir ? 0 : nth;
+        }
+
+        /** That attempt of another cell has come. Tells whether nobody else has told of it yet. */
+        boolean arrived(String cell, int nth, long now) {
+            seen(now);
+            lastArrival = now;
             arrivals.put(cell, nth);
-            return nth;
-        }
-
-        /** Whether nobody has told of it yet but one cell. */
-        boolean isNew() {
             return onAir == 0 && arrivals.size() == 1;
-        }
-
-        /** Whether a cell's n-th attempt stands for one that has not been on the air here. */
-        boolean lacks(int nth) {
-            return nth > onAir;
         }
     }
 
+    /** What is known of a frame. */
     Sighting of(Bytes frame) {
-        Sighting sighting = frames.get(frame);
-        if (sighting == null) {
-            sighting = new Sighting();
-        }
+        return frames.getOrDefault(frame, new Sighting());
+    }
+
+    /** The same; it is remembered from now on. */
+    Sighting remember(Bytes frame) {
+        Sighting sighting = of(frame);
         frames.renew(frame, sighting);
         return sighting;
     }

@@ -1,10 +1,12 @@
 package gateway;
 
 import gateway.Router.Whom;
+import gateway.RouterEffect.Publish;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.HashMap;
 import java.util.HexFormat;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -14,21 +16,10 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.JavinoException;
-import javino.board.Board;
-import javino.board.BoardConfig;
-import javino.board.BoardListener;
-import javino.board.BoardState;
-import javino.cli.Await;
-import javino.cli.Overhearing;
-import javino.link.LinkOpener;
 import javino.protocol.Address;
-import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Frame;
-import javino.protocol.Outcome;
-import javino.protocol.PollReply;
 
-/** A board and a broker, and between them the router. */
+/** A radio and a broker, and between them the router. */
 final class Gateway implements AutoCloseable {
 
     private static final long BOARD_NOTE_MILLIS = 200;
@@ -44,6 +35,7 @@ final class Gateway implements AutoCloseable {
     private final Topics topics;
     private final GatewayCounters counters = new GatewayCounters();
     private final Router router;
+    private final Broker broker;
     private final OutgoingQueue outgoing = new OutgoingQueue(counters);
     private final CellGateways cellGateways;
     private final MessageAges ages = new MessageAges();
@@ -52,15 +44,12 @@ final class Gateway implements AutoCloseable {
         thread.setDaemon(true);
         return thread;
     }, new ThreadPoolExecutor.DiscardPolicy());
-    private Board board;
-    private volatile Broker broker;
+    private volatile Radio radio;
     private String trouble = "";
     /** So many lines at once, and then one in that time. */
     private final AirtimeBudget lines = new AirtimeBudget(20 * MILLIS_A_LINE, 100, now());
     private int unsaid;
     private boolean takeoverSaid;
-    /** Whether the broker has taken all of the packet that is published. */
-    private boolean isTaken;
 
     /**
      * What a gateway is told.
@@ -81,21 +70,23 @@ final class Gateway implements AutoCloseable {
         name = HexFormat.of().formatHex(random);
         topics = new Topics(config.prefix(), config.cell());
         cellGateways = new CellGateways(name);
-        router = new Router(config.cell(), config.broadcasts(), config.groups(), new Effects(), counters, now());
+        broker = new Broker(config.broker(), wanted(), Broker.Message.none(topics.gateway(name)), new Post());
+        router = new Router(config.cell(), config.broadcasts(), config.groups(), counters, now());
     }
 
     /**
      * Begins to work.
      *
      * @param log takes lines for the user.
-     * @throws JavinoException if the board or the broker is not there, or does not do what is needed.
+     * @throws JavinoException if the radio or the broker is not there, or does not do what is needed.
      */
-    static Gateway start(LinkOpener link, Config config, Consumer<String> log)
+    static Gateway start(Radio.Opener place, Config config, Consumer<String> log)
             throws JavinoException, InterruptedException {
         Gateway gateway = new Gateway(config, log);
         try {
-            gateway.openBoard(link);
-            gateway.openBroker();
+            gateway.radio = place.open(gateway.new Ear());
+            gateway.broker.connect();
+            gateway.sayThere();
             gateway.clock.scheduleAtFixedRate(gateway::sayThere, CellGateways.SAY_MILLIS, CellGateways.SAY_MILLIS,
                     TimeUnit.MILLISECONDS);
             return gateway;
@@ -105,28 +96,19 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    private void openBoard(LinkOpener link) throws JavinoException, InterruptedException {
-        board = Board.open(link, BoardConfig.create(), new Ear());
-        Await.result(board.greeted());
-        Overhearing.begin(board, link.name());
-    }
-
-    private void openBroker() throws JavinoException, InterruptedException {
+    /** What this gateway wants to be told of from the start; and of each topic, whether of its own messages, too. */
+    private Map<String, Boolean> wanted() {
         Map<String, Boolean> wanted = new HashMap<>();
         wanted.put(Topics.fromAll(topics.air(Whom.CELL, config.cell())), false);
         wanted.put(Topics.fromAll(topics.heard(config.cell(), "+")), false);
-        wanted.put(Topics.fromAll(topics.air(Whom.SEARCH, "all")), false);
+        wanted.put(Topics.fromAll(topics.air(Whom.SEARCH, Router.ALL)), false);
         if (config.broadcasts()) {
-            wanted.put(Topics.fromAll(topics.air(Whom.BROADCAST, "all")), false);
+            wanted.put(Topics.fromAll(topics.air(Whom.BROADCAST, Router.ALL)), false);
         }
-        config.groups().forEach(group -> wanted.put(Topics.fromAll(topics.air(Whom.GROUP, group.member())), false));
+        config.groups().forEach(group -> wanted.put(topics.wanted(group), false));
         // Its own, too: a will of an earlier connection may come late.
         wanted.put(topics.gateway("+"), true);
-        Broker opened = Broker.connect(config.broker(), wanted, Broker.Message.none(topics.gateway(name)), new Post());
-        synchronized (this) {
-            broker = opened;
-        }
-        sayThere();
+        return wanted;
     }
 
     /** Ms of a clock that nobody sets. */
@@ -141,34 +123,71 @@ final class Gateway implements AutoCloseable {
 
     /** Tells the broker, and the other gateways of the cell, that this one works, and what it has counted. */
     private void sayThere() {
-        if (broker != null && board.state() == BoardState.ONLINE) {
+        if (isOnline()) {
             broker.publish(Broker.Message.kept(topics.gateway(name), counters.json(),
                     TimeUnit.MILLISECONDS.toSeconds(CellGateways.GONE_MILLIS)));
         }
     }
 
+    private boolean isOnline() {
+        return radio != null && radio.isOnline();
+    }
+
     private void sayGone() {
-        if (broker != null) {
-            broker.publish(Broker.Message.none(topics.gateway(name)));
-        }
+        broker.publish(Broker.Message.none(topics.gateway(name)));
     }
 
     private boolean publish(String topic, byte[] payload, Map<String, String> properties) {
-        return broker != null && broker.publish(Broker.Message.passing(topic, payload,
+        return broker.publish(Broker.Message.passing(topic, payload,
                 TimeUnit.MILLISECONDS.toSeconds(Router.LIFE_MILLIS), properties));
     }
 
-    /** Gives the board the next frame, if it has none. */
+    /** Does what the router has decided. Tells whether the broker has taken all that goes there. */
+    private boolean perform(List<RouterEffect> effects) {
+        boolean taken = true;
+        for (RouterEffect effect : effects) {
+            taken &= perform(effect);
+        }
+        return taken;
+    }
+
+    private void step(RouterEvent event) {
+        perform(router.step(event, now()));
+    }
+
+    private boolean perform(RouterEffect effect) {
+        if (effect instanceof RouterEffect.Relay relay) {
+            outgoing.add(relay.frame(), relay.until());
+            relayNext();
+            return true;
+        }
+        if (effect instanceof Publish publish) {
+            return publish(topics.air(publish.whom(), publish.name()), publish.packet().toArray(), Map.of(GATEWAY,
+                    name, TIME, "" + System.currentTimeMillis(), ATTEMPT, "" + publish.attempt()));
+        }
+        if (effect instanceof RouterEffect.Ask ask) {
+            return publish(topics.seek(ask.device()), new byte[0], Map.of());
+        }
+        if (effect instanceof RouterEffect.Tell tell) {
+            return publish(topics.heard(tell.cell(), tell.device()),
+                    ("" + TimeUnit.MILLISECONDS.toSeconds(tell.age())).getBytes(StandardCharsets.UTF_8), Map.of());
+        }
+        RouterEffect.Serve serve = (RouterEffect.Serve) effect;
+        broker.follow(topics.wanted(serve.address()), serve.wanted());
+        return true;
+    }
+
+    /** Gives the radio the next frame, if it has none. */
     private void relayNext() {
-        if (board.state() != BoardState.ONLINE) {
+        if (!isOnline()) {
             outgoing.clear();
             return;
         }
-        outgoing.next(now()).ifPresent(frame -> board.relay(frame).end().whenComplete(this::relayed));
+        outgoing.next(now()).ifPresent(frame -> radio.relay(frame).thenAccept(this::relayed));
     }
 
-    private synchronized void relayed(Outcome outcome, Throwable failure) {
-        outgoing.ended(outcome == Outcome.SENT);
+    private synchronized void relayed(boolean sent) {
+        outgoing.ended(sent);
         relayNext();
     }
 
@@ -185,12 +204,12 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What the board tells. */
-    private final class Ear implements BoardListener {
+    /** What the radio tells. */
+    private final class Ear implements Radio.Listener {
 
         @Override
-        public void online(BoardInfo info) {
-            noteOfBoard("board: online, " + info.firmware());
+        public void online(String firmware) {
+            noteOfBoard("board: online, " + firmware);
             // Later, as the board counts as online only after this.
             clock.execute(Gateway.this::sayThere);
         }
@@ -207,18 +226,21 @@ final class Gateway implements AutoCloseable {
         }
 
         @Override
-        public void overheard(PollReply.Overheard packet) {
+        public void heard(Bytes packet) {
             synchronized (Gateway.this) {
                 counters.count(GatewayCounter.HEARD);
-                if (packet.how() == PollReply.Reception.DAMAGED) {
-                    counters.count(GatewayCounter.DAMAGED);
-                } else {
-                    isTaken = true;
-                    if (router.heard(packet.payload(), now())) {
-                        counters.count(isTaken ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
-                    }
+                List<RouterEffect> effects = router.step(new RouterEvent.Heard(packet), now());
+                boolean isTaken = perform(effects);
+                if (effects.stream().anyMatch(Publish.class::isInstance)) {
+                    counters.count(isTaken ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
                 }
             }
+        }
+
+        @Override
+        public void damaged() {
+            counters.count(GatewayCounter.HEARD);
+            counters.count(GatewayCounter.DAMAGED);
         }
     }
 
@@ -257,11 +279,12 @@ final class Gateway implements AutoCloseable {
                     if (topic.heard().isEmpty()) {
                         takeFrame(topic, message);
                     } else {
-                        topic.device().ifPresent(device -> router.told(topic.from(), device, age(message), now()));
+                        topic.device().ifPresent(
+                                device -> step(new RouterEvent.Told(topic.from(), device, age(message))));
                     }
                 }
                 case GROUP, SEARCH, BROADCAST -> takeFrame(topic, message);
-                case SEEK -> topic.device().ifPresent(device -> router.sought(topic.from(), device, now()));
+                case SEEK -> topic.device().ifPresent(device -> step(new RouterEvent.Asked(topic.from(), device)));
                 case GATEWAY -> takeGateway(topic.name(), message.payload().length > 0);
             }
         }
@@ -270,7 +293,7 @@ final class Gateway implements AutoCloseable {
             if (cellGateways.said(other, isThere, now())) {
                 // It may not have what the broker has retained.
                 clock.execute(Gateway.this::sayThere);
-                router.joined(now());
+                step(new RouterEvent.Joined());
             }
             if (other.equals(name) && !isThere) {
                 // The will of an earlier connection, which the broker takes for lost only now.
@@ -286,8 +309,8 @@ final class Gateway implements AutoCloseable {
             counters.count(GatewayCounter.ARRIVED);
             long until = now() + Router.LIFE_MILLIS
                     - age(topic.from() + "/" + from, message.properties().get(TIME));
-            router.arrived(topic.from(), topic.whom(), attempt(message), Bytes.copyOf(message.payload()), until,
-                    cellGateways.isOwnTurn(now()) && board.state() == BoardState.ONLINE, now());
+            step(new RouterEvent.Arrived(topic.from(), topic.whom(), attempt(message),
+                    Bytes.copyOf(message.payload()), until, cellGateways.isOwnTurn(now()) && isOnline()));
         }
 
         private static int attempt(Broker.Message message) {
@@ -311,51 +334,13 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What the router wants. */
-    private final class Effects implements Router.Effects {
-
-        @Override
-        public void relay(Frame frame, long until) {
-            outgoing.add(frame, until);
-            relayNext();
-        }
-
-        @Override
-        public void publish(Whom whom, String to, Bytes packet, int attempt) {
-            isTaken &= Gateway.this.publish(topics.air(whom, to), packet.toArray(), Map.of(GATEWAY, name, TIME,
-                    "" + System.currentTimeMillis(), ATTEMPT, "" + attempt));
-        }
-
-        @Override
-        public void seek(Address device) {
-            Gateway.this.publish(topics.seek(device), new byte[0], Map.of());
-        }
-
-        @Override
-        public void tell(String cell, Address device, long age) {
-            Gateway.this.publish(topics.heard(cell, device),
-                    ("" + TimeUnit.MILLISECONDS.toSeconds(age)).getBytes(StandardCharsets.UTF_8), Map.of());
-        }
-
-        @Override
-        public void serve(Address address, boolean wanted) {
-            if (broker != null) {
-                broker.follow(Topics.fromAll(address.kind() == Address.Kind.MULTICAST
-                        ? topics.air(Whom.GROUP, address.member()) : topics.seek(address)), wanted);
-            }
-        }
-    }
-
-    /** Leaves the broker and the board, which no longer overhears. */
+    /** Leaves the broker and the radio. */
     @Override
     public void close() {
         clock.shutdownNow();
-        if (broker != null) {
-            broker.close();
-        }
-        if (board != null) {
-            Overhearing.end(board);
-            board.close();
+        broker.close();
+        if (radio != null) {
+            radio.close();
         }
     }
 }

@@ -114,7 +114,8 @@ public final class GatewayCommand implements CommandPlugin {
         if (!config.broker().tls() && config.broker().password().isPresent()) {
             log("the password goes to " + config.broker() + " unencrypted: mqtts:// would hide it");
         }
-        try (Gateway gateway = Gateway.start(SerialLink.opener(port), config, this::log)) {
+        try (Gateway gateway = Gateway.start(
+                listener -> BoardRadio.open(SerialLink.opener(port), listener), config, this::log)) {
             log("cell " + cell + " is joined");
             awaitEnd(gateway);
         }

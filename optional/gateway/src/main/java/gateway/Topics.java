@@ -97,6 +97,12 @@ final class Topics {
         return topic(About.GATEWAY, name);
     }
 
+    /** All questions for a device, or all frames for a group. */
+    String wanted(Address address) {
+        return fromAll(address.kind() == Address.Kind.MULTICAST ? air(Router.Whom.GROUP, address.member())
+                : seek(address));
+    }
+
     /** The same topic of all cells. */
     static String fromAll(String topic) {
         int from = topic.lastIndexOf(FROM) + FROM.length();

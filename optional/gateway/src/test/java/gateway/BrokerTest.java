@@ -82,7 +82,8 @@ class BrokerTest {
             new Thread(() -> serve(server), "broker").start();
             BrokerConfig config = BrokerConfig.parse("mqtt://127.0.0.1:" + server.getLocalPort());
             Broker broker =
-                    Broker.connect(config, Map.of("javino/+/air", true), Broker.Message.none(TOPIC), new Told());
+                    new Broker(config, Map.of("javino/+/air", true), Broker.Message.none(TOPIC), new Told());
+            broker.connect();
             List<String> came = List.of(ids.take(), ids.take(), ids.take());
             assertTrue(takeovers.take() && takeovers.take());
             broker.close();

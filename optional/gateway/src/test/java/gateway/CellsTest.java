@@ -3,7 +3,6 @@ package gateway;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import gateway.Router.Whom;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -15,9 +14,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Frame;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -40,7 +37,7 @@ class CellsTest {
     }
 
     /** A gateway whose board hears its cell, all but itself. */
-    private final class Node implements Router.Effects {
+    private final class Node {
         private final String cell;
         private final String name;
         private final Router router;
@@ -50,12 +47,12 @@ class CellsTest {
         Node(String cell, String name) {
             this.cell = cell;
             this.name = name;
-            router = new Router(cell, true, Set.of(), this, new GatewayCounters(), now);
+            router = new Router(cell, true, Set.of(), new GatewayCounters(), now);
         }
 
         void hears(Bytes frame) {
             if (random.nextDouble() < hears) {
-                router.heard(frame, now);
+                step(new RouterEvent.Heard(frame));
             }
         }
 
@@ -71,38 +68,30 @@ class CellsTest {
             });
         }
 
-        @Override
-        public void publish(Whom whom, String to, Bytes packet, int attempt) {
-            send(node -> switch (whom) {
-                case CELL -> node.cell.equals(to);
-                case GROUP -> node.served.contains("//" + to);
-                case SEARCH, BROADCAST -> true;
-            }, node -> node.router.arrived(cell, whom, attempt, packet, now + Router.LIFE_MILLIS,
-                    !node.name.equals("b2"), now));
-        }
-
-        @Override
-        public void seek(Address device) {
-            send(node -> node.served.contains(device.toString()), node -> node.router.sought(cell, device, now));
-        }
-
-        @Override
-        public void tell(String to, Address device, long age) {
-            send(node -> node.cell.equals(to), node -> node.router.told(cell, device, age, now));
-        }
-
-        @Override
-        public void serve(Address address, boolean wanted) {
-            if (wanted) {
-                served.add(address.toString());
-            } else {
-                served.remove(address.toString());
+        private void step(RouterEvent event) {
+            for (RouterEffect effect : router.step(event, now)) {
+                if (effect instanceof RouterEffect.Publish publish) {
+                    send(node -> switch (publish.whom()) {
+                        case CELL -> node.cell.equals(publish.name());
+                        case GROUP -> node.served.contains("//" + publish.name());
+                        case SEARCH, BROADCAST -> true;
+                    }, node -> node.step(new RouterEvent.Arrived(cell, publish.whom(), publish.attempt(),
+                            publish.packet(), now + Router.LIFE_MILLIS, !node.name.equals("b2"))));
+                } else if (effect instanceof RouterEffect.Ask ask) {
+                    send(node -> node.served.contains(ask.device().toString()),
+                            node -> node.step(new RouterEvent.Asked(cell, ask.device())));
+                } else if (effect instanceof RouterEffect.Tell tell) {
+                    send(node -> node.cell.equals(tell.cell()),
+                            node -> node.step(new RouterEvent.Told(cell, tell.device(), tell.age())));
+                } else if (effect instanceof RouterEffect.Serve serve && serve.wanted()) {
+                    served.add(serve.address().toString());
+                } else if (effect instanceof RouterEffect.Serve serve) {
+                    served.remove(serve.address().toString());
+                } else if (effect instanceof RouterEffect.Relay relay) {
+                    events.add(new Event(now + 200 + random.nextInt(500),
+                            () -> air(cell, relay.frame().encode(), this)));
+                }
             }
-        }
-
-        @Override
-        public void relay(Frame frame, long until) {
-            events.add(new Event(now + 200 + random.nextInt(500), () -> air(cell, frame.encode(), this)));
         }
     }
 
