@@ -49,7 +49,7 @@ public final class Mosquitto implements AutoCloseable {
         for (String cell : cells) {
             broker.run("mosquitto_passwd", "-b", broker.path("passwords"), cell, PASSWORD);
         }
-        Files.writeString(folder.resolve("acl"), "user " + OWNER + "\ntopic readwrite #\n" + ACCESS);
+        Files.writeString(folder.resolve("acl"), "user " + OWNER + "\ntopic readwrite #\ntopic read $SYS/#\n" + ACCESS);
         Files.writeString(folder.resolve("mosquitto.conf"),
                 """
                 user %s
@@ -59,6 +59,7 @@ public final class Mosquitto implements AutoCloseable {
                 acl_file %s
                 certfile %s
                 keyfile %s
+                sys_interval 1
                 persistence true
                 persistence_location %s/
                 """.formatted(System.getProperty("user.name"), broker.port, broker.path("passwords"),

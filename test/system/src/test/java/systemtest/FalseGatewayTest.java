@@ -142,12 +142,20 @@ class FalseGatewayTest extends JoinedCells {
         exchange(2, 4);
     }
 
-    /** Says that both devices are in the cell without boards. */
+    /** Says that both devices are in the cell without boards: by frames in their names, and to all who ask. */
     private void claim() throws InterruptedException {
         List<String> arrived = new CopyOnWriteArrayList<>();
         intruder.watch("javino/to/false/from/false/air", (topic, packet) -> arrived.add(topic));
-        intruder.say("javino/to/west/from/false/heard/ROMA", "0");
-        intruder.say("javino/to/east/from/false/heard/SUPO", "0");
+        intruder.watch("javino/seek/+/from/+", (topic, nothing) -> {
+            String[] levels = topic.split("/");
+            intruder.say("javino/to/" + levels[4] + "/from/false/heard/" + levels[2], "0");
+        });
+        for (String[] claimed : new String[][] {{WEST_CELL, "SUPO", "ROMA"}, {EAST_CELL, "ROMA", "SUPO"}}) {
+            byte[] message = new byte[20];
+            random.nextBytes(message);
+            intruder.air(claimed[0], FALSE, "f1", new Frame(Address.parse(claimed[1]), Address.parse(claimed[2]),
+                    Bytes.copyOf(message)).encode().toArray());
+        }
         // The broker has passed on the one after them, so the gateways have these, too, or soon.
         intruder.air("to/false", FALSE, "f1", new byte[1]);
         while (arrived.isEmpty()) {
