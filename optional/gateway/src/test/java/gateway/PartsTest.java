@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Map;
 import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Frame;
@@ -91,6 +92,16 @@ class PartsTest {
             now += 500;
             assertTrue(ages.of("slow", now - now / 10_000, now) < 5, "its clock is slow");
         }
+    }
+
+    @Test
+    void boundedMap_forgetsWhatWasRenewedTheLongestTimeAgo() {
+        BoundedMap<String, Integer> map = new BoundedMap<>(2);
+        map.renew("a", 1);
+        map.renew("b", 2);
+        map.renew("a", 3);
+        map.renew("c", 4);
+        assertEquals(Map.of("a", 3, "c", 4), map);
     }
 
     @Test

@@ -12,7 +12,6 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Frame;
 import org.junit.jupiter.api.Test;
 
 class RouterTest {
@@ -147,6 +146,15 @@ class RouterTest {
         assertEquals(List.of("CELL north 2"), done);
         assertEquals(List.of("CELL north 3", "CELL east 3"), publishes(frame));
         assertEquals(List.of("CELL north 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)));
+    }
+
+    @Test
+    void device_thatWasHeardHere_andElsewhereSince_isReachedThere() {
+        heard(Frames.sealed("ROMA", "SUPO", 1));
+        relays(Frames.sealed("ROMA", "SUPO", 2));
+        assertEquals(List.of("CELL east 1"), publishes(Frames.sealed("SUPO", "ROMA", 3)));
+        heard(Frames.sealed("ROMA", "SUPO", 4));
+        assertEquals(List.of("CELL west 1"), publishes(Frames.sealed("SUPO", "ROMA", 5)));
     }
 
     @Test
