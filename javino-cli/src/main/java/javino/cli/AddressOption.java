@@ -77,7 +77,11 @@ public abstract class AddressOption implements ITypeConverter<Address> {
     }
 
     /** A group by its two digits. */
-    static final class Group implements ITypeConverter<Address> {
+    public static final class Group implements ITypeConverter<Address> {
+        /** For picocli. */
+        public Group() {
+        }
+
         @Override
         public Address convert(String text) {
             try {

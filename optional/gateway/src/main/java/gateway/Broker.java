@@ -1,5 +1,6 @@
 package gateway;
 
+import com.hivemq.client.mqtt.MqttGlobalPublishFilter;
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.lifecycle.MqttClientDisconnectedContext;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
@@ -13,14 +14,15 @@ import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscribe;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscription;
+import com.hivemq.client.mqtt.mqtt5.message.subscribe.suback.Mqtt5SubAck;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.HashMap;
 import java.util.HexFormat;
-import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -46,7 +48,8 @@ final class Broker implements AutoCloseable {
     private static final int LONGEST = 4096;
 
     private final BrokerConfig config;
-    private final List<Mqtt5Subscription> subscriptions;
+    /** Topics, and whether this client gets what it has published there itself. */
+    private final Map<String, Boolean> topics = new ConcurrentHashMap<>();
     private final Message will;
     private final Listener listener;
     private volatile Mqtt5AsyncClient client;
@@ -116,13 +119,19 @@ final class Broker implements AutoCloseable {
         }
     }
 
-    private Broker(BrokerConfig config, List<String> topics, Message will, Listener listener) {
+    /**
+     * @param topics that it wants to be told of; and of each, whether of its own messages, too.
+     * @param will   what the broker publishes when this client has gone.
+     */
+    Broker(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener) {
         this.config = config;
         this.will = will;
         this.listener = listener;
-        subscriptions = topics.stream()
-                .map(topic -> Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).build())
-                .toList();
+        this.topics.putAll(topics);
+    }
+
+    private static Mqtt5Subscription subscription(String topic, boolean own) {
+        return Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).noLocal(!own).build();
     }
 
     /** Connects, by a name that this client has never had and nobody else knows. */
@@ -140,48 +149,51 @@ final class Broker implements AutoCloseable {
         client = config.user().isEmpty() ? builder.buildAsync() : builder.simpleAuth().username(config.user().get())
                 .password(config.password().orElse("").getBytes(StandardCharsets.UTF_8)).applySimpleAuth()
                 .buildAsync();
+        client.publishes(MqttGlobalPublishFilter.ALL, publish -> listener.arrived(Message.of(publish)));
         return client.connectWith().keepAlive(KEEP_ALIVE_SECONDS)
                 .restrictions().receiveMaximum(MOST_ARRIVED).maximumPacketSize(LONGEST).applyRestrictions().send();
     }
 
     /**
-     * Connects to a broker.
+     * Connects to the broker, from now on again and again.
      *
-     * @param topics that it wants to be told of.
-     * @param will   what the broker publishes when this client has gone.
      * @throws BrokerException if the broker is not there, or refuses.
      */
-    static Broker connect(BrokerConfig config, List<String> topics, Message will, Listener listener)
-            throws JavinoException, InterruptedException {
-        Broker broker = new Broker(config, topics, will, listener);
+    void connect() throws JavinoException, InterruptedException {
         try {
-            broker.open().thenCompose(entered -> broker.subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
-            return broker;
+            open().thenCompose(entered -> subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
         } catch (ExecutionException e) {
-            broker.close();
+            close();
             throw BrokerException.of(config, e.getCause());
         } catch (TimeoutException e) {
-            broker.close();
+            close();
             throw BrokerException.of(config, e);
         }
     }
 
     private void subscribe() {
         // Anew with each connection: what was subscribed before has ended with its session.
-        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(subscriptions).build(),
-                publish -> listener.arrived(Message.of(publish)))
+        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(topics.entrySet().stream()
+                .map(topic -> subscription(topic.getKey(), topic.getValue())).toList()).build())
                 .whenComplete((granted, failure) -> {
                     if (failure == null) {
                         connected = true;
                         connectedAt = System.nanoTime();
                         listener.connected();
                         subscribed.complete(null);
-                    } else if (!subscribed.completeExceptionally(failure) && failure instanceof Mqtt5SubAckException) {
-                        // That the connection was lost, the other listener tells.
-                        listener.disconnected(BrokerException.of(config, failure));
-                        client.disconnect();
+                    } else if (!subscribed.completeExceptionally(failure)) {
+                        refused(failure);
                     }
                 });
+    }
+
+    private Mqtt5SubAck refused(Throwable failure) {
+        // That the connection was lost, the other listener tells.
+        if (failure instanceof Mqtt5SubAckException) {
+            listener.disconnected(BrokerException.of(config, failure));
+            client.disconnect();
+        }
+        return null;
     }
 
     private void disconnected(MqttClientDisconnectedContext context) {
@@ -200,6 +212,19 @@ final class Broker implements AutoCloseable {
         }
     }
 
+    /** Wants to be told of a topic, too, now and after each loss of the connection; or no longer. */
+    void follow(String topic, boolean wanted) {
+        boolean isNew = wanted ? topics.put(topic, false) == null : topics.remove(topic) != null;
+        // Also while the first ones are being subscribed, which may be without this one.
+        boolean isThere = isNew && client != null && client.getState().isConnected();
+        if (isThere && wanted) {
+            client.subscribe(Mqtt5Subscribe.builder().addSubscription(subscription(topic, false)).build())
+                    .exceptionally(this::refused);
+        } else if (isThere) {
+            client.unsubscribeWith().topicFilter(topic).send();
+        }
+    }
+
     /** Publishes, unless the broker is not there, or the network does not take any more; nothing waits for them. */
     boolean publish(Message message) {
         if (!connected || underWay.get() >= MOST_UNDER_WAY) {
@@ -214,6 +239,9 @@ final class Broker implements AutoCloseable {
     @Override
     public void close() {
         wanted = false;
+        if (client == null) {
+            return;
+        }
         try {
             client.disconnectWith().reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE).send()
                     .get(CLOSE_SECONDS, TimeUnit.SECONDS);

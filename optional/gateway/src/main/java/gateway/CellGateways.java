@@ -20,13 +20,15 @@ final class CellGateways {
         this.own = own;
     }
 
-    /** A gateway has said that it is there, or that it goes. */
-    void said(String name, boolean isThere, long now) {
+    /** A gateway has said that it is there, or that it goes. @return whether it is another one that has come. */
+    boolean said(String name, boolean isThere, long now) {
+        boolean isNew = isThere && !name.equals(own) && !there.containsKey(name);
         if (!isThere) {
             there.remove(name);
         } else if (there.containsKey(name) || there.size() < MOST || name.equals(own)) {
             there.put(name, now);
         }
+        return isNew;
     }
 
     /** The broker has gone: nobody knows who is there. */

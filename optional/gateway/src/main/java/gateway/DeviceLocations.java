@@ -1,90 +1,80 @@
 package gateway;
 
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import javino.protocol.Address;
 
-/** In which cell each device was last heard. */
+/** Where each device was heard: here, and in which other cells. A claim of a false gateway hides no other cell. */
 final class DeviceLocations {
 
     /** So long a device that says nothing is remembered. */
     static final long KEEP_MILLIS = 24 * 3_600_000L;
-    /** So old may be what the broker keeps of a device that is heard again and again. */
-    private static final long REFRESH_MILLIS = KEEP_MILLIS / 4;
-    private static final long NEVER = Long.MIN_VALUE / 2;
-    private static final int MOST = 4096;
     private static final int MOST_HERE = 256;
+    private static final int MOST_CELLS = 256;
+    /** Devices of another cell: no cell displaces those of others. */
+    private static final int MOST_THERE = 64;
+    /** Other cells of one device. */
+    private static final int MOST_CHOSEN = 3;
 
-    private final String here;
-    private final BoundedMap<Address, Place> places = new BoundedMap<>(MOST);
+    private final BoundedMap<Address, Long> here = new BoundedMap<>(MOST_HERE + 1);
+    private final BoundedMap<String, BoundedMap<Address, Long>> cells = new BoundedMap<>(MOST_CELLS);
 
-    /**
-     * @param heard when, in ms.
-     * @param kept  when the broker was last told of it by this gateway.
-     */
-    private record Place(String cell, long heard, long kept) {
+    /** A device was heard here, at that time in ms. Tells whether it was not known here before. */
+    boolean heardHere(Address device, long when) {
+        boolean isNew = !here.containsKey(device);
+        here.renew(device, when);
+        return isNew;
     }
 
-    /** @param here the gateway's own cell. */
-    DeviceLocations(String here) {
-        this.here = here;
-    }
-
-    /**
-     * A device was heard in a cell.
-     *
-     * @return whether the broker is to be told, as it was not heard here before, or not for long.
-     */
-    boolean heard(Address device, String cell, long now) {
-        Place before = places.get(device);
-        boolean known = before != null && before.cell.equals(cell);
-        boolean due = cell.equals(here) && !(known && now - before.kept < REFRESH_MILLIS);
-        places.renew(device, new Place(cell, now, due ? now : known ? before.kept : NEVER));
-        return due;
-    }
-
-    /** The broker has kept that a device was heard in a cell at that time. */
-    void told(Address device, String cell, long when) {
-        Place before = places.get(device);
-        if (before == null || before.heard < when) {
-            places.renew(device, new Place(cell, when, NEVER));
-        }
-    }
-
-    /** The broker may have lost what it was told. */
-    void tellAgain() {
-        places.replaceAll((device, place) -> new Place(place.cell, place.heard, NEVER));
+    /** A device was heard in another cell, at that time in ms. */
+    void heardThere(Address device, String cell, long when) {
+        BoundedMap<Address, Long> there = cells.getOrDefault(cell, new BoundedMap<>(MOST_THERE));
+        there.renew(device, Math.max(when, there.getOrDefault(device, when)));
+        cells.renew(cell, there);
     }
 
     /** Removes the one of too many devices here that was silent for the longest time: attackers can invent devices. */
     Optional<Address> surplus() {
-        if (places.values().stream().filter(place -> place.cell.equals(here)).count() <= MOST_HERE) {
-            return Optional.empty();
-        }
-        Optional<Address> eldest = places.entrySet().stream().filter(entry -> entry.getValue().cell.equals(here))
-                .map(Map.Entry::getKey).findFirst();
-        eldest.ifPresent(places::remove);
+        Optional<Address> eldest = here().stream().findFirst().filter(any -> here.size() > MOST_HERE);
+        eldest.ifPresent(here::remove);
         return eldest;
     }
 
-    /** The cell where a device was last heard. */
-    Optional<String> of(Address device, long now) {
-        return Optional.ofNullable(places.get(device)).filter(place -> isFresh(place, now)).map(Place::cell);
+    /** When a device was heard here last; nothing where that was not within a day. */
+    Optional<Long> here(Address device, long now) {
+        return Optional.ofNullable(here.get(device)).filter(when -> now - when < KEEP_MILLIS);
     }
 
-    /** Whether a member of that group was last heard here. */
+    /** Whether a device was heard here within a day, and nowhere else since. */
+    boolean isHere(Address device, long now) {
+        return here(device, now)
+                .filter(when -> cells.values().stream().allMatch(there -> there.getOrDefault(device, when) <= when))
+                .isPresent();
+    }
+
+    /** The other cells where a device was heard within a day, at most three, the last one first. */
+    List<String> others(Address device, long now) {
+        Map<String, Long> times = new HashMap<>();
+        cells.forEach((cell, there) -> {
+            Long when = there.get(device);
+            if (when != null && now - when < KEEP_MILLIS) {
+                times.put(cell, when);
+            }
+        });
+        return times.entrySet().stream().sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+                .map(Map.Entry::getKey).limit(MOST_CHOSEN).toList();
+    }
+
+    /** The devices that were heard here, the one that was silent for the longest time first. */
+    Set<Address> here() {
+        return here.keySet();
+    }
+
+    /** Whether a member of that group was heard here within a day. */
     boolean hasMemberHere(Address group, long now) {
-        return places.entrySet().stream().anyMatch(entry -> group.reaches(entry.getKey())
-                && entry.getValue().cell.equals(here) && isFresh(entry.getValue(), now));
-    }
-
-    /** Whether a member of that group was heard anywhere, beside that device. */
-    boolean hasMemberBeside(Address device, Address group, long now) {
-        return places.entrySet().stream().anyMatch(entry -> group.reaches(entry.getKey())
-                && !entry.getKey().equals(device) && isFresh(entry.getValue(), now));
-    }
-
-    private static boolean isFresh(Place place, long now) {
-        return now - place.heard < KEEP_MILLIS;
+        return here().stream().anyMatch(device -> group.reaches(device) && here(device, now).isPresent());
     }
 }

@@ -1,6 +1,7 @@
 package gateway;
 
 import java.util.Optional;
+import java.util.Set;
 import javino.protocol.Address;
 import javino.protocol.Frame;
 import javino.protocol.Payload;
@@ -12,42 +13,65 @@ final class Exchanges {
 
     private static final int MOST = 1024;
     private static final int ID = 2;
+    /** Cells that ask by the same 12 bits. */
+    private static final int MOST_ASKERS = 4;
     /** So long an acknowledgement is on its way to its cell and through it. */
     private static final long UNDER_WAY_MILLIS = 1000;
 
     private final BoundedMap<String, Address> headers = new BoundedMap<>(MOST);
-    private final BoundedMap<String, Boolean> awaited = new BoundedMap<>(MOST);
+    private final BoundedMap<String, BoundedMap<String, Boolean>> askers = new BoundedMap<>(MOST);
     private final BoundedMap<String, Long> given = new BoundedMap<>(MOST);
 
-    /** A frame was heard, here or elsewhere. */
-    void learn(Frame frame, boolean here, long now) {
-        Payload packet = Payload.of(frame.encode());
-        Payload whole = packet.whole();
-        if (whole != packet && Payload.lengthIn(whole.bytes()) > 0) {
-            headers.renew(message(frame), Address.parse(whole.destination()));
-        }
-        if (here) {
-            question(whole).ifPresent(question -> awaited.renew(question, true));
-            if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
-                    && frame.message().length() == Payload.TAG_LENGTH) {
-                given.renew(answer(frame), now);
-            }
+    /** A frame was heard here. */
+    void heard(Frame frame, long now) {
+        learnHeader(frame);
+        if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
+                && frame.message().length() == Payload.TAG_LENGTH) {
+            given.renew(answer(frame), now);
         }
     }
 
-    /** Whom a fragment is for; nothing where the first fragment of its message is not known. */
-    Optional<Address> destination(Frame fragment) {
-        return Optional.ofNullable(headers.get(message(fragment)));
+    /** A frame has come from another cell: its acknowledgement goes there. */
+    void arrived(Frame frame, String cell) {
+        learnHeader(frame);
+        question(whole(frame)).ifPresent(question -> {
+            BoundedMap<String, Boolean> cells = askers.getOrDefault(question, new BoundedMap<>(MOST_ASKERS));
+            cells.renew(cell, true);
+            askers.renew(question, cells);
+        });
     }
 
-    /** Whether an acknowledgement answers what was heard here. */
-    boolean isAwaited(Frame acknowledgement) {
-        return awaited.containsKey(answer(acknowledgement));
+    private void learnHeader(Frame frame) {
+        header(frame).ifPresent(destination -> headers.renew(message(frame), destination));
+    }
+
+    private static Payload whole(Frame frame) {
+        return Payload.of(frame.encode()).whole();
+    }
+
+    /** Whom the message is for whose first fragment this is. */
+    private static Optional<Address> header(Frame frame) {
+        Payload whole = whole(frame);
+        return frame.destination().kind() == Address.Kind.FRAGMENT && Payload.lengthIn(whole.bytes()) > 0
+                && !whole.bytes().equals(frame.encode()) ? Optional.of(Address.parse(whole.destination()))
+                        : Optional.empty();
+    }
+
+    /** For whom a frame is, or the message whose fragment it is; nothing where the first fragment is not known. */
+    Optional<Address> destination(Frame frame) {
+        return frame.destination().kind() == Address.Kind.FRAGMENT
+                ? header(frame).or(() -> Optional.ofNullable(headers.get(message(frame))))
+                : Optional.of(frame.destination());
+    }
+
+    /** The cells from which the frame came that an acknowledgement answers. */
+    Set<String> askers(Frame acknowledgement) {
+        return askers.getOrDefault(answer(acknowledgement), new BoundedMap<>(0)).keySet();
     }
 
     /** Whether the acknowledgement of a frame was heard here just now. */
     boolean isAnswered(Frame frame, long now) {
-        return question(Payload.of(frame.encode()).whole()).map(given::get)
+        return question(whole(frame)).map(given::get)
                 .filter(when -> now - when < UNDER_WAY_MILLIS).isPresent();
     }
 

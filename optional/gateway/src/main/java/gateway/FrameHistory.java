@@ -13,7 +13,7 @@ import javino.protocol.Bytes;
 final class FrameHistory {
 
     private static final int MOST = 2048;
-    private static final int MOST_GATEWAYS = 8;
+    private static final int MOST_CELLS = 8;
 
     private final BoundedMap<Bytes, Sighting> frames = new BoundedMap<>(MOST);
 
@@ -33,11 +33,15 @@ final class FrameHistory {
         private long lastArrival = NEVER;
         private long lastOwn = NEVER;
 
-        private void seen(long now) {
+        private void expire(long now) {
             if (now - last > ROUND_MILLIS) {
                 arrivals.clear();
                 onAir = 0;
             }
+        }
+
+        private void seen(long now) {
+            expire(now);
             last = now;
         }
 
@@ -53,36 +57,42 @@ final class FrameHistory {
             return false;
         }
 
-        /** It is on the air here once more. */
-        void onAir(long now) {
+        /** It is on the air here once more: for the n-th time, which is told. */
+        int onAir(long now) {
             seen(now);
-            onAir++;
+            return ++onAir;
         }
 
-        /** It has come from that gateway of another cell: for the n-th time, which is told. */
-        int arrived(String gateway, long now) {
+        /**
+         * Which attempt of another cell it is that comes now; 0 if that has come before, by another gateway or topic,
+         * or twice by the broker, or if too many cells tell of it, or if it was on the air here that often already.
+         *
+         * @param attempt how often it was heard there; 0 if that is not said: then it is one more.
+         */
+        int next(String cell, int attempt, long now) {
+            expire(now);
+            int before = arrivals.getOrDefault(cell, 0);
+            int nth = attempt == 0 ? before + 1 : attempt;
+            return nth <= before || before == 0 && arrivals.size() == MOST_CELLS || nth <= onAir ? 0 : nth;
+        }
+
+        /** That attempt of another cell has come. Tells whether nobody else has told of it yet. */
+        boolean arrived(String cell, int nth, long now) {
             seen(now);
             lastArrival = now;
-            return arrivals.size() < MOST_GATEWAYS || arrivals.containsKey(gateway)
-                    ? arrivals.merge(gateway, 1, Integer::sum) : 0;
-        }
-
-        /** Whether nobody has told of it yet but one gateway, once. */
-        boolean isNew() {
-            return onAir == 0 && arrivals.values().stream().mapToInt(Integer::intValue).sum() == 1;
-        }
-
-        /** Whether the n-th copy from a gateway stands for one that has not been on the air here. */
-        boolean lacks(int nth) {
-            return nth > onAir;
+            arrivals.put(cell, nth);
+            return onAir == 0 && arrivals.size() == 1;
         }
     }
 
+    /** What is known of a frame. */
     Sighting of(Bytes frame) {
-        Sighting sighting = frames.get(frame);
-        if (sighting == null) {
-            sighting = new Sighting();
-        }
+        return frames.getOrDefault(frame, new Sighting());
+    }
+
+    /** The same; it is remembered from now on. */
+    Sighting remember(Bytes frame) {
+        Sighting sighting = of(frame);
         frames.renew(frame, sighting);
         return sighting;
     }

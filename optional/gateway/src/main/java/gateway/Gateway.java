@@ -1,40 +1,32 @@
 package gateway;
 
+import gateway.Router.Whom;
+import gateway.RouterEffect.Publish;
+import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
+import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.JavinoException;
-import javino.board.Board;
-import javino.board.BoardConfig;
-import javino.board.BoardListener;
-import javino.board.BoardState;
-import javino.cli.Await;
-import javino.cli.Overhearing;
-import javino.link.LinkOpener;
 import javino.protocol.Address;
-import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Frame;
-import javino.protocol.Outcome;
-import javino.protocol.PollReply;
 
-/** A board and a broker, and between them the router. */
+/** A radio and a broker, and between them the router. */
 final class Gateway implements AutoCloseable {
 
     private static final long BOARD_NOTE_MILLIS = 200;
     private static final int NAME_BYTES = 4;
     private static final long MILLIS_A_LINE = 10_000;
     private static final String TIME = "time";
-    private static final String HOW = "how";
+    private static final String ATTEMPT = "attempt";
     private static final String GATEWAY = "gateway";
 
     private final Config config;
@@ -43,6 +35,7 @@ final class Gateway implements AutoCloseable {
     private final Topics topics;
     private final GatewayCounters counters = new GatewayCounters();
     private final Router router;
+    private final Broker broker;
     private final OutgoingQueue outgoing = new OutgoingQueue(counters);
     private final CellGateways cellGateways;
     private final MessageAges ages = new MessageAges();
@@ -51,8 +44,7 @@ final class Gateway implements AutoCloseable {
         thread.setDaemon(true);
         return thread;
     }, new ThreadPoolExecutor.DiscardPolicy());
-    private Board board;
-    private volatile Broker broker;
+    private volatile Radio radio;
     private String trouble = "";
     /** So many lines at once, and then one in that time. */
     private final AirtimeBudget lines = new AirtimeBudget(20 * MILLIS_A_LINE, 100, now());
@@ -65,8 +57,9 @@ final class Gateway implements AutoCloseable {
      * @param cell       its own.
      * @param prefix     of all topics.
      * @param broadcasts whether broadcasts of other cells are relayed.
+     * @param groups     whose multicasts are relayed even if no member was heard.
      */
-    record Config(BrokerConfig broker, String cell, String prefix, boolean broadcasts) {
+    record Config(BrokerConfig broker, String cell, String prefix, boolean broadcasts, Set<Address> groups) {
     }
 
     private Gateway(Config config, Consumer<String> log) {
@@ -75,23 +68,25 @@ final class Gateway implements AutoCloseable {
         byte[] random = new byte[NAME_BYTES];
         new SecureRandom().nextBytes(random);
         name = HexFormat.of().formatHex(random);
-        topics = new Topics(config.prefix());
+        topics = new Topics(config.prefix(), config.cell());
         cellGateways = new CellGateways(name);
-        router = new Router(config.cell(), config.broadcasts(), new Effects(), counters, now());
+        broker = new Broker(config.broker(), wanted(), Broker.Message.none(topics.gateway(name)), new Post());
+        router = new Router(config.cell(), config.broadcasts(), config.groups(), counters, now());
     }
 
     /**
      * Begins to work.
      *
      * @param log takes lines for the user.
-     * @throws JavinoException if the board or the broker is not there, or does not do what is needed.
+     * @throws JavinoException if the radio or the broker is not there, or does not do what is needed.
      */
-    static Gateway start(LinkOpener link, Config config, Consumer<String> log)
+    static Gateway start(Radio.Opener place, Config config, Consumer<String> log)
             throws JavinoException, InterruptedException {
         Gateway gateway = new Gateway(config, log);
         try {
-            gateway.openBoard(link);
-            gateway.openBroker();
+            gateway.radio = place.open(gateway.new Ear());
+            gateway.broker.connect();
+            gateway.sayThere();
             gateway.clock.scheduleAtFixedRate(gateway::sayThere, CellGateways.SAY_MILLIS, CellGateways.SAY_MILLIS,
                     TimeUnit.MILLISECONDS);
             return gateway;
@@ -101,20 +96,19 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    private void openBoard(LinkOpener link) throws JavinoException, InterruptedException {
-        board = Board.open(link, BoardConfig.create(), new Ear());
-        Await.result(board.greeted());
-        Overhearing.begin(board, link.name());
-    }
-
-    private void openBroker() throws JavinoException, InterruptedException {
-        List<String> wanted = List.of(topics.air("+"), topics.heard("+", "+"), topics.gateway(config.cell(), "+"));
-        Broker opened = Broker.connect(config.broker(), wanted,
-                Broker.Message.none(topics.gateway(config.cell(), name)), new Post());
-        synchronized (this) {
-            broker = opened;
+    /** What this gateway wants to be told of from the start; and of each topic, whether of its own messages, too. */
+    private Map<String, Boolean> wanted() {
+        Map<String, Boolean> wanted = new HashMap<>();
+        wanted.put(Topics.fromAll(topics.air(Whom.CELL, config.cell())), false);
+        wanted.put(Topics.fromAll(topics.heard(config.cell(), "+")), false);
+        wanted.put(Topics.fromAll(topics.air(Whom.SEARCH, Router.ALL)), false);
+        if (config.broadcasts()) {
+            wanted.put(Topics.fromAll(topics.air(Whom.BROADCAST, Router.ALL)), false);
         }
-        sayThere();
+        config.groups().forEach(group -> wanted.put(topics.wanted(group), false));
+        // Its own, too: a will of an earlier connection may come late.
+        wanted.put(topics.gateway("+"), true);
+        return wanted;
     }
 
     /** Ms of a clock that nobody sets. */
@@ -129,36 +123,71 @@ final class Gateway implements AutoCloseable {
 
     /** Tells the broker, and the other gateways of the cell, that this one works, and what it has counted. */
     private void sayThere() {
-        if (broker != null && board.state() == BoardState.ONLINE) {
-            broker.publish(Broker.Message.kept(topics.gateway(config.cell(), name), counters.json(),
+        if (isOnline()) {
+            broker.publish(Broker.Message.kept(topics.gateway(name), counters.json(),
                     TimeUnit.MILLISECONDS.toSeconds(CellGateways.GONE_MILLIS)));
         }
     }
 
+    private boolean isOnline() {
+        return radio != null && radio.isOnline();
+    }
+
     private void sayGone() {
-        if (broker != null) {
-            broker.publish(Broker.Message.none(topics.gateway(config.cell(), name)));
+        broker.publish(Broker.Message.none(topics.gateway(name)));
+    }
+
+    private boolean publish(String topic, byte[] payload, Map<String, String> properties) {
+        return broker.publish(Broker.Message.passing(topic, payload,
+                TimeUnit.MILLISECONDS.toSeconds(Router.LIFE_MILLIS), properties));
+    }
+
+    /** Does what the router has decided. Tells whether the broker has taken all that goes there. */
+    private boolean perform(List<RouterEffect> effects) {
+        boolean taken = true;
+        for (RouterEffect effect : effects) {
+            taken &= perform(effect);
         }
+        return taken;
     }
 
-    private boolean publish(PollReply.Overheard packet) {
-        Map<String, String> properties = Map.of(GATEWAY, name, TIME, "" + System.currentTimeMillis(), HOW,
-                packet.how().toString().toLowerCase(Locale.ROOT));
-        return broker != null && broker.publish(Broker.Message.passing(topics.air(config.cell()),
-                packet.payload().toArray(), TimeUnit.MILLISECONDS.toSeconds(Router.LIFE_MILLIS), properties));
+    private void step(RouterEvent event) {
+        perform(router.step(event, now()));
     }
 
-    /** Gives the board the next frame, if it has none. */
+    private boolean perform(RouterEffect effect) {
+        if (effect instanceof RouterEffect.Relay relay) {
+            outgoing.add(relay.frame(), relay.until());
+            relayNext();
+            return true;
+        }
+        if (effect instanceof Publish publish) {
+            return publish(topics.air(publish.whom(), publish.name()), publish.packet().toArray(), Map.of(GATEWAY,
+                    name, TIME, "" + System.currentTimeMillis(), ATTEMPT, "" + publish.attempt()));
+        }
+        if (effect instanceof RouterEffect.Ask ask) {
+            return publish(topics.seek(ask.device()), new byte[0], Map.of());
+        }
+        if (effect instanceof RouterEffect.Tell tell) {
+            return publish(topics.heard(tell.cell(), tell.device()),
+                    ("" + TimeUnit.MILLISECONDS.toSeconds(tell.age())).getBytes(StandardCharsets.UTF_8), Map.of());
+        }
+        RouterEffect.Serve serve = (RouterEffect.Serve) effect;
+        broker.follow(topics.wanted(serve.address()), serve.wanted());
+        return true;
+    }
+
+    /** Gives the radio the next frame, if it has none. */
     private void relayNext() {
-        if (board.state() != BoardState.ONLINE) {
+        if (!isOnline()) {
             outgoing.clear();
             return;
         }
-        outgoing.next(now()).ifPresent(frame -> board.relay(frame).end().whenComplete(this::relayed));
+        outgoing.next(now()).ifPresent(frame -> radio.relay(frame).thenAccept(this::relayed));
     }
 
-    private synchronized void relayed(Outcome outcome, Throwable failure) {
-        outgoing.ended(outcome == Outcome.SENT);
+    private synchronized void relayed(boolean sent) {
+        outgoing.ended(sent);
         relayNext();
     }
 
@@ -175,12 +204,12 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What the board tells. */
-    private final class Ear implements BoardListener {
+    /** What the radio tells. */
+    private final class Ear implements Radio.Listener {
 
         @Override
-        public void online(BoardInfo info) {
-            noteOfBoard("board: online, " + info.firmware());
+        public void online(String firmware) {
+            noteOfBoard("board: online, " + firmware);
             // Later, as the board counts as online only after this.
             clock.execute(Gateway.this::sayThere);
         }
@@ -197,15 +226,21 @@ final class Gateway implements AutoCloseable {
         }
 
         @Override
-        public void overheard(PollReply.Overheard packet) {
+        public void heard(Bytes packet) {
             synchronized (Gateway.this) {
                 counters.count(GatewayCounter.HEARD);
-                if (packet.how() == PollReply.Reception.DAMAGED) {
-                    counters.count(GatewayCounter.DAMAGED);
-                } else if (router.heard(packet.payload(), now())) {
-                    counters.count(publish(packet) ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
+                List<RouterEffect> effects = router.step(new RouterEvent.Heard(packet), now());
+                boolean isTaken = perform(effects);
+                if (effects.stream().anyMatch(Publish.class::isInstance)) {
+                    counters.count(isTaken ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
                 }
             }
+        }
+
+        @Override
+        public void damaged() {
+            counters.count(GatewayCounter.HEARD);
+            counters.count(GatewayCounter.DAMAGED);
         }
     }
 
@@ -214,9 +249,6 @@ final class Gateway implements AutoCloseable {
 
         @Override
         public void connected() {
-            synchronized (Gateway.this) {
-                router.connected();
-            }
             note("broker: connected to " + config.broker());
             clock.execute(Gateway.this::sayThere);
         }
@@ -243,29 +275,54 @@ final class Gateway implements AutoCloseable {
 
         private void take(Topics.Topic topic, Broker.Message message) {
             switch (topic.about()) {
-                case AIR -> takeFrame(topic.cell(), message);
-                case HEARD -> topic.device().filter(device -> message.retained()).ifPresent(device -> router
-                        .kept(topic.cell(), device, now() - ageOfKept(message.expiry())));
-                case GATEWAY -> {
-                    boolean isThere = message.payload().length > 0;
-                    cellGateways.said(topic.name(), isThere, now());
-                    if (topic.name().equals(name) && !isThere) {
-                        // The will of an earlier connection, which the broker takes for lost only now.
-                        clock.execute(Gateway.this::sayThere);
+                case TO -> {
+                    if (topic.heard().isEmpty()) {
+                        takeFrame(topic, message);
+                    } else {
+                        topic.device().ifPresent(
+                                device -> step(new RouterEvent.Told(topic.from(), device, age(message))));
                     }
                 }
+                case GROUP, SEARCH, BROADCAST -> takeFrame(topic, message);
+                case SEEK -> topic.device().ifPresent(device -> step(new RouterEvent.Asked(topic.from(), device)));
+                case GATEWAY -> takeGateway(topic.name(), message.payload().length > 0);
             }
         }
 
-        private void takeFrame(String cell, Broker.Message message) {
+        private void takeGateway(String other, boolean isThere) {
+            if (cellGateways.said(other, isThere, now())) {
+                // It may not have what the broker has retained.
+                clock.execute(Gateway.this::sayThere);
+                step(new RouterEvent.Joined());
+            }
+            if (other.equals(name) && !isThere) {
+                // The will of an earlier connection, which the broker takes for lost only now.
+                clock.execute(Gateway.this::sayThere);
+            }
+        }
+
+        private void takeFrame(Topics.Topic topic, Broker.Message message) {
             String from = message.properties().getOrDefault(GATEWAY, "");
             if (from.equals(name)) {
                 return;
             }
             counters.count(GatewayCounter.ARRIVED);
-            long until = now() + Router.LIFE_MILLIS - age(cell + "/" + from, message.properties().get(TIME));
-            router.arrived(cell, from, Bytes.copyOf(message.payload()), until,
-                    cellGateways.isOwnTurn(now()) && board.state() == BoardState.ONLINE, now());
+            long until = now() + Router.LIFE_MILLIS
+                    - age(topic.from() + "/" + from, message.properties().get(TIME));
+            step(new RouterEvent.Arrived(topic.from(), topic.whom(), attempt(message),
+                    Bytes.copyOf(message.payload()), until, cellGateways.isOwnTurn(now()) && isOnline()));
+        }
+
+        private static int attempt(Broker.Message message) {
+            String told = message.properties().getOrDefault(ATTEMPT, "");
+            return told.matches("[1-9][0-9]{0,2}") ? Integer.parseInt(told) : 0;
+        }
+
+        /** How long ago a device was heard, in ms. */
+        private static long age(Broker.Message message) {
+            String seconds = new String(message.payload(), StandardCharsets.UTF_8);
+            return TimeUnit.SECONDS.toMillis(seconds.matches("[0-9]{1,6}") ? Long.parseLong(seconds)
+                    : TimeUnit.MILLISECONDS.toSeconds(DeviceLocations.KEEP_MILLIS));
         }
 
         private long age(String gateway, String sent) {
@@ -275,48 +332,15 @@ final class Gateway implements AutoCloseable {
                 return 0;
             }
         }
-
-        private static long ageOfKept(OptionalLong left) {
-            long millis = left.isPresent() ? TimeUnit.SECONDS.toMillis(left.getAsLong()) : 0;
-            return Math.max(0, DeviceLocations.KEEP_MILLIS - millis);
-        }
     }
 
-    /** What the router wants. */
-    private final class Effects implements Router.Effects {
-
-        @Override
-        public void relay(Frame frame, long until) {
-            outgoing.add(frame, until);
-            relayNext();
-        }
-
-        @Override
-        public void keep(Address device) {
-            if (broker != null) {
-                broker.publish(Broker.Message.kept(topics.heard(config.cell(), device), name,
-                        TimeUnit.MILLISECONDS.toSeconds(DeviceLocations.KEEP_MILLIS)));
-            }
-        }
-
-        @Override
-        public void forget(Address device) {
-            if (broker != null) {
-                broker.publish(Broker.Message.none(topics.heard(config.cell(), device)));
-            }
-        }
-    }
-
-    /** Leaves the broker and the board, which no longer overhears. */
+    /** Leaves the broker and the radio. */
     @Override
     public void close() {
         clock.shutdownNow();
-        if (broker != null) {
-            broker.close();
-        }
-        if (board != null) {
-            Overhearing.end(board);
-            board.close();
+        broker.close();
+        if (radio != null) {
+            radio.close();
         }
     }
 }

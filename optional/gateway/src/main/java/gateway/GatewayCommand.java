@@ -3,13 +3,16 @@ package gateway;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import javino.JavinoException;
 import javino.Printable;
 import javino.TextFile;
+import javino.cli.AddressOption;
 import javino.cli.CommandPlugin;
 import javino.cli.UntilInterrupted;
 import javino.link.SerialLink;
+import javino.protocol.Address;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -56,6 +59,11 @@ public final class GatewayCommand implements CommandPlugin {
     @Option(names = "--broadcasts", description = "Relay broadcasts of other cells, too.")
     private boolean broadcasts;
 
+    @Option(names = "--group", paramLabel = "GROUP", converter = AddressOption.Group.class,
+            description = "Relay multicasts to this group, such as SU, even if no member of it was heard here; for "
+                    + "more groups say it again.")
+    private Set<Address> groups = Set.of();
+
     @Spec
     private CommandSpec spec;
 
@@ -64,7 +72,7 @@ public final class GatewayCommand implements CommandPlugin {
         check(cell.matches(Topics.NAME), "--cell takes up to 32 letters, digits, - and _, not " + Printable.of(cell));
         check(prefix.matches("[^+#\\p{Cntrl}]+"), "--topic takes no + and no #, not " + Printable.of(prefix));
         check(user != null || passwordFile == null, "--password-file needs --user");
-        Gateway.Config config = new Gateway.Config(brokerConfig(), cell, prefix, broadcasts);
+        Gateway.Config config = new Gateway.Config(brokerConfig(), cell, prefix, broadcasts, groups);
         UntilInterrupted.run(() -> work(config));
         return 0;
     }
@@ -106,7 +114,8 @@ public final class GatewayCommand implements CommandPlugin {
         if (!config.broker().tls() && config.broker().password().isPresent()) {
             log("the password goes to " + config.broker() + " unencrypted: mqtts:// would hide it");
         }
-        try (Gateway gateway = Gateway.start(SerialLink.opener(port), config, this::log)) {
+        try (Gateway gateway = Gateway.start(
+                listener -> BoardRadio.open(SerialLink.opener(port), listener), config, this::log)) {
             log("cell " + cell + " is joined");
             awaitEnd(gateway);
         }

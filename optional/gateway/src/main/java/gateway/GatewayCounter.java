@@ -12,7 +12,11 @@ enum GatewayCounter {
     ECHOES("echoes"),
     /** Of these, frames that went to the broker. */
     PUBLISHED("published"),
-    /** Of these, frames that did not go, as the broker was not there or did not take them fast enough. */
+    /** Of these, frames for this cell alone, as far as is known. */
+    LOCAL("local"),
+    /** Questions which cell has heard a device. */
+    SOUGHT("sought"),
+    /** Packets that were heard and did not go, as the broker was not there or did not take them fast enough. */
     UNPUBLISHED("unpublished"),
     /** Messages from other cells. */
     ARRIVED("arrived"),
@@ -24,10 +28,8 @@ enum GatewayCounter {
     DUPLICATES("duplicates"),
     /** Of these, repeats of a frame whose acknowledgement is on its way back. */
     ANSWERED("answered"),
-    /** Of these, frames for other cells. */
+    /** Of these, frames for a group without a member here, and broadcasts that nobody wants. */
     ELSEWHERE("elsewhere"),
-    /** Of these, fragments of a message whose first fragment is not known. */
-    ORPHANS("orphans"),
     /** Of these, frames that would have taken more of the air than a gateway may take. */
     OVER_BUDGET("overBudget"),
     /** Of these, frames that came or waited so long that their sender has given up. */

@@ -1,6 +1,14 @@
 package gateway;
 
+import gateway.RouterEffect.Ask;
+import gateway.RouterEffect.Publish;
+import gateway.RouterEffect.Relay;
+import gateway.RouterEffect.Serve;
+import gateway.RouterEffect.Tell;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
@@ -8,183 +16,262 @@ import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 
 /**
- * Decides what a gateway publishes of what its board hears, and what it relays of what others publish (docs/mqtt.md).
+ * Decides for whom a gateway publishes what its board hears, and what it relays of what others publish (docs/mqtt.md).
  * It opens nothing, has no key, and knows neither MQTT nor boards. Times are in ms.
+ *
+ * <p>What another cell sends changes nothing here before it is within that cell's limits: so no cell displaces what is
+ * known of others.
  */
 final class Router {
 
     /** So long a sender tries, at most: what comes later is of no use. */
     static final long LIFE_MILLIS = 5000;
-    /** A destination may have moved without a word: each so-manieth attempt goes to all cells. */
+    /** For all cells. */
+    static final String ALL = "all";
+    /** At the second attempt, and at each so-manieth one, a device may have moved without a word. */
     private static final int SEARCH_EVERY = 4;
-    /** What relays take of the air, and of it, at most, those that look for a device. */
+    /** What relays take of the air; of it, those that look for a device. */
     private static final int SHARE_PERCENT = 50;
-    private static final long AT_ONCE_MILLIS = 10_000;
     private static final int SEARCH_PERCENT = 10;
+    /** All gateways together publish searches for so much of each cell's air. */
+    private static final int SEARCHES_PERCENT = 2;
+    private static final long AT_ONCE_MILLIS = 10_000;
     private static final long SEARCH_AT_ONCE_MILLIS = 5000;
+    /** Higher attempts are no sender's. */
+    private static final int MOST_ATTEMPTS = 16;
     /** The longest packet of a radio (SPEC 6). */
     private static final int LONGEST = 77;
 
     private final String cell;
     private final boolean broadcasts;
-    private final Effects effects;
+    private final Set<Address> groups;
     private final GatewayCounters counters;
     private final FrameHistory frameHistory = new FrameHistory();
     private final Exchanges exchanges = new Exchanges();
-    private final DeviceLocations locations;
+    private final DeviceLocations locations = new DeviceLocations();
+    private final DeviceSearch search;
+    private final CellLimits limits = new CellLimits();
     private final AirtimeBudget all;
     private final AirtimeBudget searches;
+    private final AirtimeBudget published;
+    private List<RouterEffect> effects = new ArrayList<>();
 
-    /** What follows from a decision. */
-    interface Effects {
-
-        /** The frame goes on the air here, if it does so until then. */
-        void relay(Frame frame, long until);
-
-        /** The broker keeps that the device was heard here. */
-        void keep(Address device);
-
-        /** The broker no longer keeps it. */
-        void forget(Address device);
+    /** For whom a frame is published. */
+    enum Whom {
+        /** For a cell. */
+        CELL,
+        /** For cells with members of a group. */
+        GROUP,
+        /** For all cells, in search of a device. */
+        SEARCH,
+        /** For all cells that want broadcasts. */
+        BROADCAST
     }
 
     /**
      * @param cell       the gateway's own.
      * @param broadcasts whether broadcasts of other cells are relayed.
+     * @param groups     whose multicasts are relayed even if no member was heard here.
      */
-    Router(String cell, boolean broadcasts, Effects effects, GatewayCounters counters, long now) {
+    Router(String cell, boolean broadcasts, Set<Address> groups, GatewayCounters counters, long now) {
         this.cell = cell;
         this.broadcasts = broadcasts;
-        this.effects = effects;
+        this.groups = groups;
         this.counters = counters;
-        locations = new DeviceLocations(cell);
+        search = new DeviceSearch(now);
         all = new AirtimeBudget(AT_ONCE_MILLIS, SHARE_PERCENT, now);
         searches = new AirtimeBudget(SEARCH_AT_ONCE_MILLIS, SEARCH_PERCENT, now);
+        published = new AirtimeBudget(SEARCH_AT_ONCE_MILLIS, SEARCHES_PERCENT, now);
     }
 
-    /** The board has heard a packet. Tells whether it goes to the other gateways. */
-    boolean heard(Bytes packet, long now) {
+    /** Decides about an event. */
+    List<RouterEffect> step(RouterEvent event, long now) {
+        effects = new ArrayList<>();
+        if (event instanceof RouterEvent.Heard heard) {
+            hear(heard.packet(), now);
+        } else if (event instanceof RouterEvent.Arrived arrived) {
+            arrive(arrived, now);
+        } else if (event instanceof RouterEvent.Asked asked) {
+            answer(asked.from(), asked.device(), now);
+        } else if (event instanceof RouterEvent.Told told) {
+            learn(told.from(), told.device(), now - told.age(), now);
+        } else {
+            locations.here().forEach(device -> tell(cell, device, now));
+        }
+        return effects;
+    }
+
+    private void hear(Bytes packet, long now) {
         Optional<Frame> read = read(packet);
         if (read.isEmpty()) {
             counters.count(GatewayCounter.FOREIGN);
-            return false;
+            return;
         }
         Frame frame = read.get();
-        FrameHistory.Sighting sighting = frameHistory.of(packet);
+        FrameHistory.Sighting sighting = frameHistory.remember(packet);
         boolean echo = sighting.isEcho(now);
-        sighting.onAir(now);
+        int attempt = Math.min(sighting.onAir(now), MOST_ATTEMPTS);
         if (echo) {
             counters.count(GatewayCounter.ECHOES);
-            return false;
+            return;
         }
-        exchanges.learn(frame, true, now);
-        settle(frame.origin(), now);
+        exchanges.heard(frame, now);
+        settle(frame.origin(), now, now);
+        if (!publish(frame, packet, attempt, now)) {
+            counters.count(GatewayCounter.LOCAL);
+            effects.add(new Publish(Whom.CELL, cell, packet, attempt));
+        }
+    }
+
+    /** Publishes a frame for other cells. Tells whether there are any. */
+    private boolean publish(Frame frame, Bytes packet, int attempt, long now) {
+        if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
+            Set<String> askers = exchanges.askers(frame);
+            askers.forEach(asker -> effects.add(new Publish(Whom.CELL, asker, packet, attempt)));
+            return !askers.isEmpty();
+        }
+        Optional<Address> to = exchanges.destination(frame);
+        switch (to.map(Address::kind).orElse(Address.Kind.RESERVED)) {
+            case DEVICE -> {
+                return publish(to.get(), packet, attempt, now);
+            }
+            case MULTICAST -> effects.add(new Publish(Whom.GROUP, to.get().member(), packet, attempt));
+            case BROADCAST -> effects.add(new Publish(Whom.BROADCAST, ALL, packet, attempt));
+            default -> {
+                return false;
+            }
+        }
         return true;
     }
 
-    /**
-     * A gateway has published a frame.
-     *
-     * @param from   the gateway's cell.
-     * @param until  when its sender has given up.
-     * @param active whether this gateway is the one of its cell that relays.
-     */
-    void arrived(String from, String gateway, Bytes packet, long until, boolean active, long now) {
-        Optional<Frame> read = read(packet);
+    /** Where a device was heard last; from the second attempt on, wherever it was heard, and it is sought. */
+    private boolean publish(Address device, Bytes packet, int attempt, long now) {
+        List<String> others = locations.others(device, now);
+        if (locations.isHere(device, now) && (attempt == 1 || others.isEmpty() && attempt < SEARCH_EVERY)) {
+            return false;
+        }
+        List<String> chosen = others.subList(0, Math.min(attempt == 1 ? 1 : others.size(), others.size()));
+        chosen.forEach(other -> effects.add(new Publish(Whom.CELL, other, packet, attempt)));
+        boolean again = attempt == 2 || attempt % SEARCH_EVERY == 0;
+        if ((again || others.isEmpty() && attempt == 1) && search.ask(device, packet, attempt, now)) {
+            counters.count(GatewayCounter.SOUGHT);
+            effects.add(new Ask(device));
+        }
+        if (!again || attempt == 2 && !others.isEmpty() || !published.take(Airtime.millis(packet.length()), now)) {
+            return !chosen.isEmpty();
+        }
+        effects.add(new Publish(Whom.SEARCH, ALL, packet, attempt));
+        return true;
+    }
+
+    private void arrive(RouterEvent.Arrived event, long now) {
+        Optional<Frame> read = read(event.packet());
         if (read.isEmpty()) {
             counters.count(GatewayCounter.MALFORMED);
             return;
         }
         Frame frame = read.get();
-        if (from.equals(cell)) {
+        if (event.from().equals(cell)) {
             // Of another gateway of this cell, which may hear what this one does not.
-            exchanges.learn(frame, true, now);
-            settle(frame.origin(), now);
+            exchanges.heard(frame, now);
+            settle(frame.origin(), now, now);
             return;
         }
-        FrameHistory.Sighting sighting = frameHistory.of(packet);
-        int nth = sighting.arrived(gateway, now);
-        exchanges.learn(frame, false, now);
-        if (sighting.isNew()) {
-            locations.heard(frame.origin(), from, now);
+        int nth = frameHistory.of(event.packet()).next(event.from(), Math.min(event.attempt(), MOST_ATTEMPTS), now);
+        Optional<GatewayCounter> refusal = refusal(event, frame, nth, now);
+        if (refusal.isEmpty()) {
+            FrameHistory.Sighting sighting = frameHistory.remember(event.packet());
+            exchanges.arrived(frame, event.from());
+            if (sighting.arrived(event.from(), nth, now)) {
+                locations.heardThere(frame.origin(), event.from(), now);
+            }
+            if (event.active()) {
+                sighting.onAir(now);
+                effects.add(new Relay(frame, event.until()));
+            } else {
+                refusal = Optional.of(GatewayCounter.STANDBY);
+            }
         }
-        Optional<GatewayCounter> refusal =
-                active ? refusal(frame, sighting, nth, until, now) : Optional.of(GatewayCounter.STANDBY);
-        if (refusal.isPresent()) {
-            counters.count(refusal.get());
-        } else {
-            sighting.onAir(now);
-            effects.relay(frame, until);
+        refusal.ifPresent(counters::count);
+    }
+
+    private void answer(String from, Address device, long now) {
+        if (!from.equals(cell) && locations.here(device, now).isPresent()
+                && limits.of(from, now).answers().take(DeviceSearch.QUESTION_MILLIS, now)) {
+            tell(from, device, now);
         }
     }
 
-    /** The broker has kept that a device was heard in a cell. */
-    void kept(String where, Address device, long when) {
-        if (device.kind() == Address.Kind.DEVICE) {
-            locations.told(device, where, when);
+    private void learn(String from, Address device, long when, long now) {
+        if (from.equals(cell)) {
+            settle(device, when, now);
+        } else if (search.awaits(device, now)) {
+            boolean isNew = !locations.others(device, now).contains(from);
+            locations.heardThere(device, from, when);
+            List<DeviceSearch.Waiting> waiting = search.found(device, now);
+            if (isNew) {
+                waiting.forEach(
+                        packet -> effects.add(new Publish(Whom.CELL, from, packet.packet(), packet.attempt())));
+            }
         }
     }
 
-    /** The broker is there, again: it may have lost what it kept. */
-    void connected() {
-        locations.tellAgain();
+    private void settle(Address device, long when, long now) {
+        if (locations.here(device, now).filter(before -> before >= when).isPresent()) {
+            return;
+        }
+        if (locations.heardHere(device, when)) {
+            effects.add(new Serve(device, true));
+            effects.add(new Serve(Address.multicast(device.group()), true));
+            tell(cell, device, now);
+            locations.surplus().ifPresent(this::leave);
+        }
     }
 
-    private void settle(Address device, long now) {
-        if (locations.heard(device, cell, now)) {
-            effects.keep(device);
-            locations.surplus().ifPresent(effects::forget);
+    private void tell(String to, Address device, long now) {
+        locations.here(device, now).ifPresent(when -> effects.add(new Tell(to, device, now - when)));
+    }
+
+    private void leave(Address device) {
+        effects.add(new Serve(device, false));
+        Address group = Address.multicast(device.group());
+        if (!groups.contains(group) && locations.here().stream().noneMatch(group::reaches)) {
+            effects.add(new Serve(group, false));
         }
     }
 
     /** Why a frame from another cell is not relayed; nothing where it is. */
-    private Optional<GatewayCounter> refusal(Frame frame, FrameHistory.Sighting sighting, int nth, long until,
-            long now) {
-        if (now > until) {
+    private Optional<GatewayCounter> refusal(RouterEvent.Arrived event, Frame frame, int nth, long now) {
+        if (now > event.until()) {
             return Optional.of(GatewayCounter.EXPIRED);
         }
-        if (!sighting.lacks(nth)) {
+        if (nth == 0) {
             return Optional.of(GatewayCounter.DUPLICATES);
         }
-        long airtime = Airtime.millis(Frame.HEADER_LENGTH + frame.message().length());
-        if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
-            return !exchanges.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
-                    : within(all.take(airtime, now));
-        }
-        if (exchanges.isAnswered(frame, now)) {
+        if (frame.destination().kind() != Address.Kind.ACKNOWLEDGEMENT && exchanges.isAnswered(frame, now)) {
             return Optional.of(GatewayCounter.ANSWERED);
         }
-        Optional<Address> destination = frame.destination().kind() == Address.Kind.FRAGMENT
-                ? exchanges.destination(frame) : Optional.of(frame.destination());
-        if (destination.isEmpty()) {
-            return Optional.of(GatewayCounter.ORPHANS);
-        }
-        boolean known = isHere(destination.get(), now);
-        if (!known && !isSearched(destination.get(), frame.origin(), nth, now)) {
+        if (!isWanted(event.whom(), exchanges.destination(frame), now)) {
             return Optional.of(GatewayCounter.ELSEWHERE);
         }
-        return within((known || searches.take(airtime, now)) && all.take(airtime, now));
+        CellLimits.Limits ofCell = limits.of(event.from(), now);
+        long airtime = Airtime.millis(event.packet().length());
+        boolean within = event.whom() != Whom.SEARCH
+                || ofCell.searches().take(airtime, now) && searches.take(airtime, now);
+        if (within && event.whom() == Whom.SEARCH) {
+            published.take(airtime, now);
+        }
+        return within && ofCell.air().take(airtime, now) && all.take(airtime, now) ? Optional.empty()
+                : Optional.of(GatewayCounter.OVER_BUDGET);
     }
 
-    private static Optional<GatewayCounter> within(boolean budget) {
-        return budget ? Optional.empty() : Optional.of(GatewayCounter.OVER_BUDGET);
-    }
-
-    private boolean isHere(Address destination, long now) {
-        return switch (destination.kind()) {
-            case DEVICE -> locations.of(destination, now).filter(cell::equals).isPresent();
-            case MULTICAST -> locations.hasMemberHere(destination, now);
-            case BROADCAST -> broadcasts;
-            case SERIAL, FRAGMENT, ACKNOWLEDGEMENT, RESERVED -> false;
-        };
-    }
-
-    /** Whether all cells are to try: where nobody has heard whom it is for, or who does not answer where it was. */
-    private boolean isSearched(Address destination, Address sender, int nth, long now) {
-        return switch (destination.kind()) {
-            case DEVICE -> nth % SEARCH_EVERY == 0 || nth <= 2 && locations.of(destination, now).isEmpty();
-            case MULTICAST -> nth <= 2 && !locations.hasMemberBeside(sender, destination, now);
-            case BROADCAST, SERIAL, FRAGMENT, ACKNOWLEDGEMENT, RESERVED -> false;
+    private boolean isWanted(Whom whom, Optional<Address> to, long now) {
+        return switch (whom) {
+            case CELL -> true;
+            case SEARCH -> to.filter(address -> address.kind() == Address.Kind.DEVICE).isPresent();
+            case GROUP -> to.filter(group -> group.kind() == Address.Kind.MULTICAST
+                    && (groups.contains(group) || locations.hasMemberHere(group, now))).isPresent();
+            case BROADCAST -> broadcasts && to.filter(Address.BROADCAST::equals).isPresent();
         };
     }
 

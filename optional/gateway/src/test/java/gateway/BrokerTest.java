@@ -10,6 +10,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -80,7 +81,9 @@ class BrokerTest {
         try (ServerSocket server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
             new Thread(() -> serve(server), "broker").start();
             BrokerConfig config = BrokerConfig.parse("mqtt://127.0.0.1:" + server.getLocalPort());
-            Broker broker = Broker.connect(config, List.of("javino/+/air"), Broker.Message.none(TOPIC), new Told());
+            Broker broker =
+                    new Broker(config, Map.of("javino/+/air", true), Broker.Message.none(TOPIC), new Told());
+            broker.connect();
             List<String> came = List.of(ids.take(), ids.take(), ids.take());
             assertTrue(takeovers.take() && takeovers.take());
             broker.close();

@@ -6,13 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Random;
-import javino.protocol.Address;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javino.protocol.Bytes;
-import javino.protocol.Frame;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -35,42 +37,61 @@ class CellsTest {
     }
 
     /** A gateway whose board hears its cell, all but itself. */
-    private final class Node implements Router.Effects {
+    private final class Node {
         private final String cell;
         private final String name;
         private final Router router;
         private final Map<Node, Long> last = new HashMap<>();
+        private final Set<String> served = new HashSet<>();
 
         Node(String cell, String name) {
             this.cell = cell;
             this.name = name;
-            router = new Router(cell, true, this, new GatewayCounters(), now);
+            router = new Router(cell, true, Set.of(), new GatewayCounters(), now);
         }
 
         void hears(Bytes frame) {
-            if (random.nextDouble() < hears && router.heard(frame, now)) {
-                nodes.stream().filter(node -> node != this).forEach(node -> send(node, frame));
+            if (random.nextDouble() < hears) {
+                step(new RouterEvent.Heard(frame));
             }
         }
 
-        private void send(Node node, Bytes frame) {
-            long at = Math.max(last.getOrDefault(node, 0L), now + 5 + random.nextInt(slowest));
-            last.put(node, at);
-            events.add(new Event(at, () -> node.router.arrived(cell, name, frame, now + Router.LIFE_MILLIS,
-                    !node.name.equals("b2"), now)));
+        /** Has the broker deliver something to the gateways that want it: in order, and one in ten twice. */
+        private void send(Predicate<Node> wanted, Consumer<Node> what) {
+            nodes.stream().filter(node -> node != this && wanted.test(node)).forEach(node -> {
+                long at = Math.max(last.getOrDefault(node, 0L), now + 5 + random.nextInt(slowest));
+                last.put(node, at);
+                events.add(new Event(at, () -> what.accept(node)));
+                if (random.nextInt(10) == 0) {
+                    events.add(new Event(at, () -> what.accept(node)));
+                }
+            });
         }
 
-        @Override
-        public void relay(Frame frame, long until) {
-            events.add(new Event(now + 200 + random.nextInt(500), () -> air(cell, frame.encode(), this)));
-        }
-
-        @Override
-        public void keep(Address device) {
-        }
-
-        @Override
-        public void forget(Address device) {
+        private void step(RouterEvent event) {
+            for (RouterEffect effect : router.step(event, now)) {
+                if (effect instanceof RouterEffect.Publish publish) {
+                    send(node -> switch (publish.whom()) {
+                        case CELL -> node.cell.equals(publish.name());
+                        case GROUP -> node.served.contains("//" + publish.name());
+                        case SEARCH, BROADCAST -> true;
+                    }, node -> node.step(new RouterEvent.Arrived(cell, publish.whom(), publish.attempt(),
+                            publish.packet(), now + Router.LIFE_MILLIS, !node.name.equals("b2"))));
+                } else if (effect instanceof RouterEffect.Ask ask) {
+                    send(node -> node.served.contains(ask.device().toString()),
+                            node -> node.step(new RouterEvent.Asked(cell, ask.device())));
+                } else if (effect instanceof RouterEffect.Tell tell) {
+                    send(node -> node.cell.equals(tell.cell()),
+                            node -> node.step(new RouterEvent.Told(cell, tell.device(), tell.age())));
+                } else if (effect instanceof RouterEffect.Serve serve && serve.wanted()) {
+                    served.add(serve.address().toString());
+                } else if (effect instanceof RouterEffect.Serve serve) {
+                    served.remove(serve.address().toString());
+                } else if (effect instanceof RouterEffect.Relay relay) {
+                    events.add(new Event(now + 200 + random.nextInt(500),
+                            () -> air(cell, relay.frame().encode(), this)));
+                }
+            }
         }
     }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Map;
 import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Frame;
@@ -63,9 +64,10 @@ class PartsTest {
     void colleagues_theFirstByNameThatIsThereRelays() {
         CellGateways cellGateways = new CellGateways("m");
         assertFalse(cellGateways.isOwnTurn(0), "the broker has not told yet who is there");
-        cellGateways.said("m", true, 0);
+        assertFalse(cellGateways.said("m", true, 0));
         assertTrue(cellGateways.isOwnTurn(0));
-        cellGateways.said("z", true, 0);
+        assertTrue(cellGateways.said("z", true, 0));
+        assertFalse(cellGateways.said("z", true, 0));
         assertTrue(cellGateways.isOwnTurn(0));
         cellGateways.said("a", true, 0);
         assertFalse(cellGateways.isOwnTurn(0));
@@ -93,6 +95,16 @@ class PartsTest {
     }
 
     @Test
+    void boundedMap_forgetsWhatWasRenewedTheLongestTimeAgo() {
+        BoundedMap<String, Integer> map = new BoundedMap<>(2);
+        map.renew("a", 1);
+        map.renew("b", 2);
+        map.renew("a", 3);
+        map.renew("c", 4);
+        assertEquals(Map.of("a", 3, "c", 4), map);
+    }
+
+    @Test
     void budget_isAShareOfTheTime() {
         AirtimeBudget budget = new AirtimeBudget(1000, 50, 0);
         assertTrue(budget.take(1000, 0));
@@ -104,26 +116,34 @@ class PartsTest {
 
     @Test
     void topics_areReadAsWritten() {
-        Topics topics = new Topics("javino/lisbon");
+        Topics topics = new Topics("javino/from/lisbon", "west");
         Address device = Address.parse("A+/b");
-        assertEquals("javino/lisbon/west/heard/A-_b", topics.heard("west", device));
-        assertEquals(Optional.of(device), topics.read(topics.heard("west", device)).orElseThrow().device());
-        assertEquals(new Topics.Topic("west", Topics.About.AIR, ""), topics.read(topics.air("west")).orElseThrow());
-        assertEquals(new Topics.Topic("w", Topics.About.GATEWAY, "x"),
-                topics.read(topics.gateway("w", "x")).orElseThrow());
+        assertEquals("javino/from/lisbon/to/east/from/west/heard/A-_b", topics.heard("east", device));
+        assertEquals(Optional.of(device), topics.read(topics.heard("east", device)).orElseThrow().device());
+        assertEquals(Optional.of(device), topics.read(topics.seek(device)).orElseThrow().device());
+        for (Router.Whom whom : Router.Whom.values()) {
+            assertEquals(whom, topics.read(topics.air(whom, "+/")).orElseThrow().whom());
+        }
+        assertEquals(new Topics.Topic(Topics.About.TO, "east", "west", ""),
+                topics.read(topics.air(Router.Whom.CELL, "east")).orElseThrow());
+        assertEquals(new Topics.Topic(Topics.About.GATEWAY, "x", "west", ""),
+                topics.read(topics.gateway("x")).orElseThrow());
+        assertEquals("javino/from/lisbon/seek/A-_b/from/+", Topics.fromAll(topics.seek(device)));
+        assertEquals("javino/from/lisbon/to/a/from/+/heard/+", Topics.fromAll(topics.heard("a", "+")));
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "javino", "javino/a", "javino/a/air/b", "javino/a/heard", "other/a/air", "javino//air",
-            "javino/a b/air", "javino/a/heard/b/c"})
+    @ValueSource(strings = {"", "javino", "javino/to/a/from/b", "javino/to/a/from/b/air/c", "javino/to/a/from/b/heard",
+            "other/to/a/from/b/air", "javino/to//from/b/air", "javino/to/a b/from/b/air", "javino/group/AA/from/b",
+            "javino/seek/SUPO/from/b/air", "javino/group/AA/from/b/heard/SUPO", "javino/to/a/to/b/air"})
     void topic_ofAnotherForm_isNone(String topic) {
-        assertEquals(Optional.empty(), new Topics("javino").read(topic));
+        assertEquals(Optional.empty(), new Topics("javino", "a").read(topic));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"ABC", "----", "__AA", "self"})
     void topic_ofNoDevice_tellsNone(String name) {
-        Topics topics = new Topics("javino");
+        Topics topics = new Topics("javino", "b");
         assertEquals(Optional.empty(), topics.read(topics.heard("a", name)).orElseThrow().device());
     }
 

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import gateway.Router.Whom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
+import java.util.stream.IntStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Frame;
 import org.junit.jupiter.api.Test;
 
 class RouterTest {
@@ -18,207 +20,358 @@ class RouterTest {
 
     private final GatewayCounters counters = new GatewayCounters();
     private final List<Bytes> relayed = new ArrayList<>();
-    private final List<String> kept = new ArrayList<>();
-    private final List<String> forgotten = new ArrayList<>();
+    /** What else was to be done, such as {@code CELL east 1}, {@code seek ROMA}, {@code serve ROMA}. */
+    private final List<String> done = new ArrayList<>();
     private Router router = router(false);
     private long now = 1_000_000;
 
-    private Router router(boolean broadcasts) {
-        return new Router("west", broadcasts, new Router.Effects() {
-            @Override
-            public void relay(Frame frame, long until) {
-                relayed.add(frame.encode());
-            }
-
-            @Override
-            public void keep(Address device) {
-                kept.add(device.toString());
-            }
-
-            @Override
-            public void forget(Address device) {
-                forgotten.add(device.toString());
-            }
-        }, counters, 0);
+    private Router router(boolean broadcasts, String... groups) {
+        Set<Address> wanted = Set.of(java.util.Arrays.stream(groups).map(Address::multicast).toArray(Address[]::new));
+        return new Router("west", broadcasts, wanted, counters, 0);
     }
 
+    private void step(RouterEvent event) {
+        for (RouterEffect effect : router.step(event, now)) {
+            if (effect instanceof RouterEffect.Relay relay) {
+                relayed.add(relay.frame().encode());
+            } else if (effect instanceof RouterEffect.Publish publish) {
+                done.add(publish.whom() + " " + publish.name() + " " + publish.attempt());
+            } else if (effect instanceof RouterEffect.Ask ask) {
+                done.add("seek " + ask.device());
+            } else if (effect instanceof RouterEffect.Tell tell) {
+                done.add("tell " + tell.cell() + " " + tell.device() + " " + tell.age());
+            } else if (effect instanceof RouterEffect.Serve serve) {
+                done.add((serve.wanted() ? "serve " : "leave ") + serve.address());
+            }
+        }
+    }
+
+    /** Whether a frame that the board has heard goes to the broker. */
     private boolean heard(Bytes frame) {
         now += STEP;
-        return router.heard(frame, now);
+        int before = done.size();
+        step(new RouterEvent.Heard(frame));
+        return done.subList(before, done.size()).stream().anyMatch(each -> each.matches("[A-Z]{3,} .*"));
+    }
+
+    /** For whom a frame goes to the broker that the board has heard, and what is sought. */
+    private List<String> publishes(Bytes frame) {
+        int before = done.size();
+        heard(frame);
+        return done.subList(before, done.size()).stream().filter(each -> !each.matches("(serve|tell) .*")).toList();
     }
 
     /** Whether a frame from another cell is relayed. */
-    private boolean relays(String cell, String gateway, Bytes frame) {
+    private boolean relays(String cell, Whom whom, int attempt, Bytes frame) {
         now += STEP;
         int before = relayed.size();
-        router.arrived(cell, gateway, frame, now + Router.LIFE_MILLIS, true, now);
+        step(new RouterEvent.Arrived(cell, whom, attempt, frame, now + Router.LIFE_MILLIS, true));
         return relayed.size() == before + 1 && relayed.get(before).equals(frame);
     }
 
+    private boolean relays(Whom whom, Bytes frame) {
+        return relays("east", whom, 0, frame);
+    }
+
     private boolean relays(Bytes frame) {
-        return relays("east", "e1", frame);
+        return relays(Whom.CELL, frame);
+    }
+
+    private void told(String cell, String device, long age) {
+        step(new RouterEvent.Told(cell, Address.parse(device), age));
+    }
+
+    private static List<Boolean> times(int count) {
+        return IntStream.range(0, count).mapToObj(any -> true).toList();
     }
 
     @Test
-    void unicast_toDeviceHeardHere_isRelayedByteByByte() {
+    void unicast_forThisCell_isRelayedByteByByteAsOftenAsItsSenderRepeatsIt() {
+        Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
+        assertEquals(times(8), IntStream.range(0, 8).mapToObj(any -> relays(frame)).toList());
+    }
+
+    @Test
+    void unicast_betweenDevicesOfThisCell_goesToItsOwnTopicOnly() {
         heard(Frames.sealed("ROMA", "SUPO", 1));
-        assertTrue(relays(Frames.sealed("SUPO", "ROMA", 2)));
+        assertEquals(List.of("CELL west 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)));
+        assertEquals(2, counters.of(GatewayCounter.LOCAL), "nobody has heard ROMA before");
     }
 
     @Test
-    void unicast_toDeviceHeardElsewhereSince_isNotRelayed() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        relays("north", "n1", Frames.sealed("BUS1", "SUPO", 2));
-        assertFalse(relays(Frames.sealed("SUPO", "ROMA", 3)));
-        assertEquals(1, counters.of(GatewayCounter.ELSEWHERE));
+    void unicast_toADeviceOfAnotherCell_goesThere() {
+        relays(Frames.sealed("ROMA", "SUPO", 1));
+        assertEquals(List.of("CELL east 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)));
     }
 
     @Test
-    void unicast_toDeviceOfItsSendersCell_isNotRelayed() {
-        relays(Frames.sealed("ROMA", "BUS1", 1));
-        assertFalse(relays(Frames.sealed("BUS1", "ROMA", 2)));
-    }
-
-    @Test
-    void unicast_toUnknownDevice_isRelayedInEachCellButNotAtEachAttempt() {
+    void unicast_toUnknownDevice_isSoughtAndSearchedButNotAtEachAttempt() {
         Bytes frame = Frames.sealed("NONE", "ROMA", 1);
-        assertEquals(List.of(true, true, false, true, false, false, false, true), attempts(frame));
+        List<List<String>> attempts = IntStream.range(0, 8).mapToObj(any -> publishes(frame)).toList();
+        assertEquals(List.of("seek NONE", "CELL west 1"), attempts.get(0));
+        assertEquals(List.of("seek NONE", "SEARCH all 2"), attempts.get(1));
+        assertEquals(List.of("CELL west 3"), attempts.get(2));
+        assertEquals(List.of("seek NONE", "SEARCH all 4"), attempts.get(3));
+        assertEquals(List.of("seek NONE", "SEARCH all 8"), attempts.get(7));
     }
 
     @Test
-    void unicast_toDeviceThatDoesNotAnswerElsewhere_isTriedHereAtTheFourthAttempt() {
-        relays("north", "n1", Frames.sealed("ROMA", "BUS1", 1));
-        assertEquals(List.of(false, false, false, true, false, false, false, true),
-                attempts(Frames.sealed("BUS1", "ROMA", 2)));
+    void unicast_whoseDestinationIsFound_goesThereAtOnceAndOnce() {
+        heard(Frames.sealed("NONE", "ROMA", 1));
+        done.clear();
+        told("east", "NONE", 5000);
+        told("east", "NONE", 5000);
+        assertEquals(List.of("CELL east 1"), done);
+        assertEquals(List.of("CELL east 1"), publishes(Frames.sealed("NONE", "ROMA", 2)));
     }
 
-    private List<Boolean> attempts(Bytes frame) {
-        List<Boolean> all = new ArrayList<>();
-        for (int i = 0; i < 8; i++) {
-            all.add(relays(frame));
+    @Test
+    void fragments_whoseDestinationIsFound_goThereInTheirOrder() {
+        heard(Frames.fragment("NONE", "ROMA", 7, 8, 2));
+        heard(Frames.fragment("NONE", "ROMA", 7, 1, 2));
+        assertEquals(List.of("CELL west 1"), publishes(Frames.fragment("NONE", "ROMA", 9, 1, 3)), "no first one");
+        done.clear();
+        told("east", "NONE", 0);
+        assertEquals(List.of("CELL east 1", "CELL east 1"), done);
+    }
+
+    @Test
+    void device_thatHasMoved_isFoundAtTheSecondAttempt() {
+        relays(Frames.sealed("ROMA", "SUPO", 9));
+        Bytes frame = Frames.sealed("SUPO", "ROMA", 1);
+        assertEquals(List.of("CELL east 1"), publishes(frame));
+        assertEquals(List.of("CELL east 2", "seek SUPO"), publishes(frame));
+        done.clear();
+        told("north", "SUPO", 0);
+        assertEquals(List.of("CELL north 2"), done);
+        assertEquals(List.of("CELL north 3", "CELL east 3"), publishes(frame));
+        assertEquals(List.of("CELL north 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)));
+    }
+
+    @Test
+    void device_thatWasHeardHere_andElsewhereSince_isReachedThere() {
+        heard(Frames.sealed("ROMA", "SUPO", 1));
+        relays(Frames.sealed("ROMA", "SUPO", 2));
+        assertEquals(List.of("CELL east 1"), publishes(Frames.sealed("SUPO", "ROMA", 3)));
+        heard(Frames.sealed("ROMA", "SUPO", 4));
+        assertEquals(List.of("CELL west 1"), publishes(Frames.sealed("SUPO", "ROMA", 5)));
+    }
+
+    @Test
+    void device_thatWasHeardHereAndDoesNotAnswer_isSoughtAtTheFourthAttempt() {
+        heard(Frames.sealed("ROMA", "SUPO", 1));
+        Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
+        List.of(1, 2, 3).forEach(attempt -> assertEquals(List.of("CELL west " + attempt), publishes(frame)));
+        assertEquals(List.of("seek SUPO", "SEARCH all 4"), publishes(frame));
+    }
+
+    @Test
+    void falseClaim_ofADevice_costsOneAttempt() {
+        relays("north", Whom.CELL, 0, Frames.sealed("ROMA", "SUPO", 1));
+        relays("false", Whom.CELL, 0, Frames.sealed("ROMA", "SUPO", 2));
+        Bytes frame = Frames.sealed("SUPO", "ROMA", 3);
+        assertEquals(List.of("CELL false 1"), publishes(frame));
+        IntStream.range(0, 100).forEach(any -> told("false", "SUPO", 0));
+        assertTrue(publishes(frame).contains("CELL north 2"));
+    }
+
+    @Test
+    void falseAnswer_hidesNoOther() {
+        heard(Frames.sealed("SUPO", "ROMA", 1));
+        done.clear();
+        told("false", "SUPO", 0);
+        told("north", "SUPO", 7000);
+        assertEquals(List.of("CELL false 1", "CELL north 1"), done);
+        now += Router.LIFE_MILLIS;
+        told("east", "SUPO", 0);
+        told("east", "SUPP", 0);
+        assertEquals(List.of("CELL false 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)), "nobody asked any more");
+    }
+
+    @Test
+    void falseCell_thatInventsDevices_displacesNoneOfOthers() {
+        relays("north", Whom.CELL, 0, Frames.sealed("ROMA", "SUPO", 1));
+        for (int i = 0; i < 5000; i++) {
+            relays("false", Whom.CELL, 1, Frames.sealed("ROMA", new Address(i).toString(), i));
         }
-        return all;
+        assertEquals(List.of("CELL north 1"), publishes(Frames.sealed("SUPO", "ROMA", 3)));
     }
 
     @Test
-    void unknownDevices_areSearchedWithinABudget() {
-        int searched = 0;
+    void falseCell_thatFloods_displacesNobodyWhoAwaitsAnAcknowledgement() {
+        relays("east", Whom.CELL, 1, Frames.sealed("ROMA", "SUPO", 7));
+        for (int i = 0; i < 5000; i++) {
+            now -= STEP;
+            relays("false", Whom.CELL, 1, Frames.sealed("BUS1", "SUPO", i));
+        }
+        for (int i = 0; i < 6; i++) {
+            relays("c" + i, Whom.CELL, 1, Frames.sealed("ROMA", "SUPP", 1 + (i << 12)));
+        }
+        assertEquals(List.of("CELL east 1"), publishes(Frames.acknowledgement("ROMA", 7)));
+        assertTrue(publishes(Frames.acknowledgement("ROMA", 1)).contains("CELL c5 1"), "the last ones asked");
+    }
+
+    @Test
+    void question_thatNobodyAnswers_isAskedLessAndLessOften() {
+        int asked = 0;
+        for (int i = 0; i < 100; i++) {
+            asked += publishes(Frames.sealed("NONE", "ROMA", i)).contains("seek NONE") ? 1 : 0;
+        }
+        assertEquals(7, asked, "in a minute");
+        now += 65_000;
+        assertTrue(publishes(Frames.sealed("NONE", "ROMA", 100)).contains("seek NONE"));
+        told("east", "NONE", 0);
+        assertTrue(publishes(Frames.sealed("NONE", "ROMA", 101)).contains("CELL east 1"));
+    }
+
+    @Test
+    void question_isAnsweredByTheCellThatHasHeardTheDevice() {
+        heard(Frames.sealed("ROMA", "SUPO", 1));
+        done.clear();
+        now += 7000;
+        step(new RouterEvent.Asked("east", Address.parse("SUPO")));
+        step(new RouterEvent.Asked("east", Address.parse("ROMA")));
+        step(new RouterEvent.Asked("west", Address.parse("SUPO")));
+        assertEquals(List.of("tell east SUPO 7000"), done);
+        now += DeviceLocations.KEEP_MILLIS;
+        step(new RouterEvent.Asked("east", Address.parse("SUPO")));
+        assertEquals(1, done.size(), "after a day it is not known");
+    }
+
+    @Test
+    void questionsAndAnswers_areLimited() {
+        heard(Frames.sealed("ROMA", "SUPO", 1));
+        done.clear();
+        for (int i = 0; i < 100; i++) {
+            step(new RouterEvent.Asked("east", Address.parse("SUPO")));
+            now -= STEP;
+            heard(Frames.sealed("A" + (char) ('A' + i % 26) + "A" + (char) ('A' + i / 26), "SUPO", i));
+        }
+        assertEquals(20, done.stream().filter(each -> each.startsWith("tell east")).count());
+        step(new RouterEvent.Asked("north", Address.parse("SUPO")));
+        assertTrue(done.get(done.size() - 1).startsWith("tell north SUPO"), "others get their answers");
+        assertEquals(20 - 1, done.stream().filter(each -> each.startsWith("seek")).count());
+    }
+
+    @Test
+    void searches_ofAllGateways_takeALittleOfTheAir() {
+        int own = 0;
+        int others = 0;
         for (int i = 0; i < 500; i++) {
-            searched += relays(Frames.sealed(Address.parse("AAAA").group() + "A" + (char) ('A' + i % 26), "ROMA", i))
-                    ? 1 : 0;
+            String device = "A" + (char) ('A' + i % 26) + "A" + (char) ('A' + i / 26);
+            heard(Frames.sealed(device, "ROMA", i));
+            now -= STEP;
+            own += publishes(Frames.sealed(device, "ROMA", i)).contains("SEARCH all 2") ? 1 : 0;
+            others += relays("c" + i % 9, Whom.SEARCH, 0, Frames.sealed(device, "SUPO", i)) ? 1 : 0;
         }
-        // 500 × 0.6 s, a tenth of it and 5 s at once; a packet of 30 bytes takes 0.222 s.
-        assertTrue(searched <= 35_000 / 222 + 1, "" + searched);
+        // 500 × 1.2 s, a tenth of it and 5 s at once; a packet of 30 bytes takes 0.222 s.
+        assertTrue(others > 100 && others <= 65_000 / 222 + 1, "" + others);
+        assertTrue(own > 10 && own < 60, "what others search counts, too: " + own);
+    }
+
+    @Test
+    void searches_ofAFalseCell_stopNoOthers() {
+        int own = 0;
+        int others = 0;
+        for (int i = 0; i < 500; i++) {
+            String device = "A" + (char) ('A' + i % 26) + "A" + (char) ('A' + i / 26);
+            for (int k = 0; k < 20; k++) {
+                now -= STEP;
+                relays("false", Whom.SEARCH, 1, Frames.sealed(device, "SUPP", 20 * i + k));
+            }
+            others += i % 50 == 0 && relays("east", Whom.SEARCH, 1, Frames.sealed(device, "SUPO", i)) ? 1 : 0;
+            heard(Frames.sealed(device, "ROMA", i));
+            own += publishes(Frames.sealed(device, "ROMA", i)).contains("SEARCH all 2") ? 1 : 0;
+        }
+        assertEquals(10, others);
+        // Of 5 s at once and 2 % of 600 s, 2.5 s and 1 % go to the false one; a packet of 30 bytes takes 0.222 s.
+        assertTrue(own >= 8500 / 222 - 10, "" + own);
+    }
+
+    @Test
+    void frames_ofOneCell_takeAQuarterOfTheAir() {
+        int relays = 0;
+        for (int i = 0; i < 500; i++) {
+            relays += relays("false", Whom.CELL, 1, Frames.sealed("SUPO", "ROMA", i)) ? 1 : 0;
+        }
+        assertTrue(relays <= (10_000 + 500 * STEP / 4) / 222 + 1, "" + relays);
+        assertTrue(relays(Frames.sealed("SUPO", "ROMB", 1)), "others have theirs");
         assertTrue(counters.of(GatewayCounter.OVER_BUDGET) > 0);
     }
 
     @Test
-    void repeat_byItsOrigin_isRelayedAgain() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
-        assertEquals(List.of(true, true, true, true, true, true, true, true), attempts(frame));
-    }
-
-    @Test
     void copy_byTheSecondGatewayOfACell_isNotRelayed() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
         Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
-        assertTrue(relays("east", "e1", frame));
-        assertFalse(relays("east", "e2", frame));
-        assertTrue(relays("east", "e2", frame));
-        assertFalse(relays("east", "e1", frame));
+        assertTrue(relays("east", Whom.CELL, 1, frame));
+        assertFalse(relays("east", Whom.CELL, 1, frame));
+        assertTrue(relays("east", Whom.CELL, 2, frame));
+        assertFalse(relays("east", Whom.CELL, 2, frame));
         assertEquals(2, counters.of(GatewayCounter.DUPLICATES));
     }
 
     @Test
-    void repeat_heardByTheOtherGatewayAfterSilence_isRelayed() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
+    void frame_thatABrokerDeliversTwiceOrByTwoTopics_isRelayedOnce() {
         Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
-        assertTrue(relays("east", "e1", frame));
-        now += 5000;
-        assertTrue(relays("east", "e2", frame));
+        assertTrue(relays("east", Whom.CELL, 1, frame));
+        assertFalse(relays("east", Whom.CELL, 1, frame));
+        assertTrue(relays("east", Whom.SEARCH, 4, frame));
+        assertFalse(relays("east", Whom.CELL, 4, frame));
     }
 
     @Test
     void relayOfAnotherGateway_isNotPublishedAndNotRelayedOnceMore() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
         Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
         now += STEP;
-        router.arrived("east", "e1", frame, now + Router.LIFE_MILLIS, false, now);
+        step(new RouterEvent.Arrived("east", Whom.CELL, 1, frame, now + Router.LIFE_MILLIS, false));
         assertEquals(1, counters.of(GatewayCounter.STANDBY));
         assertFalse(heard(frame));
         assertEquals(1, counters.of(GatewayCounter.ECHOES));
-        assertFalse(relays("east", "e2", frame));
+        assertFalse(relays("east", Whom.CELL, 1, frame));
+        assertTrue(done.isEmpty(), "its origin is elsewhere");
     }
 
     @Test
-    void relayOfAnotherGateway_saysNothingAboutWhereItsOriginIs() {
-        relays("east", "e1", Frames.sealed("SUPO", "ROMA", 1));
-        heard(Frames.sealed("SUPO", "ROMA", 1));
-        assertTrue(kept.isEmpty());
-        assertFalse(relays("north", "n1", Frames.sealed("ROMA", "BUS1", 2)));
+    void repeats_ofAFrameThatAFalseGatewayCopies_areStillPublished() {
+        Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
+        for (int i = 0; i < 8; i++) {
+            assertTrue(heard(frame));
+            assertFalse(relays("false", Whom.CELL, i, frame));
+        }
+        assertEquals(0, counters.of(GatewayCounter.ECHOES));
     }
 
     @Test
     void copy_thatComesLateFromAThirdCell_movesNoDevice() {
         Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
         heard(frame);
-        relays("north", "n1", frame);
-        assertTrue(relays(Frames.sealed("SUPO", "ROMA", 2)));
+        relays("north", Whom.CELL, 1, frame);
+        assertEquals(List.of("CELL west 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)));
     }
 
     @Test
-    void attempts_afterSilence_areCountedAnew() {
-        Bytes frame = Frames.sealed("NONE", "ROMA", 1);
-        assertTrue(relays(frame) && relays(frame));
-        now += 5000;
-        assertTrue(relays(frame));
-    }
-
-    @Test
-    void sameWords_ofADeviceThatHasComeHere_arePublishedWhenTheOtherCellIsSilent() {
-        Bytes words = Frames.of("////", "ROMA", Bytes.ofText("tell;here"));
-        relays(words);
-        now += 10_000;
-        assertTrue(heard(words));
-        assertEquals(List.of("ROMA"), kept);
-    }
-
-    @Test
-    void frame_heardHereFirst_isNotRelayedWhenAnotherCellHasHeardItToo() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
-        assertTrue(heard(frame));
-        assertFalse(relays(frame));
-    }
-
-    @Test
-    void acknowledgement_ofWhatWasHeardHere_isRelayedForEachRepeat() {
-        heard(Frames.sealed("ROMA", "SUPO", 70_001));
+    void acknowledgement_goesToTheCellThatAsked() {
+        relays("east", Whom.CELL, 1, Frames.sealed("ROMA", "SUPO", 70_001));
         Bytes answer = Frames.acknowledgement("ROMA", 70_001);
-        assertTrue(relays(answer));
-        assertTrue(heard(Frames.sealed("ROMA", "SUPO", 70_001)));
-        assertTrue(relays(answer));
+        assertEquals(List.of("CELL east 1"), publishes(answer));
+        assertEquals(List.of("CELL east 2"), publishes(answer));
+        assertEquals(List.of("CELL west 1"), publishes(Frames.acknowledgement("ROMA", 2)), "nobody asked");
+        assertEquals(List.of("CELL west 1"), publishes(Frames.acknowledgement("BUS1", 70_001)));
     }
 
     @Test
-    void acknowledgement_ofWhatWasHeardElsewhere_isNotRelayed() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        assertFalse(relays(Frames.acknowledgement("ROMA", 2)));
-        assertFalse(relays(Frames.acknowledgement("BUS1", 1)));
+    void acknowledgement_ofAMessageInFragments_goesBack() {
+        relays(Frames.fragment("ROMA", "SUPO", 5, 0, 3));
+        assertEquals(List.of("CELL east 1"), publishes(Frames.acknowledgement("ROMA", 3)));
     }
 
     @Test
-    void acknowledgement_ofAMessageInFragments_isRelayed() {
-        heard(Frames.fragment("ROMA", "SUPO", 5, 0, 3));
-        heard(Frames.fragment("ROMA", "SUPO", 5, 9, 3));
-        assertTrue(relays(Frames.acknowledgement("ROMA", 3)));
+    void acknowledgement_forThisCell_isRelayed() {
+        assertTrue(relays(Frames.acknowledgement("ROMA", 1)));
     }
 
     @Test
     void repeat_whoseAcknowledgementIsOnItsWay_isNotRelayed() {
         Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
-        heard(Frames.sealed("ROMA", "SUPO", 1));
         assertTrue(relays(frame));
         heard(Frames.acknowledgement("SUPO", 2));
         assertFalse(relays(frame));
@@ -227,116 +380,58 @@ class RouterTest {
     }
 
     @Test
-    void forgedAcknowledgements_areRelayedWithinTheBudget() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        int forged = 0;
-        for (int i = 0; i < 1000; i++) {
-            now -= STEP;
-            forged += relays(Frames.acknowledgement("ROMA", 1, i)) ? 1 : 0;
-        }
-        // 10 s at once; a packet of 18 bytes takes 0.15 s.
-        assertEquals(10_000 / 150, forged);
-        assertEquals(1000 - forged, counters.of(GatewayCounter.OVER_BUDGET));
-    }
-
-    @Test
-    void repeats_ofAFrameThatAFalseGatewayCopies_areStillPublished() {
-        Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
-        for (int i = 0; i < 8; i++) {
-            assertTrue(heard(frame));
-            assertFalse(relays("false", "f1", frame));
-        }
-        assertEquals(0, counters.of(GatewayCounter.ECHOES));
-    }
-
-    @Test
-    void repeats_ofADeviceThatTwoCellsHear_arePublishedByBoth() {
-        Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
-        Bytes earlier = Frames.sealed("ROMA", "SUPO", 2);
-        relays("east", "e1", earlier);
-        assertFalse(heard(earlier), "perhaps it is a relay");
-        assertTrue(heard(frame));
-        relays("east", "e1", frame);
-        assertTrue(heard(frame));
-    }
-
-    @Test
-    void fragments_goWhereTheirFirstOneGoes() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        assertTrue(relays(Frames.fragment("SUPO", "ROMA", 7, 8, 2)));
-        assertTrue(relays(Frames.fragment("SUPO", "ROMA", 7, 1, 2)));
-        assertFalse(relays(Frames.fragment("SUPO", "ROMA", 8, 1, 2)));
-        assertEquals(1, counters.of(GatewayCounter.ORPHANS));
-        relays("north", "n1", Frames.sealed("ROMA", "BUS1", 3));
-        assertFalse(relays(Frames.fragment("BUS1", "ROMA", 8, 0, 4)));
-        assertFalse(relays(Frames.fragment("BUS1", "ROMA", 8, 1, 4)));
-    }
-
-    @Test
-    void multicast_isRelayedWhereAMemberWasHeard() {
-        relays("north", "n1", Frames.sealed("SUPO", "ROMB", 1));
-        assertFalse(relays(Frames.sealed("//RO", "SUPO", 2)));
+    void multicast_goesToItsGroup_andIsRelayedWhereAMemberWasHeardOrTheUserSaysSo() {
+        assertEquals(List.of("GROUP RO 1"), publishes(Frames.sealed("//RO", "SUPO", 2)));
+        assertFalse(relays(Whom.GROUP, Frames.sealed("//RO", "SUPP", 3)));
+        assertEquals(1, counters.of(GatewayCounter.ELSEWHERE));
         heard(Frames.sealed("SUPO", "ROMA", 3));
-        assertTrue(relays(Frames.sealed("//RO", "SUPO", 4)));
-        assertEquals(List.of("ROMA"), kept);
+        assertTrue(done.contains("serve //RO"));
+        assertTrue(relays(Whom.GROUP, Frames.sealed("//RO", "SUPP", 4)));
+        now += DeviceLocations.KEEP_MILLIS + 1;
+        assertFalse(relays(Whom.GROUP, Frames.sealed("//RO", "SUPP", 5)));
+        router = router(false, "RO");
+        assertTrue(relays(Whom.GROUP, Frames.sealed("//RO", "SUPP", 6)));
     }
 
     @Test
-    void multicast_toAGroupOfWhichNobodyButTheSenderWasHeard_isRelayedInEachCell() {
-        assertTrue(relays(Frames.sealed("//SU", "SUPO", 1)));
-        relays("north", "n1", Frames.sealed("ROMA", "SUHO", 2));
-        assertFalse(relays(Frames.sealed("//SU", "SUPO", 3)));
+    void frame_onATopicOfAnotherKind_isNotRelayed() {
+        heard(Frames.sealed("SUPO", "ROMA", 1));
+        assertFalse(relays(Whom.GROUP, Frames.sealed("ROMA", "SUPO", 2)));
+        assertFalse(relays(Whom.SEARCH, Frames.sealed("//RO", "SUPO", 3)));
+        assertFalse(relays(Whom.BROADCAST, Frames.sealed("ROMA", "SUPO", 4)));
+        assertFalse(relays(Whom.SEARCH, Frames.fragment("//RO", "SUPO", 3, 0, 5)));
+        assertEquals(4, counters.of(GatewayCounter.ELSEWHERE));
     }
 
     @Test
     void broadcast_isRelayedIfTheUserWantsIt() {
         Bytes frame = Frames.of("////", "ROMA", Bytes.ofText("tell;help"));
-        assertFalse(relays(frame));
+        assertFalse(relays(Whom.BROADCAST, frame));
         router = router(true);
-        assertTrue(relays(frame));
-        assertFalse(relays("east", "e2", frame));
+        assertTrue(relays(Whom.BROADCAST, frame));
+        assertFalse(relays("east", Whom.BROADCAST, 1, frame));
+        assertEquals(List.of("BROADCAST all 1"), publishes(Frames.of("////", "SUPO", Bytes.ofText("tell;me"))));
     }
 
     @Test
     void frame_whoseSenderHasGivenUp_isNotRelayed() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        router.arrived("east", "e1", Frames.sealed("SUPO", "ROMA", 2), now - 1, true, now);
+        step(new RouterEvent.Arrived("east", Whom.CELL, 1, Frames.sealed("SUPO", "ROMA", 2), now - 1, true));
         assertTrue(relayed.isEmpty());
         assertEquals(1, counters.of(GatewayCounter.EXPIRED));
     }
 
     @Test
-    void device_heardHere_isKeptOnceAndAgainAfterAMoveAndAfterHours() {
+    void secondGatewayOfACell_learnsWhatTheFirstHasHeard() {
         heard(Frames.sealed("ROMA", "SUPO", 1));
+        assertEquals(List.of("serve SUPO", "serve //SU", "tell west SUPO 0"), done.subList(0, 3));
         heard(Frames.sealed("ROMA", "SUPO", 2));
-        assertEquals(List.of("SUPO"), kept);
-        relays(Frames.sealed("ROMA", "SUPO", 3));
-        heard(Frames.sealed("ROMA", "SUPO", 4));
-        assertEquals(List.of("SUPO", "SUPO"), kept);
-        now += DeviceLocations.KEEP_MILLIS / 3;
-        heard(Frames.sealed("ROMA", "SUPO", 5));
-        assertEquals(3, kept.size());
-        router.connected();
-        heard(Frames.sealed("ROMA", "SUPO", 6));
-        assertEquals(4, kept.size());
-    }
-
-    @Test
-    void whatTheBrokerHasKept_isKnownAfterARestartUnlessSomethingNewerIs() {
-        router.kept("west", Address.parse("SUPO"), now - 5000);
-        router.kept("east", Address.parse("SUPO"), now - 9000);
-        assertTrue(relays(Frames.sealed("SUPO", "ROMA", 1)));
-        router.kept("east", Address.parse("SUPO"), now);
-        assertFalse(relays(Frames.sealed("SUPO", "ROMA", 2)));
-    }
-
-    @Test
-    void device_silentForADay_isUnknown() {
-        heard(Frames.sealed("ROMA", "SUPO", 1));
-        now += DeviceLocations.KEEP_MILLIS + 1;
-        relays("north", "n1", Frames.sealed("ROMA", "SUHO", 4));
-        assertFalse(relays(Frames.sealed("//SU", "ROMA", 2)));
-        assertTrue(relays(Frames.sealed("SUPO", "ROMA", 3)), "as an unknown one");
+        assertEquals(1, done.stream().filter("serve SUPO"::equals).count());
+        done.clear();
+        step(new RouterEvent.Joined());
+        assertEquals(List.of("tell west SUPO 0"), done);
+        told("west", "SUPP", 100);
+        told("west", "SUPP", 50);
+        assertEquals(List.of("serve SUPP", "serve //SU", "tell west SUPP 100"), done.subList(1, done.size()));
     }
 
     @Test
@@ -344,8 +439,12 @@ class RouterTest {
         for (int i = 0; i < 1000; i++) {
             heard(Frames.sealed("SUPO", new Address(i).toString(), 1));
         }
-        assertEquals(1000, kept.size());
-        assertEquals(kept.subList(0, 744), forgotten);
+        assertEquals(744, done.stream().filter(each -> each.startsWith("leave ") && !each.contains("//")).count());
+        assertEquals(0, done.stream().filter("leave //AA"::equals).count(), "the group has members yet");
+        for (int i = 0; i < 300; i++) {
+            heard(Frames.sealed("SUPO", new Address(0x10000 + i).toString(), 1));
+        }
+        assertEquals(1, done.stream().filter("leave //AA"::equals).count());
     }
 
     @Test
@@ -364,11 +463,15 @@ class RouterTest {
                 frame[random.nextInt(frame.length)] ^= (byte) (1 << random.nextInt(7));
             }
             now += random.nextInt(400);
-            if (random.nextBoolean()) {
-                heard(Bytes.copyOf(frame));
-            } else {
-                router.arrived(cells[random.nextInt(3)], "" + random.nextInt(20), Bytes.copyOf(frame),
-                        now + random.nextInt(6000) - 500, random.nextBoolean(), now);
+            Address device = new Address(random.nextInt(1 << 24));
+            switch (random.nextInt(4)) {
+                case 0 -> heard(Bytes.copyOf(frame));
+                case 1 -> step(new RouterEvent.Told(cells[random.nextInt(3)], Address.parse("ROMA"),
+                        random.nextInt(900_000)));
+                case 2 -> step(new RouterEvent.Asked(cells[random.nextInt(3)], device));
+                default -> step(new RouterEvent.Arrived(cells[random.nextInt(3)],
+                        Whom.values()[random.nextInt(4)], random.nextInt(20), Bytes.copyOf(frame),
+                        now + random.nextInt(6000) - 500, random.nextBoolean()));
             }
         }
         assertTrue(counters.of(GatewayCounter.MALFORMED) > 0 && counters.of(GatewayCounter.FOREIGN) > 0);

@@ -1,5 +1,6 @@
 package campaign;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** Cells of boards, each in an emulator of its own, joined by gateways over one broker. */
@@ -11,10 +12,14 @@ final class Cells implements Campaign {
     private static final double FEW_SECONDS = 20;
     /** Of what a gateway adds, beside the broker's own time. */
     private static final double MOST_MILLIS = 50;
-    /** Frames a second of a cell whose air is full. */
-    private static final double FULL = 4;
-    /** Devices whose places a gateway knows (docs/mqtt.md). */
-    private static final int PLACES = 4096;
+    private static final double MANY_SECONDS = 120;
+    /** By how much a gateway among the most cells may need more than among the fewest, and the broker for each. */
+    private static final double GATEWAY_GROWTH = 1.2;
+    private static final double BROKER_GROWTH = 1.1;
+    private static final int COUNTRY = 10_000;
+    /** Of a cell's air, for searches of all gateways (docs/mqtt.md), and a frame's time on the air. */
+    private static final double SEARCH_SHARE = 0.02;
+    private static final double FRAME_SECONDS = 0.28;
 
     @Override
     public String name() {
@@ -33,14 +38,14 @@ final class Cells implements Campaign {
             heard; these count as delivered, not as waiting. Then %.0f emulated seconds are measured. *Speed* is
             emulated time by time on the wall: below 1 the computer has more to do than it can, and figures
             with times are too good or too bad. CPU times are of an emulated second, so they hold at any speed.
-            *Air* is the share of a cell's time in which some board sends. *Frames* are those that the gateways publish,
-            *sent on* those that the broker hands to gateways: each gets all. The traces are not replayed in the model.
+            *Air* is the share of a cell's time in which some board sends. *Frames* are those that the gateways publish.
+            The traces are not replayed in the model.
             """.formatted(boards, Runtime.getRuntime().availableProcessors(), CellsRun.MEAN_SECONDS,
                 settings.choose(SECONDS, FEW_SECONDS)));
         Table table =
                 new Table("cells", "speed", "air", "to a neighbour", "delivered", "median wait", "to the next cell",
                         "delivered", "median wait");
-        Table costs = new Table("cells", "frames a second", "sent on", "broker, CPU", "memory", "a gateway, CPU",
+        Table costs = new Table("cells", "frames a second", "broker, CPU", "memory", "a gateway, CPU",
                 "memory", "an emulator, CPU", "a cell's hosts, CPU");
         Ledger.Sum all = Ledger.Sum.ZERO;
         CellsRun.Result last = null;
@@ -50,7 +55,7 @@ final class Cells implements Campaign {
             table.row(cells, Table.text("%.2f", last.speed()), Table.text("%.0f %%", 100 * last.air()),
                     last.near().sum().offered(), share(last.near()), wait(last.near()), last.far().sum().offered(),
                     share(last.far()), wait(last.far()));
-            costs.row(cells, Table.text("%.1f", last.frames()), Table.text("%.1f", last.frames() * cells),
+            costs.row(cells, Table.text("%.1f", last.frames()),
                     milli(last.broker()), mebi(last.brokerBytes()), milli(last.gateway()), mebi(last.gatewayBytes()),
                     milli(last.emulator()), milli(last.hosts()));
             report.progress("%s", last);
@@ -60,7 +65,7 @@ final class Cells implements Campaign {
         report.claim(last.cells() + " cells, delivered to the next cell",
                 Table.of(last.far().sum().delivered(), last.far().sum().offered()), "");
         report.claim("wait", wait(last.far()), "");
-        extrapolate(last, boards, report);
+        many(settings, report);
         delay(settings, report);
         all.report(report);
         report.never("a unicast without an end", all.open());
@@ -82,34 +87,59 @@ final class Cells implements Campaign {
         return Table.text("%.0f MiB", bytes / 1024.0 / 1024.0);
     }
 
-    private static void extrapolate(CellsRun.Result run, int boards, Report report) {
-        double frames = run.frames() / run.cells();
-        double onward = run.flood().onward();
-        double arrived = run.flood().arrived();
-        report.claim("cells that would fill a core of the broker", Table.text("%.0f", Math.sqrt(1 / (frames * onward))),
-                Table.text("air full: %.0f", Math.sqrt(1 / (FULL * onward))));
+    private static void many(Settings settings, Report report) throws Exception {
+        double seconds = settings.choose(MANY_SECONDS, FEW_SECONDS / 4);
         report.text("""
-            **A country of cells, on paper.** After the run with %d cells a client published frames as fast as the
-            broker took them; each gateway got %.0f a second. For each message that it sends on, the broker takes
-            %.0f µs of a core, and a gateway for each that it gets %.0f µs. A cell publishes %.2f frames a second
-            here, and some %.0f where its air is full. With N cells a gateway gets N times that, and the broker sends N²
-            times that on. So
+            **Many cells.** Cells of 20 devices in memory, at the boards' pace, with a real broker and TLS: %.0f s of
+            real time, after half as many. All gateways but one share a Java virtual machine; that one has its own, with
+            a radio in memory, so its CPU is the router's and the client's. Each device sends a message of 16 bytes
+            every %.0f s on average to its own cell, and one to a random other cell; one in ten of these is for a device
+            that has moved in silence, or for nobody. Messages are those that the broker receives and sends.
+            """.formatted(seconds, ManyCells.MEAN_SECONDS));
+        Table table = new Table("cells", "same cell", "another cell", "moved", "nobody", "messages a second", "a cell",
+                "broker, CPU", "memory", "a gateway, CPU", "heap");
+        List<ManyCells.Result> results = new ArrayList<>();
+        for (int cells : settings.choose(List.of(50, 100, 200, 500), List.of(2, 4))) {
+            ManyCells.Result run = new ManyCells(settings.seed(), cells, seconds).call();
+            results.add(run);
+            table.row(cells, run.near(), run.far(), run.moved(), run.unknown(), Table.text("%.0f", run.messages()),
+                    Table.text("%.2f", run.messages() / cells), milli(run.broker()), mebi(run.brokerBytes()),
+                    milli(run.gateway()), mebi(run.heap()));
+            report.progress("%s", run);
+        }
+        report.table(table);
+        ManyCells.Result few = results.get(0);
+        ManyCells.Result most = results.get(results.size() - 1);
+        double ofBroker = most.messages() / most.cells() / (few.messages() / few.cells());
+        report.claim(most.cells() + " cells by " + few.cells(), Table.text("a gateway's CPU %.2f, heap %.2f",
+                most.gateway() / few.gateway(), 1.0 * most.heap() / few.heap()),
+                Table.text("broker's messages a cell: %.2f", ofBroker));
+        if (!settings.small()) {
+            report.aim("a gateway's CPU and heap grow by at most a fifth",
+                    most.gateway() <= GATEWAY_GROWTH * few.gateway() && most.heap() <= GATEWAY_GROWTH * few.heap());
+            report.aim("the broker's messages grow as the cells do, within a tenth", ofBroker <= BROKER_GROWTH);
+        }
+        extrapolate(most, report);
+    }
 
-            - a gateway forgets devices from %d cells on: it knows the places of %d devices, here %d a cell. What it has
-            forgotten is searched in all cells, within a tenth of their air. At little load this is the first limit.
-            - the broker fills a core with %.0f cells at this load, and with %.0f where all air is full: that is the
-            first limit there.
-            - a gateway fills a core of this computer with %.0f cells at this load, and with %.0f where all air is full;
-            a small computer has fewer by as much as it is slower.
-            - the air of one cell does not depend on the number of others, but for searches.
+    private static void extrapolate(ManyCells.Result run, Report report) {
+        double message = run.broker() / run.messages();
+        double perCell = run.messages() / run.cells();
+        double full = 1 / (message * perCell);
+        double searches = SEARCH_SHARE / FRAME_SECONDS;
+        report.claim("cells that would fill a core of the broker", Table.text("%.0f", full), "");
+        report.text("""
+            **%d cells, on paper.** They are %.0f messages a second; each takes the broker %.0f µs of a core. What
+            breaks first:
 
-            A country of 10 000 such cells has %.0f frames a second, which one broker can take in, and cannot send on to
-            all. It needs topics (`--topic`) for each region, where cells speak to each other; between regions nothing
-            of ours helps yet. A gateway that published a unicast under the cell where its destination is, and listened
-            to its own cell only, would make of N² messages N.
-            """.formatted(run.cells(), run.flood().rate(), 1e6 * onward, 1e6 * arrived, frames, FULL,
-                PLACES / (boards - 1), PLACES, boards - 1, Math.sqrt(1 / (frames * onward)),
-                Math.sqrt(1 / (FULL * onward)), 1 / (frames * arrived), 1 / (FULL * arrived), 10_000 * frames));
+            - searches: all gateways together make %.2f a second, so each one in %.0f hours. A device that no gateway
+            has heard within a day is in effect not found. Devices that were heard are: questions go only where they
+            were.
+            - a broker fills a core with %.0f cells at this load. Mosquitto has one: so it takes %.0f regions, or a
+            cluster.
+            - a gateway does not notice the number of cells: it gets what is for its own.
+            """.formatted(COUNTRY, COUNTRY * perCell, 1e6 * message, searches, COUNTRY / searches / 3600, full,
+                Math.ceil(COUNTRY / full)));
     }
 
     private static void delay(Settings settings, Report report) throws Exception {

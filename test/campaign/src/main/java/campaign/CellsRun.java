@@ -18,8 +18,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javino.protocol.Address;
-import javino.protocol.Bytes;
-import javino.protocol.Frame;
 import javino.protocol.Outcome;
 
 /**
@@ -42,24 +40,9 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
      * @param air     the share of a cell's time in which some board sends.
      * @param frames  published in an emulated second.
      * @param gateway of each gateway, as of each emulator and of the hosts of each cell.
-     * @param flood   afterwards.
      */
     record Result(int cells, Traffic.Sent near, Traffic.Sent far, double speed, double air, double frames,
-            double broker, long brokerBytes, double gateway, long gatewayBytes, double emulator, double hosts,
-            Flood flood) {}
-
-    /**
-     * What the processes take of a core where frames come as fast as they can, in seconds.
-     *
-     * @param onward  of the broker, for each message that it hands to a gateway.
-     * @param arrived of a gateway, for each message that it gets.
-     * @param rate    messages a second that a gateway got.
-     */
-    record Flood(double onward, double arrived, double rate) {}
-
-    private static final int FLOOD = 20_000;
-    private static final int FLOOD_BYTES = 30;
-    private static final long SETTLE_MILLIS = 2000;
+            double broker, long brokerBytes, double gateway, long gatewayBytes, double emulator, double hosts) {}
 
     /** A cell with its hosts; what they send is entered where it is sent. */
     private record Cell(Timetable timetable, AirUsage air, Field field, List<Flow> flows) {}
@@ -110,7 +93,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
                         name(cell), broker, broker.port())));
             }
             AtomicLong frames = new AtomicLong();
-            closing.add(BrokerClient.enter(broker, Mosquitto.OWNER)).watch("javino/+/air",
+            closing.add(BrokerClient.enter(broker, Mosquitto.OWNER)).watch("javino/+/+/from/+/air",
                     (topic, frame) -> frames.incrementAndGet());
             CompletableFuture.allOf(flows(all, true).map(flow -> flow.send(all.get(0).timetable))
                     .toArray(CompletableFuture[]::new)).join();
@@ -191,36 +174,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
                 .noneMatch(CellsRun::isOpen));
         return new Result(cells, sent(all, true), sent(all, false), seconds / wall, air, published, cpu[0],
                 Memory.resident(broker.process()), cpu[1] / cells,
-                Math.round(average(joining)), cpu[2] / cells, cpu[3] / cells, flood(gateways, broker, frames));
-    }
-
-    /** Publishes frames for nobody as fast as the broker takes them, and ends the gateways. */
-    private static Flood flood(List<GatewayProcess> gateways, Mosquitto broker, AtomicLong frames) throws Exception {
-        List<ProcessHandle> joining = gateways.stream().map(GatewayProcess::process).toList();
-        List<ProcessHandle> alone = List.of(broker.process());
-        long framesBefore = frames.get();
-        double joiningBefore = cpuSeconds(joining);
-        double aloneBefore = cpuSeconds(alone);
-        long begun = System.nanoTime();
-        try (BrokerClient client = BrokerClient.enter(broker, Mosquitto.OWNER)) {
-            Address nobody = Address.parse("NONE");
-            for (int i = 0; i < FLOOD; i++) {
-                client.air("none", "flood",
-                        new Frame(nobody, nobody, Bytes.ofNumber(i, FLOOD_BYTES)).encode().toArray());
-            }
-        }
-        double wall = (System.nanoTime() - begun) / 1e9;
-        Thread.sleep(SETTLE_MILLIS);
-        double joiningSeconds = cpuSeconds(joining) - joiningBefore;
-        double aloneSeconds = cpuSeconds(alone) - aloneBefore;
-        long arrived = -framesBefore * gateways.size();
-        for (GatewayProcess gateway : gateways) {
-            Map<String, Long> counted = gateway.end();
-            arrived += counted.get("arrived") + counted.get("published");
-        }
-        // One more, who counts the frames, gets them from the broker too.
-        return new Flood(aloneSeconds / (arrived + frames.get() - framesBefore), joiningSeconds / arrived,
-                arrived / wall / gateways.size());
+                Math.round(average(joining)), cpu[2] / cells, cpu[3] / cells);
     }
 
     private static double average(List<ProcessHandle> processes) throws IOException {

@@ -77,10 +77,10 @@ record GatewayDelay(List<Double> ways, List<Double> broker) {
         List<Double> times = new ArrayList<>();
         try (BrokerClient one = BrokerClient.enter(broker, Mosquitto.OWNER);
                 BrokerClient other = BrokerClient.enter(broker, Mosquitto.OWNER)) {
-            other.watch("javino/none/air", (topic, frame) -> arrivals.add(System.nanoTime()));
+            other.watch("javino/to/none/from/none/air", (topic, frame) -> arrivals.add(System.nanoTime()));
             for (int i = 0; i < PINGS; i++) {
                 long sent = System.nanoTime();
-                one.air("none", "ping", new byte[LENGTH]);
+                one.air("to/none", "none", "ping", new byte[LENGTH]);
                 Long came = arrivals.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
                 times.add((came - sent) / 1e9);
             }

@@ -80,9 +80,14 @@ public final class BrokerClient implements AutoCloseable {
         client.toAsync().subscribeWith().topicFilter(topics).qos(MqttQos.AT_MOST_ONCE).callback(told).send().join();
     }
 
-    /** Publishes a frame, as a gateway of that name. */
-    public void air(String cell, String gateway, byte[] frame) {
-        publish("javino/" + cell + "/air", frame, false, Map.of("gateway", gateway));
+    /** Publishes a frame, as a gateway of that name and its user's cell, or another one. */
+    public void air(String to, String cell, String gateway, byte[] frame) {
+        publish("javino/" + to + "/from/" + cell + "/air", frame, false, Map.of("gateway", gateway));
+    }
+
+    /** Publishes something that nobody keeps. */
+    public void say(String topic, String payload) {
+        publish(topic, payload.getBytes(StandardCharsets.UTF_8), false, Map.of());
     }
 
     /** Has the broker keep something; nothing any more, where the payload is empty. */

@@ -18,6 +18,16 @@ public final class Mosquitto implements AutoCloseable {
     public static final String OWNER = "owner";
     /** Of all users. */
     public static final String PASSWORD = "together";
+    /** What a user named as its cell may do (docs/mqtt.md). */
+    private static final String ACCESS = """
+            pattern write javino/+/+/from/%u/#
+            pattern read javino/to/%u/from/#
+            pattern read javino/gateway/+/from/%u
+            pattern read javino/group/#
+            pattern read javino/search/#
+            pattern read javino/seek/#
+            pattern read javino/broadcast/#
+            """;
     private static final long PATIENCE_SECONDS = 60;
     private static final long PAUSE_MILLIS = 20;
 
@@ -39,8 +49,7 @@ public final class Mosquitto implements AutoCloseable {
         for (String cell : cells) {
             broker.run("mosquitto_passwd", "-b", broker.path("passwords"), cell, PASSWORD);
         }
-        Files.writeString(folder.resolve("acl"),
-                "user " + OWNER + "\ntopic readwrite #\npattern read javino/#\npattern write javino/%u/#\n");
+        Files.writeString(folder.resolve("acl"), "user " + OWNER + "\ntopic readwrite #\ntopic read $SYS/#\n" + ACCESS);
         Files.writeString(folder.resolve("mosquitto.conf"),
                 """
                 user %s
@@ -50,6 +59,7 @@ public final class Mosquitto implements AutoCloseable {
                 acl_file %s
                 certfile %s
                 keyfile %s
+                sys_interval 1
                 persistence true
                 persistence_location %s/
                 """.formatted(System.getProperty("user.name"), broker.port, broker.path("passwords"),

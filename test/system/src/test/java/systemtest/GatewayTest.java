@@ -85,13 +85,14 @@ class GatewayTest extends JoinedCells {
 
     @Test
     @Tag("soak")
-    void gateway_thatWasKilled_knowsFromTheBrokerWhoWasHeardWhere() throws Exception {
+    void gateway_thatWasKilled_isStillSentWhatIsForItsCellAndGroups() throws Exception {
         bus.send("////", "tell;here");
         exchange(0, 1);
         east.kill();
-        east = join("east");
+        east = join("east", "--group", "RO");
         police.send("//RO", "tell;toTheGroup");
         assertEquals("tell;toTheGroup", bus.message().content().toString());
+        exchange(1, 2);
     }
 
     @Test
@@ -134,9 +135,8 @@ class GatewayTest extends JoinedCells {
             gateway.await(2, line -> line.contains("connected to"));
         }
         exchange(2, 4);
-        // What it had lost, the gateways have told it again.
         west.kill();
-        west = join("west");
+        west = join("west", "--group", "SU");
         bus.send("//SU", "tell;toTheGroup");
         assertEquals("tell;toTheGroup", police.message().content().toString());
         assertNothingTwice("police", "east");
@@ -166,15 +166,16 @@ class GatewayTest extends JoinedCells {
         try (BrokerClient flood = BrokerClient.enter(broker, FALSE)) {
             for (int i = 0; i < MANY; i++) {
                 String origin = "Z" + Integer.toString(0x10000 + i, Character.MAX_RADIX).substring(1);
-                flood.keep("javino/false/heard/" + origin, "f" + i);
+                flood.say("javino/to/west/from/false/heard/" + origin, "0");
+                flood.say("javino/seek/" + origin + "/from/false", "");
                 byte[] message = new byte[60];
                 random.nextBytes(message);
-                flood.air(FALSE, "f" + i,
+                flood.air("to/west", FALSE, "f" + i,
                         new Frame(Address.parse("SUPO"), Address.parse(origin), Bytes.copyOf(message)).encode()
                                 .toArray());
             }
             for (int i = 0; i < 10; i++) {
-                flood.air(FALSE, "f", new byte[10 * MEGABYTE]);
+                flood.air("to/west", FALSE, "f", new byte[10 * MEGABYTE]);
             }
         }
         System.out.printf(Locale.ROOT,
