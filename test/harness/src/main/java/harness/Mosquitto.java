@@ -6,6 +6,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
@@ -120,6 +121,36 @@ public final class Mosquitto implements AutoCloseable {
         } catch (IOException nobody) {
             return false;
         }
+    }
+
+    /** Joins it, as a region with these cells, to a broker that may be reached by another port (docs/mqtt.md). */
+    public void bridge(Mosquitto middle, int port, String... cells) throws IOException, InterruptedException {
+        stop();
+        StringBuilder bridge = new StringBuilder("""
+                connection middle
+                address localhost:%d
+                bridge_protocol_version mqttv50
+                remote_username %s
+                remote_password %s
+                bridge_cafile %s
+                restart_timeout 1 2
+                topic javino/to/# out 0
+                topic javino/group/# both 0
+                topic javino/search/# both 0
+                topic javino/seek/# both 0
+                topic javino/broadcast/# both 0
+                """.formatted(port, OWNER, PASSWORD, middle.ca()));
+        for (String cell : cells) {
+            bridge.append("topic javino/to/" + cell + "/# in 0\n");
+        }
+        Files.writeString(folder.resolve("mosquitto.conf"), bridge, StandardOpenOption.APPEND);
+        start();
+    }
+
+    /** Ends it as a loss of power does. */
+    public void kill() throws InterruptedException {
+        process.destroyForcibly();
+        process.waitFor();
     }
 
     /** Stops it; what it has kept stays in its folder. */

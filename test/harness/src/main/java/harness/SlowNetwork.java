@@ -28,6 +28,7 @@ public final class SlowNetwork implements AutoCloseable {
     private final long wayNanos;
     private final double loss;
     private final Random random;
+    private volatile boolean blocked;
     private final List<Socket> sockets = new CopyOnWriteArrayList<>();
 
     private record Chunk(byte[] bytes, long due) {
@@ -62,6 +63,10 @@ public final class SlowNetwork implements AutoCloseable {
             try {
                 Socket in = entrance.accept();
                 sockets.add(in);
+                if (blocked) {
+                    cut();
+                    continue;
+                }
                 Socket out = new Socket(InetAddress.getLoopbackAddress(), to);
                 sockets.add(out);
                 carry(in, out);
@@ -107,6 +112,12 @@ public final class SlowNetwork implements AutoCloseable {
 
     private synchronized long due() {
         return System.nanoTime() + (random.nextDouble() < loss ? 2 : 1) * wayNanos;
+    }
+
+    /** Ends all connections, and takes no further ones until it is told to. */
+    public void block(boolean isBlocked) {
+        blocked = isBlocked;
+        cut();
     }
 
     /** Ends all connections, as a router that starts anew; further ones are possible. */
