@@ -39,6 +39,8 @@ final class Router {
     private static final long SEARCH_AT_ONCE_MILLIS = 5000;
     /** Higher attempts are no sender's. */
     private static final int MOST_ATTEMPTS = 16;
+    /** Such a frame is known here: it has come from elsewhere, too. */
+    private static final Set<GatewayCounter> COPIES = Set.of(GatewayCounter.DUPLICATES, GatewayCounter.ANSWERED);
     /** The longest packet of a radio (SPEC 6). */
     private static final int LONGEST = 77;
 
@@ -191,6 +193,9 @@ final class Router {
             } else {
                 refusal = Optional.of(GatewayCounter.STANDBY);
             }
+        } else if (COPIES.contains(refusal.get())) {
+            // Whoever was faster may be a false gateway: the acknowledgement goes to all.
+            exchanges.arrived(frame, event.from());
         }
         refusal.ifPresent(counters::count);
     }

@@ -212,6 +212,17 @@ class RouterTest {
     }
 
     @Test
+    void falseCell_thatIsFasterWithACopy_keepsNoAcknowledgementFromWhoAsked() {
+        Bytes frame = Frames.sealed("ROMA", "SUPO", 7);
+        for (int attempt = 1; attempt <= 8; attempt++) {
+            assertTrue(relays("false", Whom.CELL, 0, frame));
+            assertFalse(relays("east", Whom.CELL, attempt, frame));
+            assertTrue(publishes(Frames.acknowledgement("ROMA", 7)).contains("CELL east " + attempt));
+            now += STEP;
+        }
+    }
+
+    @Test
     void question_thatNobodyAnswers_isAskedLessAndLessOften() {
         int asked = 0;
         for (int i = 0; i < 100; i++) {
