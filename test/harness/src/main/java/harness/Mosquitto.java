@@ -123,11 +123,14 @@ public final class Mosquitto implements AutoCloseable {
         }
     }
 
-    /** Joins it, as a region with these cells, to a broker that may be reached by another port (docs/mqtt.md). */
+    /**
+     * Joins it, as a region with these cells, to a broker that may be reached by another port (docs/mqtt.md). The first
+     * cell names the connection.
+     */
     public void bridge(Mosquitto middle, int port, String... cells) throws IOException, InterruptedException {
         stop();
         StringBuilder bridge = new StringBuilder("""
-                connection middle
+                connection %s
                 address localhost:%d
                 bridge_protocol_version mqttv50
                 remote_username %s
@@ -139,7 +142,7 @@ public final class Mosquitto implements AutoCloseable {
                 topic javino/search/# both 0
                 topic javino/seek/# both 0
                 topic javino/broadcast/# both 0
-                """.formatted(port, OWNER, PASSWORD, middle.ca()));
+                """.formatted(cells[0], port, OWNER, PASSWORD, middle.ca()));
         for (String cell : cells) {
             bridge.append("topic javino/to/" + cell + "/# in 0\n");
         }

@@ -23,12 +23,11 @@ public final class SlowNetwork implements AutoCloseable {
 
     private static final int MOST_BYTES = 2048;
 
-    private final ServerSocket entrance;
+    private volatile ServerSocket entrance;
     private final int to;
     private final long wayNanos;
     private final double loss;
     private final Random random;
-    private volatile boolean blocked;
     private final List<Socket> sockets = new CopyOnWriteArrayList<>();
 
     private record Chunk(byte[] bytes, long due) {
@@ -59,14 +58,11 @@ public final class SlowNetwork implements AutoCloseable {
     }
 
     private void accept() {
-        while (!entrance.isClosed()) {
+        ServerSocket open = entrance;
+        while (!open.isClosed()) {
             try {
-                Socket in = entrance.accept();
+                Socket in = open.accept();
                 sockets.add(in);
-                if (blocked) {
-                    cut();
-                    continue;
-                }
                 Socket out = new Socket(InetAddress.getLoopbackAddress(), to);
                 sockets.add(out);
                 carry(in, out);
@@ -114,10 +110,15 @@ public final class SlowNetwork implements AutoCloseable {
         return System.nanoTime() + (random.nextDouble() < loss ? 2 : 1) * wayNanos;
     }
 
-    /** Ends all connections, and takes no further ones until it is told to. */
-    public void block(boolean isBlocked) {
-        blocked = isBlocked;
-        cut();
+    /** Ends all connections; further ones are refused until {@link #reopen}. */
+    public void block() {
+        close();
+    }
+
+    /** Takes connections again. */
+    public void reopen() throws IOException {
+        entrance = new ServerSocket(entrance.getLocalPort(), 50, InetAddress.getLoopbackAddress());
+        run(this::accept);
     }
 
     /** Ends all connections, as a router that starts anew; further ones are possible. */

@@ -61,30 +61,30 @@ class BridgesTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void regions_ofWhichOneOrTheMiddleIsKilledOrCutOff_areJoinedAgainAndNothingComesTwice() throws Exception {
         exchange(0, 2);
-        link.block(true);
+        link.block();
         western.kill();
         western.start();
-        link.block(false);
+        link.reopen();
         west.await(2, line -> line.contains("connected to"));
         awaitBridges();
         exchange(2, 4);
-        link.block(true);
+        link.block();
         double since = now();
         while (now() < since + MINUTE) {
             assertEquals(Outcome.UNDELIVERED, deliver(police, "ROMA", "tell;lost"));
         }
-        link.block(false);
+        link.reopen();
         awaitBridges();
         exchange(4, 6);
-        link.block(true);
-        other.block(true);
+        link.block();
+        other.block();
         broker.kill();
         broker.start();
-        link.block(false);
-        other.block(false);
+        link.reopen();
+        other.reopen();
         awaitBridges();
         exchange(6, 8);
         assertNothingTwice("police", "east");
