@@ -149,7 +149,7 @@ class RouterTest {
     }
 
     @Test
-    void device_thatWasHeardHere_andElsewhereSince_isReachedThere() {
+    void device_heardHereAndElsewhereSince_isReachedThere() {
         heard(Frames.sealed("ROMA", "SUPO", 1));
         relays(Frames.sealed("ROMA", "SUPO", 2));
         assertEquals(List.of("CELL east 1"), publishes(Frames.sealed("SUPO", "ROMA", 3)));
