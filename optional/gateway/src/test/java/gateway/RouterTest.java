@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import gateway.Router.Whom;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import javino.protocol.Address;
@@ -41,6 +42,16 @@ class RouterTest extends RouterFixture {
         assertEquals(List.of("CELL west 3"), attempts.get(2));
         assertEquals(List.of("seek NONE", "SEARCH all 4"), attempts.get(3));
         assertEquals(List.of("seek NONE", "SEARCH all 8"), attempts.get(7));
+    }
+
+    @Test
+    void unicast_whoseSenderWaitsLongForQuietAir_isSearchedToo() {
+        List<String> all = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            all.addAll(publishes(Frames.sealed("NONE", "ROMA", 1)));
+            now += 10_000;
+        }
+        assertTrue(all.containsAll(List.of("SEARCH all 2", "CELL west 3", "SEARCH all 4")), "" + all);
     }
 
     @Test
