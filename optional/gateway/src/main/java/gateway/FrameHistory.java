@@ -25,6 +25,9 @@ final class FrameHistory {
         /** What came from another cell is on the air here within so long: a gateway keeps nothing for longer. */
         private static final long ECHO_MILLIS = Router.LIFE_MILLIS + 3000;
 
+        /** So long, at most, a sender lets pass between two attempts: its time-outs count quiet air only. */
+        private static final long ATTEMPTS_MILLIS = 60_000;
+
         private static final long NEVER = Long.MIN_VALUE / 2;
 
         private final Map<String, Integer> arrivals = new HashMap<>();
@@ -32,6 +35,8 @@ final class FrameHistory {
         private long last;
         private long lastArrival = NEVER;
         private long lastOwn = NEVER;
+        private int attempts;
+        private long lastAttempt = NEVER;
 
         private void expire(long now) {
             if (now - last > ROUND_MILLIS) {
@@ -57,10 +62,17 @@ final class FrameHistory {
             return false;
         }
 
-        /** It is on the air here once more: for the n-th time, which is told. */
-        int onAir(long now) {
+        /** Its origin has sent it here once more: for the n-th time, which is told. */
+        int attempted(long now) {
+            attempts = now - lastAttempt > ATTEMPTS_MILLIS ? 1 : attempts + 1;
+            lastAttempt = now;
+            return attempts;
+        }
+
+        /** It is on the air here once more. */
+        void onAir(long now) {
             seen(now);
-            return ++onAir;
+            onAir++;
         }
 
         /**

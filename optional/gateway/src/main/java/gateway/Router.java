@@ -112,11 +112,12 @@ final class Router {
         Frame frame = read.get();
         FrameHistory.Sighting sighting = frameHistory.remember(packet);
         boolean echo = sighting.isEcho(now);
-        int attempt = Math.min(sighting.onAir(now), MOST_ATTEMPTS);
+        sighting.onAir(now);
         if (echo) {
             counters.count(GatewayCounter.ECHOES);
             return;
         }
+        int attempt = Math.min(sighting.attempted(now), MOST_ATTEMPTS);
         exchanges.heard(frame, now);
         settle(frame.origin(), now, now);
         if (!publish(frame, packet, attempt, now)) {
