@@ -59,7 +59,7 @@ public final class GatewayCommand implements CommandPlugin {
     @Option(names = "--broadcasts", description = "Relay broadcasts of other cells, too.")
     private boolean broadcasts;
 
-    @Option(names = "--group", paramLabel = "GROUP", converter = AddressOption.Group.class,
+    @Option(names = "--group", paramLabel = "GG", converter = AddressOption.Group.class,
             description = "Relay multicasts to this group, such as SU, even if no member of it was heard here; for "
                     + "more groups say it again.")
     private Set<Address> groups = Set.of();
