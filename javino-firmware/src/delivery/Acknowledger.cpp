@@ -4,6 +4,7 @@
 
 #include "../framing/Frame.h"
 #include "../support/Clock.h"
+#include "../support/Trace.h"
 
 namespace javinolib {
 
@@ -29,6 +30,8 @@ void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, co
   entry.have = have;
   entry.sender = sender;
   memcpy(entry.nonce, nonce, NONCE_LENGTH);
+  trace::tell(static_cast<trace::Point>(trace::OWE_DELIVERED + (type - Proof::DELIVERED)), nonce[NONCE_LENGTH - 1],
+              slot);
 }
 
 void Acknowledger::remove(Entry *entry) {
@@ -41,7 +44,9 @@ void Acknowledger::remove(Entry *entry) {
 
 // The first acknowledgement is the host's to cause.
 void Acknowledger::answerTwice() {
-  if (added_ && end_[-1].type == Proof::DELIVERED) end_[-1].twice = true;
+  if (!added_ || end_[-1].type != Proof::DELIVERED) return;
+  end_[-1].twice = true;
+  trace::tell(trace::OWE_TWICE, end_[-1].nonce[NONCE_LENGTH - 1], end_[-1].slot);
 }
 
 void Acknowledger::keysChanged() {
@@ -57,6 +62,7 @@ void Acknowledger::run() {
   uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
   const uint8_t length = build(entries_[0], frame);
   if (length != 0 && !medium_->send(frame, length)) return;
+  if (length != 0) trace::tell(trace::ANSWER, entries_[0].slot);
   if (length != 0 && entries_[0].twice) {
     entries_[0].twice = false;
   } else {
@@ -71,6 +77,7 @@ void Acknowledger::noteBusyAir() {
   }
   if (medium_->isBusy() && slots_ == FRESH_SLOTS) {
     slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_->random->next(FURTHER_SLOTS_MASK));
+    trace::tell(trace::PUT_OFF, slots_);
   }
 }
 

@@ -91,6 +91,7 @@ bool Courier::mayContend() {
   message.stale = false;
   if (seal(true)) {
     restart();
+    tell(trace::RESEAL, message.slot);
     return true;
   }
   finish(Outcome::UNDELIVERED);
@@ -122,6 +123,7 @@ bool Courier::takeUp() {
   message.resealed = false;
   if (message.destination.isBroadcast() || seal(false)) {
     restart();
+    tell(trace::TAKE_UP, message.slot);
     return true;
   }
   finish(Outcome::UNDELIVERED);
@@ -185,6 +187,7 @@ void Courier::contend() {
   backoff_.begin(current().attempt, medium_->quietSlots(), state_->random);
   current().phase = CONTENDING;
   deferred_ = false;
+  tell(trace::CONTEND, backoff_.left());
 }
 
 // Parity follows where the partner has asked for it; a packet that is sent again, if the partner is known to understand it. To
@@ -232,6 +235,7 @@ void Courier::send() {
   message.sent |= onAir_;
   deferred_ = false;
   message.phase = ON_AIR;
+  tell(static_cast<trace::Point>(trace::SEND_PART + (message.pending == onAir_)), onAir_);
 }
 
 // A broadcast or multicast keeps its turn until it was sent as often as it is to be: receivers know a broadcast's repeat by
@@ -241,8 +245,10 @@ void Courier::packetSent() {
   message.pending = static_cast<uint8_t>(message.pending & ~onAir_);
   if (message.pending != 0) {
     message.phase = PAUSING;
+    tell(trace::PART_SENT);
   } else if (isUnicast()) {
     await(message.count == 1 && message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
+    tell(trace::AWAIT, rounds_);
   } else if (++message.attempt != sends()) {
     message.pending = pieces::all(message.count);
     contend();
@@ -261,7 +267,9 @@ uint8_t Courier::sends() const {
 // answered; where that was there, the one that has just asked, every other time, as it is likely what is lacking.
 void Courier::attemptFailed() {
   Message &message = current();
-  if (++message.attempt == MAX_ATTEMPTS) {
+  message.attempt++;
+  tell(trace::ATTEMPT_FAILED, message.attempt);
+  if (message.attempt == MAX_ATTEMPTS) {
     finish(Outcome::UNDELIVERED);
   } else {
     message.pending = (message.arrived & message.attempt & 1) != 0 ? onAir_ : 1;
@@ -278,6 +286,7 @@ void Courier::finish(Outcome outcome) {
   }
   outbox_.close(message.number, outcome);
   message.phase = IDLE;
+  tell(static_cast<trace::Point>(trace::SENT + static_cast<uint8_t>(outcome)));
 }
 
 void Courier::keysChanged() {
@@ -362,6 +371,7 @@ void Courier::copied(const uint8_t *packet, uint8_t length) {
   if (length != record.length || memcmp(packet, record.bytes, Envelope::NONCE_AT + NONCE_LENGTH) != 0) return;
   if (contends) message.attempt--;
   await(ROUNDS_WITH_RELAY);
+  tell(trace::COPIED);
 }
 
 void Courier::await(uint8_t rounds) {
@@ -440,9 +450,13 @@ bool Courier::onPieces(uint8_t have) {
   if (have == all || message.phase == PAUSING || message.phase == ON_AIR) return true;
   if (isNews) {
     message.attempt = 0;
-  } else if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
-    finish(Outcome::UNDELIVERED);
-    return true;
+    tell(trace::FRAGMENTS_NEW, have);
+  } else {
+    tell(trace::FRAGMENTS_KNOWN, have);
+    if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
+      finish(Outcome::UNDELIVERED);
+      return true;
+    }
   }
   message.pending = static_cast<uint8_t>(all & ~have);
   if (message.phase != READY) message.phase = PAUSING;
@@ -453,6 +467,7 @@ bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
   Message &message = current();
   if (!state_->nonces.raiseAbove(floor, message.nonce)) return false;
   if (!isUnicast() || message.stale) return true;
+  tell(trace::STALE_HEARD);
   if (!message.resealed && cannotHaveHadIt(uptime)) {
     message.stale = true;
     message.resealed = true;

@@ -8,6 +8,7 @@
 #include "../secure/Envelope.h"
 #include "../secure/Proof.h"
 #include "../support/Inlining.h"
+#include "../support/Trace.h"
 #include "Acknowledger.h"
 #include "Backoff.h"
 #include "KeyFlags.h"
@@ -97,11 +98,14 @@ class Courier {
   bool mayContend();
   void restart();
   JAVINO_NOINLINE void contend();
-  void noteCarrier();
+  JAVINO_NOINLINE void noteCarrier();
   JAVINO_NOINLINE void send();
   void packetSent();
   uint8_t sends() const;
   void await(uint8_t rounds);
+  JAVINO_NOINLINE void tell(trace::Point point, uint8_t second = 0) const {
+    trace::tell(point, current().number, second);
+  }
   void attemptFailed();
   JAVINO_NOINLINE void finish(Outcome outcome);
   JAVINO_NOINLINE bool isUnicast() const { return current().destination.isDevice(); }

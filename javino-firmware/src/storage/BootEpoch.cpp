@@ -1,5 +1,6 @@
 #include "BootEpoch.h"
 
+#include "../support/Trace.h"
 #include "EepromLayout.h"
 
 namespace javinolib {
@@ -64,7 +65,9 @@ void BootEpoch::store(uint8_t highest, Uint24 epoch) {
   writeUint24(record, epoch);
   uint8_t copies = 0;
   for (uint8_t slot = highest; (slot = behind(slot)) != highest && (lost || copies < COPIES);) {
-    if (recordAt(slot).write(record) && ++copies == COPIES) status_ = Status::OK;
+    if (!recordAt(slot).write(record) || ++copies != COPIES) continue;
+    status_ = Status::OK;
+    trace::tell(trace::EPOCH_STORED, record[EPOCH_LENGTH - 1]);
   }
 }
 

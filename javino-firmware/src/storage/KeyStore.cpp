@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "../support/Trace.h"
 #include "../support/Wipe.h"
 #include "Eeprom.h"
 #include "EepromLayout.h"
@@ -168,18 +169,20 @@ Status KeyStore::use(const Address &address) {
   const uint8_t slot = next(address);
   if (slot == NO_SLOT) return Status::NO_KEY;
   eeprom::write(useAt(slot), USED);
-  return isUsed(slot) ? Status::OK : Status::STORE_FAILED;
+  if (!isUsed(slot)) return Status::STORE_FAILED;
+  trace::tell(trace::KEY_USED, slot);
+  return Status::OK;
 }
 
 bool KeyStore::erase(uint8_t slot) {
   if (isSession(slot)) {
     sessions_.erase(static_cast<uint8_t>(slot - SLOTS));
-    addresses_[slot] = Address::serialLine();
-    return true;
+  } else if (!recordAt(slot).erase(SECRETS_LENGTH)) {
+    return false;
   }
-  const bool erased = recordAt(slot).erase(SECRETS_LENGTH);
-  if (erased) addresses_[slot] = Address::serialLine();
-  return erased;
+  addresses_[slot] = Address::serialLine();
+  trace::tell(trace::KEY_DELETED, slot);
+  return true;
 }
 
 bool KeyStore::holds(uint8_t slot, const DerivedKeys &keys) const {
@@ -194,6 +197,7 @@ bool KeyStore::write(StoredKey &key) {
     if (eeprom::read(useAt(slot)) != UNUSED) eeprom::write(useAt(slot), UNUSED);
     if (eeprom::read(useAt(slot)) == UNUSED && recordAt(slot).write(key.record())) {
       addresses_[slot] = key.address;
+      trace::tell(trace::KEY_STORED, slot);
       return true;
     }
     recordAt(slot).erase(SECRETS_LENGTH);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class TracesTest {
 
     private static final Path TRACES =
-            Path.of(System.getProperty("javino.root"), "uppaal/replay/src/test/resources/traces");
+            Path.of(System.getProperty("javino.root"), "optional/capture/src/test/resources/traces");
 
     private static TraceCheck.Found check(String name) throws Exception {
         return TraceCheck.check(TRACES.resolve(name + ".jsonl"), Files.readString(TRACES.resolve(name + ".keys")));

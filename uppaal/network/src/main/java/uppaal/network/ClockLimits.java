@@ -63,8 +63,7 @@ final class ClockLimits {
             List<Assignment> assignments = new ArrayList<>(transition.assignments());
             own.stream().filter(clock -> !limits.get(transition.target()).containsKey(clock))
                     .forEach(clock -> assignments.add(new Assignment(clock, new Term.Constant(0))));
-            return new Transition(transition.source(), transition.target(), transition.guard(),
-                    transition.synchronisation(), assignments);
+            return transition.assigning(assignments);
         }).toList();
     }
 

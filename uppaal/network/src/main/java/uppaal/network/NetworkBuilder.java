@@ -89,7 +89,8 @@ public final class NetworkBuilder {
         }
         return new Transition(index(edge.source(), locations, where), index(edge.target(), locations, where), guard,
                 synchronisation,
-                Labels.assignments(edge.assignment(), scope, where + ", assignment"));
+                Labels.assignments(edge.assignment(), scope, where + ", assignment"),
+                edge.points().isBlank() ? Set.of() : Set.of(edge.points().split("\\s+")));
     }
 
     private static int index(String location, List<String> locations, String where) {

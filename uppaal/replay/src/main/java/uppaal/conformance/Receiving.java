@@ -1,0 +1,96 @@
+package uppaal.conformance;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** A message at a receiver's board. It is followed once its kind is known, when the host has got it. */
+final class Receiving {
+    private static final int DATA = 1;
+    private static final int ACK = 2;
+
+    private final DeliveryModels models;
+    private final int number;
+    private final int nonce;
+    private final int key;
+    private final List<Point> before = new ArrayList<>();
+    private Instance instance;
+    private boolean isHanded;
+    private boolean isUnicast;
+
+    Receiving(DeliveryModels models, int number, Point queued) {
+        this.models = models;
+        this.number = number;
+        nonce = queued.operand("nonce");
+        key = queued.operand("key");
+        before.add(queued);
+    }
+
+    /** Whether an answer is owed to it. */
+    boolean isOf(Point answer) {
+        return key == answer.operand("key") && nonce == answer.operand("nonce");
+    }
+
+    int number() {
+        return number;
+    }
+
+    int key() {
+        return key;
+    }
+
+    boolean isHanded() {
+        return isHanded;
+    }
+
+    /** Whether taking it is to be acknowledged; only what its host has got is known to be a unicast. */
+    boolean isUnicast() {
+        return isUnicast;
+    }
+
+    /** The host has got it, and so its kind is known. */
+    void isOfKind(String kind, Point handed) throws RefusedException {
+        if (!isHanded) {
+            throw new RefusedException(handed.board() + " hands over message " + number, "HANDED first");
+        }
+        if (instance == null) {
+            isUnicast = kind.equals("unicast");
+            instance = models.receiver(kind, number);
+            for (Point point : before) {
+                take(point);
+            }
+        }
+    }
+
+    /**
+     * Its board declares something of it, or the host does something with it.
+     *
+     * @param isNext whether the host has got all before it
+     */
+    void see(Point point, boolean isNext) throws RefusedException {
+        if (point.is("HANDED")) {
+            if (!isHanded && !isNext) {
+                throw new RefusedException(point.board() + " hands message " + number + " to its host",
+                        "those before it first");
+            }
+            isHanded = true;
+        }
+        if (instance == null) {
+            before.add(point);
+        } else {
+            take(point);
+        }
+    }
+
+    /** The acknowledgement that taking it causes. */
+    void acknowledge(Point point) throws RefusedException {
+        if (!point.is("OWE_DELIVERED") || !isOf(point) || instance.get("owed[1]") != ACK) {
+            throw new RefusedException(point.board() + " declares " + point.name(),
+                    "OWE_DELIVERED for message " + number + ", which its host has taken");
+        }
+    }
+
+    private void take(Point point) throws RefusedException {
+        instance.take(point, point.name(), DeliveryModels.outside(Map.of("kind", DATA)));
+    }
+}
