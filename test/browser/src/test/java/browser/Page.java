@@ -27,7 +27,7 @@ import org.openqa.selenium.support.ui.WebDriverWait;
 final class Page implements AutoCloseable {
 
     /** Long enough for a machine that has much else to do. */
-    private static final Duration PATIENCE = Duration.ofSeconds(120);
+    private static final Duration PATIENCE = Duration.ofSeconds(300);
     private static final Path SCREENSHOTS = Path.of(System.getProperty("javino.screenshots"));
 
     /** It would complain that Debian's Chromium is newer than what it knows of a protocol that we do not use. */
