@@ -51,10 +51,13 @@ final class Exchanges {
 
     /** Whom the message is for whose first fragment this is. */
     private static Optional<Address> header(Frame frame) {
-        Payload whole = whole(frame);
-        return frame.destination().kind() == Address.Kind.FRAGMENT && Payload.lengthIn(whole.bytes()) > 0
-                && !whole.bytes().equals(frame.encode()) ? Optional.of(Address.parse(whole.destination()))
-                        : Optional.empty();
+        if (frame.destination().kind() != Address.Kind.FRAGMENT) {
+            return Optional.empty();
+        }
+        Payload packet = Payload.of(frame.encode());
+        Payload whole = packet.whole();
+        return whole != packet && Payload.lengthIn(whole.bytes()) > 0
+                ? Optional.of(Address.parse(whole.destination())) : Optional.empty();
     }
 
     /** For whom a frame is, or the message whose fragment it is; nothing where the first fragment is not known. */
