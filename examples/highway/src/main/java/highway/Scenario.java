@@ -10,9 +10,11 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -67,7 +69,8 @@ final class Scenario implements AutoCloseable {
     private final Replay model = new Replay(KEYRING);
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours;
-    private final List<Device> ready = new ArrayList<>();
+    private final Set<Device> ready = EnumSet.noneOf(Device.class);
+    private final Set<Device> connected = EnumSet.noneOf(Device.class);
     private int joined;
     private int events;
     /** Emulated time of the last event: what happens outside of the emulator is not earlier than that. */
@@ -301,7 +304,7 @@ final class Scenario implements AutoCloseable {
         }
     }
 
-    /** Starts the agents; the bus last, when all others have said that they are ready. */
+    /** Starts the agents; the bus last, when all others have said that they are ready and that their boards are on. */
     void startAgents() throws IOException, InterruptedException, BrokenOffException {
         agentsStarted = true;
         note("five agents, each in a Java virtual machine of its own");
@@ -311,7 +314,9 @@ final class Scenario implements AutoCloseable {
                 startAgent(device);
             }
         }
-        waitFor("four agents to be ready", () -> ready.size() == Device.values().length - 1);
+        Set<Device> hearers = EnumSet.complementOf(EnumSet.of(Device.BUS));
+        waitFor("four agents and their boards to be ready",
+                () -> ready.containsAll(hearers) && connected.containsAll(hearers));
         startAgent(Device.BUS);
     }
 
@@ -400,8 +405,12 @@ final class Scenario implements AutoCloseable {
         if (evidence || observation instanceof Observation.Hosts) {
             chart.add(observation);
         }
-        if (observation instanceof Observation.Said said && said.text().equals("Ready")) {
-            ready.add(said.device());
+        if (observation instanceof Observation.Said said) {
+            if (said.text().equals("Ready")) {
+                ready.add(said.device());
+            } else if (said.text().matches("My board at .* is on")) {
+                connected.add(said.device());
+            }
         }
     }
 

@@ -174,9 +174,9 @@ class HighwayTest {
     @Tag("verify")
     void boardsThatAreSilentAtTheStart_areSetUpLater() throws Exception {
         copyScenario();
-        Run run = follow(start(EMULATOR), "five agents", "-STOP", "I start again", "-CONT");
+        Run run = follow(start(EMULATOR), "five agents", "-STOP", "the board is off", "-CONT");
 
-        assertTrue(run.says("I start again"), run::toString);
+        assertTrue(run.says("is off"), run::toString);
         run.assertAllObserved();
     }
 
