@@ -16,6 +16,8 @@ enum GatewayCounter {
     LOCAL("local"),
     /** Questions which cell has heard a device. */
     SOUGHT("sought"),
+    /** Questions of other cells beyond their limit, and answers for which nobody asked. */
+    UNHEEDED("unheeded"),
     /** Packets that were heard and did not go, as the broker was not there or did not take them fast enough. */
     UNPUBLISHED("unpublished"),
     /** Messages from other cells. */

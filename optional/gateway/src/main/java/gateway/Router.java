@@ -202,9 +202,13 @@ final class Router {
     }
 
     private void answer(String from, Address device, long now) {
-        if (!from.equals(cell) && locations.here(device, now).isPresent()
-                && limits.of(from, now).answers().take(DeviceSearch.QUESTION_MILLIS, now)) {
+        if (from.equals(cell) || locations.here(device, now).isEmpty()) {
+            return;
+        }
+        if (limits.of(from, now).answers().take(DeviceSearch.QUESTION_MILLIS, now)) {
             tell(from, device, now);
+        } else {
+            counters.count(GatewayCounter.UNHEEDED);
         }
     }
 
@@ -219,6 +223,8 @@ final class Router {
                 waiting.forEach(
                         packet -> effects.add(new Publish(Whom.CELL, from, packet.packet(), packet.attempt())));
             }
+        } else {
+            counters.count(GatewayCounter.UNHEEDED);
         }
     }
 

@@ -16,6 +16,10 @@ import org.junit.jupiter.api.Test;
 /** What no other cell, no copy and no number of devices can do to a router. */
 class RouterLimitsTest extends RouterFixture {
 
+    private static String device(int number) {
+        return "A" + (char) ('A' + number % 26) + "A" + (char) ('A' + number / 26);
+    }
+
     @Test
     void falseClaim_ofADevice_costsOneAttempt() {
         relays("north", Whom.CELL, 0, Frames.sealed("ROMA", "SUPO", 1));
@@ -36,6 +40,7 @@ class RouterLimitsTest extends RouterFixture {
         now += Router.LIFE_MILLIS;
         told("east", "SUPO", 0);
         told("east", "SUPP", 0);
+        assertEquals(2, counters.of(GatewayCounter.UNHEEDED));
         assertEquals(List.of("CELL false 1"), publishes(Frames.sealed("SUPO", "ROMA", 2)), "nobody asked any more");
     }
 
@@ -93,9 +98,10 @@ class RouterLimitsTest extends RouterFixture {
         for (int i = 0; i < 100; i++) {
             step(new RouterEvent.Asked("east", Address.parse("SUPO")));
             now -= STEP;
-            heard(Frames.sealed("A" + (char) ('A' + i % 26) + "A" + (char) ('A' + i / 26), "SUPO", i));
+            heard(Frames.sealed(device(i), "SUPO", i));
         }
         assertEquals(20, done.stream().filter(each -> each.startsWith("tell east")).count());
+        assertEquals(100 - 20, counters.of(GatewayCounter.UNHEEDED));
         step(new RouterEvent.Asked("north", Address.parse("SUPO")));
         assertTrue(done.get(done.size() - 1).startsWith("tell north SUPO"), "others get their answers");
         assertEquals(20 - 1, done.stream().filter(each -> each.startsWith("seek")).count());
@@ -106,7 +112,7 @@ class RouterLimitsTest extends RouterFixture {
         int own = 0;
         int others = 0;
         for (int i = 0; i < 500; i++) {
-            String device = "A" + (char) ('A' + i % 26) + "A" + (char) ('A' + i / 26);
+            String device = device(i);
             heard(Frames.sealed(device, "ROMA", i));
             now -= STEP;
             own += publishes(Frames.sealed(device, "ROMA", i)).contains("SEARCH all 2") ? 1 : 0;
@@ -122,7 +128,7 @@ class RouterLimitsTest extends RouterFixture {
         int own = 0;
         int others = 0;
         for (int i = 0; i < 500; i++) {
-            String device = "A" + (char) ('A' + i % 26) + "A" + (char) ('A' + i / 26);
+            String device = device(i);
             for (int k = 0; k < 20; k++) {
                 now -= STEP;
                 relays("false", Whom.SEARCH, 1, Frames.sealed(device, "SUPP", 20 * i + k));
