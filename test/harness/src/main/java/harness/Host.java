@@ -80,9 +80,10 @@ public final class Host implements AutoCloseable {
         return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
     }
 
-    /** A busy machine may take long to boot a board. */
+    /** On a busy machine a board may take long to boot, and to perform an action. */
     private static void patience(BoardConfig.Builder config) {
-        config.setPatience(Duration.ofSeconds(PATIENCE_SECONDS));
+        Duration longest = Duration.ofSeconds(PATIENCE_SECONDS);
+        config.setPatience(longest).setActionTime(longest);
     }
 
     /** Waits until the board was greeted so often. */
