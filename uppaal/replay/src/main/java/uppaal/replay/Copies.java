@@ -52,6 +52,9 @@ final class Copies {
         /** The hops of the board's copy; negative where they are not known. */
         int hops = -1;
         boolean copied;
+        /** Since when it may be answered, in seconds; and whether it came again so late that its answer may be copied. */
+        double answeredFrom = Double.POSITIVE_INFINITY;
+        boolean askedLate;
         /** Whether the board has carried its acknowledgement, and how often since it was copied. */
         int carried;
         /** Whether it was surely answered, or copied by others, so that the board is to keep silent. */
@@ -118,7 +121,7 @@ final class Copies {
         Payload payload = packet.payload();
         if (isAnswer(payload)) {
             packets.values().stream().filter(copied -> copied.isAnsweredBy(payload))
-                    .forEach(copied -> answered(copied, packet, undamaged));
+                    .forEach(copied -> answered(copied, packet, undamaged, seconds));
         } else if (payload.kind() == Payload.Kind.UNICAST && payload.hasNonce() && !ids.contains(payload.origin())
                 && !ids.contains(payload.destination())) {
                     unicast(packet, undamaged, seconds);
@@ -141,6 +144,7 @@ final class Copies {
                 // It may be here as before.
                 System.arraycopy(copied.came, 0, again.came, 0, MODULUS);
                 again.answers.putAll(copied.answers);
+                again.answeredFrom = copied.answeredFrom;
                 again.copied = copied.copied;
                 again.carried = copied.carried;
                 again.quiet = Math.min(NEW, copied.left > 0 ? copied.quiet : NEW);
@@ -154,6 +158,7 @@ final class Copies {
         }
         copied.came[hops] = true;
         copied.seen = seconds;
+        copied.askedLate |= seconds > copied.answeredFrom + LATE;
     }
 
     /** It comes again. */
@@ -184,7 +189,8 @@ final class Copies {
         silenced = copied;
     }
 
-    private void answered(Copied copied, Packet packet, boolean undamaged) {
+    private void answered(Copied copied, Packet packet, boolean undamaged, double seconds) {
+        copied.answeredFrom = Math.min(copied.answeredFrom, seconds);
         copied.answers.computeIfAbsent(packet.payload().hex(), hex -> new boolean[MODULUS])[packet.hops()] = true;
         if (undamaged && copied.hops >= 0) {
             copied.answered = true;
@@ -256,17 +262,18 @@ final class Copies {
 
     private void sendsAnswer(TraceEvent event, Payload payload, double start, Ear ear) throws RefusedException {
         Optional<Copied> able = packets.values().stream()
-                .filter(copied -> copied.copied && copied.answers.containsKey(payload.hex())).findFirst();
+                .filter(copied -> (copied.copied || copied.askedLate) && copied.answers.containsKey(payload.hex()))
+                .findFirst();
         if (able.isEmpty()) {
             throw new RefusedException(name + " copies " + what(payload)
-                    + "; expected one that has come to it, for a packet that it has copied");
+                    + "; expected one that has come to it, for a packet that it has copied or that came again late");
         }
         Copied copied = able.get();
         checkForm(event, payload, copied.answers.get(payload.hex()));
         if (copied.carried >= MOST_ANSWERS) {
             throw new RefusedException(name + " copies " + what(payload) + " more than " + MOST_ANSWERS + " times");
         }
-        checkQuiet(what(payload), copied.carried == 0 ? ANSWER : AGAIN, start, ear);
+        checkQuiet(what(payload), copied.copied && copied.carried == 0 ? ANSWER : AGAIN, start, ear);
         copied.carried++;
         copied.happened = event.real("end");
     }

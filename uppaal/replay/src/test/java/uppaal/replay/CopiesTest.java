@@ -222,6 +222,18 @@ class CopiesTest {
                         + "has copied");
     }
 
+    @ParameterizedTest
+    @CsvSource({"1.3, 'for a packet that it has copied'", "2.2, accepted"})
+    void acknowledgement_ofWhatItHasNotCopied_needsThatItComesAgainLate(double seconds, String words) {
+        String packet = "53555a5a524f4d414277" + "00".repeat(14);
+        String answer = "2b4b414153555a5a4241" + "00".repeat(8);
+        heard(packet, "unicast", AFTER);
+        heard(answer, "acknowledgement", AFTER + 0.5);
+        heard(packet, "unicast", AFTER + 0.5 + seconds);
+        sends("relay1", answer, "acknowledgement", AFTER + 4, Map.of("hops", 1));
+        assertRefused(words);
+    }
+
     /** A relay keeps four packets; the fifth has come, and may be in its place all the same. */
     @Test
     void acknowledgement_ofWhatMayHaveLostItsPlace_isAccepted() {

@@ -1,0 +1,37 @@
+from relays import *
+RULES = dict(M=(M, {}))
+def w(name, **k):
+    RULES[name] = (W, k)
+    for x in (0, 1, 2, 'forge'): RULES['%s.%s' % (name, x)] = (W, dict(k, lie=x))
+for x in (0, 1, 2, 'forge'): RULES['M.%s' % x] = (M, dict(lie=x))
+w('W')
+w('W128', spread=128)
+w('W64', spread=64)
+w('Wr', rings=1)
+w('Wr128', rings=1, spread=128)
+w('Wu', uncopied=1)
+w('Wul', uncopied=1, latereserve=1)
+w('Wi', uncopied=1, latereserve=1, insist=1)
+w('Wi128', uncopied=1, latereserve=1, insist=1, spread=128)
+w('Wir', uncopied=1, latereserve=1, insist=1, rings=1)
+w('Wir128', uncopied=1, latereserve=1, insist=1, rings=1, spread=128)
+w('Wur128', uncopied=1, latereserve=1, rings=1, spread=128)
+w('Wo', uncopied=1, insist=1, spread=128)
+for wt in (20, 30, 40):
+    for s in (64, 96, 128):
+        for n, k in (('u', {}), ('ur', dict(rings=1)), ('uri', dict(rings=1, insist=1)), ('ui', dict(insist=1))):
+            w('%s%d+%d' % (n, wt, s), wait=wt, spread=s, uncopied=1, **k)
+w('s', wait=8, spread=8, uncopied=1)
+w('sr', wait=8, spread=8, uncopied=1, rings=1)
+
+b = dict(uncopied=1, spread=128)
+w('B', **b)
+w('Ba64', again=64, **b)
+w('Ba128', again=128, **b)
+w('Br0', ansrep=0, **b)
+w('Br1', ansrep=1, **b)
+w('Brep45', rep=45, **b)
+w('Bstrict', strict=1, **b)
+w('Bnoelse', noelse=1, **b)
+w('Bupstop', upstop=1, **b)
+w('Bl', reservelong=1, **b)
