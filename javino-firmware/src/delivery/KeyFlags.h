@@ -7,7 +7,7 @@
 
 namespace javinolib {
 
-/// One bit for each place of a key, about parity: on a small board each is false.
+/// One bit for each place of a key: on a small board each is false.
 class KeyFlags {
  public:
   bool has(uint8_t slot) const {
