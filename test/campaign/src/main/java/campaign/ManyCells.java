@@ -25,8 +25,8 @@ import java.util.stream.Stream;
  */
 record ManyCells(long seed, int cells, double seconds) implements Callable<ManyCells.Result> {
 
-    /** From one message of a device to its own cell to the next; the same to other cells. */
-    static final double MEAN_SECONDS = 90;
+    /** From one message of a device to its own cell to the next; the same to other cells: what two cores can play. */
+    static final double MEAN_SECONDS = 360;
     private static final int NUMBERS = 8;
 
     /**
