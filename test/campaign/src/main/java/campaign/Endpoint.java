@@ -1,7 +1,6 @@
 package campaign;
 
 import harness.Host;
-import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import javino.board.Board;
@@ -19,7 +18,6 @@ import javino.protocol.Outcome;
 final class Endpoint implements AutoCloseable {
 
     private static final int ATTEMPTS = 50;
-    private static final Duration PATIENCE = Duration.ofMinutes(1);
 
     private final Board board;
 
@@ -51,7 +49,7 @@ final class Endpoint implements AutoCloseable {
 
     /** As users have it, but for machines that have so much to do that boards fall behind: a lost port shows anyway. */
     static BoardConfig config() {
-        return BoardConfig.create(config -> config.setAttempts(ATTEMPTS).setPatience(PATIENCE));
+        return BoardConfig.create(config -> Host.patience(config.setAttempts(ATTEMPTS)));
     }
 
     Board board() {

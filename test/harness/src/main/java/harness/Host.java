@@ -81,7 +81,7 @@ public final class Host implements AutoCloseable {
     }
 
     /** On a busy machine a board may take long to boot, and to perform an action. */
-    private static void patience(BoardConfig.Builder config) {
+    public static void patience(BoardConfig.Builder config) {
         Duration longest = Duration.ofSeconds(PATIENCE_SECONDS);
         config.setPatience(longest).setActionTime(longest);
     }

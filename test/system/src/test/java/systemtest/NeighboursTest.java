@@ -29,9 +29,9 @@ class NeighboursTest {
                 Host host = Host.of(emulator, "slow").as("ROMA", Map.of("SUPO", TestKeys.PAIR))) {
             host.board.percepts(true);
             get(host.board.act("wait(1000)"));
-            get(host.board.act("wait(5000)"));
+            get(host.board.act("wait(8000)"));
             host.percepts(List.of("waited(2)")::equals);
-            assertEquals(5000, host.counter(Counter.ACTION_MILLIS), 100);
+            assertEquals(8000, host.counter(Counter.ACTION_MILLIS), 100);
             host.awaitOnline(1);
             assertEquals(1, get(host.board.keys()).size());
         }
