@@ -2,6 +2,10 @@ package gateway;
 
 /** What a gateway counts. */
 enum GatewayCounter {
+    /** Questions which cell has heard a device. */
+    SOUGHT("sought"),
+    /** Questions of other cells beyond their limit, and answers for which nobody asked. */
+    UNHEEDED("unheeded"),
     /** Packets that its board has heard. */
     HEARD("heard"),
     /** Of these, packets that came damaged beyond mending; nobody else gets them. */
@@ -14,10 +18,6 @@ enum GatewayCounter {
     PUBLISHED("published"),
     /** Of these, frames for this cell alone, as far as is known. */
     LOCAL("local"),
-    /** Questions which cell has heard a device. */
-    SOUGHT("sought"),
-    /** Questions of other cells beyond their limit, and answers for which nobody asked. */
-    UNHEEDED("unheeded"),
     /** Packets that were heard and did not go, as the broker was not there or did not take them fast enough. */
     UNPUBLISHED("unpublished"),
     /** Messages from other cells. */
