@@ -151,6 +151,28 @@ class ForgeryTest {
         }
     }
 
+    /** Where the run is slower than told, or its events come late, the clock runs ahead of them. */
+    private static final String AHEAD = """
+            return import('/app/clock.js').then(({ Clock }) => {
+              const clock = new Clock(true);
+              const model = { end: 10, head: { speed: 1 } };
+              for (let now = 0; now <= 3000; now += 100) clock.tick(now, model, false);
+              const ahead = clock.t;
+              Object.assign(model, { end: 11, head: { speed: 0 } });
+              clock.tick(3100, model, false);
+              return ahead > 11 && clock.t;
+            });
+            """;
+
+    @Test
+    @Tag("verify")
+    void clock_thatRanAhead_standsAtThePause() throws Exception {
+        Files.writeString(folder.resolve("trace.jsonl"), "{\"t\":0,\"event\":\"scenario\",\"seed\":1,\"boards\":[]}\n");
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
+            assertEquals(11, ((Number) page.script(AHEAD)).doubleValue());
+        }
+    }
+
     private static double seconds(WebDriver driver) {
         return Double.parseDouble(driver.findElement(By.cssSelector("#clock")).getText().replace(" s", ""));
     }

@@ -35,7 +35,7 @@ export class Clock {
     const aim = stopped ? end : end - LAG;
     const behind = aim - this.t;
     if (behind > JUMP * Math.max(1, speed) || behind < -JUMP) this.t = Math.max(0, aim);
-    else this.t = Math.max(this.t, Math.min(stopped ? end : Infinity, this.t + passed * (speed || 1) * (1 + Math.max(-0.9, Math.min(3, behind)))));
+    else this.t = Math.min(stopped ? end : Infinity, this.t + passed * (speed || 1) * (1 + Math.max(-0.9, Math.min(3, behind))));
   }
 
   seek(t, model) {
