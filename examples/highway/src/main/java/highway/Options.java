@@ -24,8 +24,6 @@ final class Options {
     private static final String CONTROL = "build/control";
     /** Certificates and secrets of all devices: on real computers each has its own. */
     static final Path IDENTITIES = Path.of("build", "identities");
-    /** A way there and back by radio takes half of it; so does a rescue by way of gateways, or with key agreement. */
-    private static final int LONG_SECONDS = 90;
 
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
     private Path emulator;
@@ -44,7 +42,7 @@ final class Options {
     @Option(names = "--seed", defaultValue = "1", description = "Seed of the air's errors; default ${DEFAULT-VALUE}.")
     private long seed;
 
-    @Option(names = "--timeout", defaultValue = "45", converter = Seconds.class,
+    @Option(names = "--timeout", defaultValue = "90", converter = Seconds.class,
             description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default "
                     + "${DEFAULT-VALUE}.")
     private int timeout;
@@ -135,7 +133,7 @@ final class Options {
 
     /** Seconds. */
     int timeout() {
-        return inspector || twoCells() || certificates() ? Math.max(timeout, LONG_SECONDS) : timeout;
+        return timeout;
     }
 
     boolean boardsOnly() {

@@ -143,7 +143,7 @@ class HighwayTest {
     @Test
     @Tag("verify")
     void badRadio_endsCleanlyAndSaysWhatWasMissing() throws Exception {
-        Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=20");
+        Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=60");
 
         assertTrue(run.lastButOne().matches("highway: (\\d+) of (?!\\1 )\\d+ behaviours observed"), run::toString);
         assertTrue(run.last().matches("model: trace accepted \\(\\d+ events, \\d+ messages opened, \\d+ proofs\\)"),
