@@ -23,6 +23,11 @@
 #define LAST_MODE 3
 #define FIRST_WIDTH 8
 
+// Data space addresses, on the ATmega2560 and the ATmega328P alike.
+#define GPIOR0 0x3E
+#define GPIOR1 0x4A
+#define GPIOR2 0x4B
+
 // What simavr hands back when a port register changes.
 struct board_port_link {
   board *owner;
@@ -116,9 +121,15 @@ static void run_once(struct avr_t *avr) {
   if (avr->interrupt_state && (avr->state == cpu_Running || avr->state == cpu_Sleeping)) avr_service_interrupts(avr);
 }
 
-static void eeprom_written(void *context) {
+static void eeprom_written(void *context, uint16_t address, uint8_t byte) {
   board *b = context;
-  b->listener.eeprom_written(b->listener.context);
+  b->listener.eeprom_written(b->listener.context, address, byte);
+}
+
+static void point_written(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *context) {
+  board *b = context;
+  avr->data[address] = value;
+  b->listener.point(b->listener.context, value, avr->data[GPIOR1], avr->data[GPIOR2]);
 }
 
 // Fills a gap of simavr: it knows no phase-correct PWM, and a timer in such a mode overflows at each of its clocks; the
@@ -149,6 +160,7 @@ int board_init(board *b, const model *m, const char *firmware, board_listener li
   b->avr->reset = chip_reset;
   complete_timer_modes(b->avr);
   link_ports(b);
+  avr_register_io_write(b->avr, GPIOR0, point_written, b);
   eeprom_init(&b->memory, b->avr, (eeprom_listener){b, eeprom_written});
   return firmware_load(b->avr, m, firmware, error, error_size);
 }

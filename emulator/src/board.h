@@ -26,7 +26,9 @@ typedef struct {
   // The board has been reset, the power-on included.
   void (*reset)(void *context, reset_cause cause);
   // The program begins to write an EEPROM byte; board_stop may be called from here.
-  void (*eeprom_written)(void *context);
+  void (*eeprom_written)(void *context, uint16_t address, uint8_t byte);
+  // The program has written to GPIOR0; the others hold these.
+  void (*point)(void *context, uint8_t number, uint8_t first, uint8_t second);
 } board_listener;
 
 // A level that an input pin will have.

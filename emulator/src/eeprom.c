@@ -55,7 +55,7 @@ static void begin_write(eeprom *e) {
   avr_regbit_set(e->avr, e->part->eepe);
   avr_cycle_timer_register(e->avr, duration, finish, e);
   e->writes++;
-  e->listener.written(e->listener.context);
+  e->listener.written(e->listener.context, e->address, *byte);
 }
 
 static void control_written(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *context) {

@@ -19,7 +19,7 @@ struct avr_eeprom_t;
 typedef struct {
   void *context;
   // The program has begun to write a byte.
-  void (*written)(void *context);
+  void (*written)(void *context, uint16_t address, uint8_t byte);
 } eeprom_listener;
 
 typedef struct {

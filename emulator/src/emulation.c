@@ -46,6 +46,7 @@ static void board_was_reset(void *context, reset_cause cause) {
   node *n = context;
   uart_reset(&n->serial);
   serial_sniffer_reset(&n->line);
+  point_log_reset(&n->declared);
   n->resets += cause != RESET_POWER;
   trace_begin(n->owner->out, board_now(&n->arduino), n->config->name, "reset");
   trace_text(n->owner->out, "why", n->reset_why ? n->reset_why : CAUSES[cause]);
@@ -53,8 +54,14 @@ static void board_was_reset(void *context, reset_cause cause) {
   n->reset_why = NULL;
 }
 
-static void eeprom_written(void *context) {
+static void point_told(void *context, uint8_t number, uint8_t first, uint8_t second) {
   node *n = context;
+  point_log_tell(&n->declared, number, first, second, board_now(&n->arduino));
+}
+
+static void eeprom_written(void *context, uint16_t address, uint8_t byte) {
+  node *n = context;
+  point_log_eeprom(&n->declared, address, byte, board_now(&n->arduino));
   n->cut = fault_plan_write(&n->owner->faults, n->index, board_now(&n->arduino));
   if (n->cut) board_stop(&n->arduino);
 }
@@ -154,7 +161,8 @@ static int out_of_memory(emulation *e) {
 static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   char error[400];
   if (board_init(&n->arduino, n->config->model, n->config->firmware,
-                 (board_listener){n, pin_changed, board_was_reset, eeprom_written}, error, sizeof error) != 0 ||
+                 (board_listener){n, pin_changed, board_was_reset, eeprom_written, point_told}, error,
+                 sizeof error) != 0 ||
       (n->config->boot_loader &&
        firmware_add_boot_loader(n->arduino.avr, n->config->model, n->config->boot_loader, error, sizeof error) != 0)) {
     snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
@@ -162,6 +170,7 @@ static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   }
   n->arduino.clock_error_ppm = n->config->clock_error_ppm;
   serial_sniffer_init(&n->line, e->out, n->config->name);
+  point_log_init(&n->declared, e->out, n->config->name, n->config->model->clock_cycles);
   uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
   serial_modules_join(&e->modules, n->index, &n->arduino);
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
@@ -431,6 +440,7 @@ static void trace_counters(const emulation *e, const node *n) {
 static void close_node(emulation *e, node *n) {
   if (n->arduino.avr && n->serial.input) {
     uart_flush(&n->serial);
+    point_log_flush(&n->declared, e->now);
     trace_counters(e, n);
   }
   pty_unplug(&n->port);

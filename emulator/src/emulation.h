@@ -11,6 +11,7 @@
 #include "board.h"
 #include "eeprom_file.h"
 #include "fault_plan.h"
+#include "point_log.h"
 #include "prng.h"
 #include "pty.h"
 #include "record.h"
@@ -37,6 +38,7 @@ typedef struct {
   pty port;
   uart serial;
   serial_sniffer line;
+  point_log declared;
   eeprom_file eeprom;
   sensor *sensors;
   prng noise;               // what RAM and torn EEPROM bytes hold after a power cut

@@ -33,8 +33,7 @@ int frame_view_read(frame_view *view, const uint8_t *payload, size_t length);
 
 const char *frame_kind_text(frame_kind kind);
 
-// What an acknowledgement says: "delivered", "fragments", "stale", or "unknown" for a length that
-// SPEC 7.3 does not have.
+// What an acknowledgement says (emulator/README.md): "unknown" for a length that SPEC 7.3 does not have.
 const char *frame_answer_text(const frame_view *view);
 
 #endif

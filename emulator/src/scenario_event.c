@@ -7,6 +7,9 @@
 #include "scenario_board.h"
 #include "scenario_radio.h"
 
+// Of the trace: in those of version 2 boards tell their points.
+#define VERSION 2
+
 static json_t *position(double x_m, double y_m) { return json_pack("[ff]", x_m, y_m); }
 
 static json_t *pin(const model *m, int number) {
@@ -35,6 +38,7 @@ static json_t *boards(const scenario *s) {
     const board_config *board = &s->boards[i];
     json_t *object = json_pack("{sssssososo}", "name", board->name, "model", board->model->name, "position",
                                position(board->x_m, board->y_m), "sensors", sensors(board), "watch", watches(board));
+    if (board->clock_error_ppm) json_object_set_new(object, "clockError", json_integer(board->clock_error_ppm));
     if (board->vehicle.radius_m > 0) {
       json_object_set_new(object, "heading", json_real(board->vehicle.heading_deg));
       json_object_set_new(object, "radius", json_real(board->vehicle.radius_m));
@@ -61,6 +65,7 @@ static void write_new(trace *out, const char *key, json_t *value) {
 
 void scenario_event_write(trace *out, const scenario *s, uint64_t seed) {
   trace_begin(out, 0, NULL, "scenario");
+  trace_count(out, "version", VERSION);
   trace_count(out, "seed", seed);
   write_new(out, "radio", radio_config_json(&s->radio));
   write_new(out, "boards", boards(s));

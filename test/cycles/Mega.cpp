@@ -10,10 +10,10 @@
 
 namespace {
 
-// Data addresses of the ATmega2560 (data sheet, register summary).
-const uint16_t GPIOR0 = 0x3E;  // markers: 0 ends the measurement, anything else begins it
-const uint16_t GPIOR1 = 0x4A;  // the mailbox's address, low byte first
-const uint16_t GPIOR2 = 0x4B;  // the program waits for the mailbox
+// Data addresses of the ATmega2560 (data sheet, register summary): registers that the firmware does not use.
+const uint16_t TWBR = 0xB8;   // markers: 0 ends the measurement, anything else begins it
+const uint16_t TWAR = 0xBA;   // the mailbox's address, low byte first
+const uint16_t TWAMR = 0xBD;  // the program waits for the mailbox
 
 const uint64_t LONGEST_RUN = 100000000;  // cycles; no operation takes a hundredth of it
 
@@ -65,9 +65,9 @@ Mega::Mega(const std::string &program) : simulation_(new Simulation) {
   avr->frequency = 16000000;
   avr->log = LOG_ERROR;
   avr_load_firmware(avr, &firmware);
-  avr_register_io_write(avr, GPIOR0, Simulation::onMarker, simulation_.get());
-  avr_register_io_write(avr, GPIOR1, Simulation::onAddress, simulation_.get());
-  avr_register_io_write(avr, GPIOR2, Simulation::onReady, simulation_.get());
+  avr_register_io_write(avr, TWBR, Simulation::onMarker, simulation_.get());
+  avr_register_io_write(avr, TWAR, Simulation::onAddress, simulation_.get());
+  avr_register_io_write(avr, TWAMR, Simulation::onReady, simulation_.get());
   simulation_->runUntilReady();
   Mailbox nothing = {};
   overhead_ = perform(Mailbox::NOTHING, nothing);

@@ -4,7 +4,7 @@ A[] given[1] > 1 imply (Fate.cuts > 0 && !Fate.power)
 A[] Ends.Delivered imply given[1] > 0
 /* K3 holds: nothing is stuck before the message has ended. */
 A[] deadlock imply (Police1.Over && Answer1.Idle)
-/* K4 holds: a message can be refused as stale. */
+/* K4 holds: a message can be below the floor. */
 E<> Police1.Refused && Police1.attempt == 1
 /* K5 holds: it is refused only where the receiver has lost its power. */
 A[] Police1.Refused imply (Support1.lost && Fate.power)
@@ -14,7 +14,7 @@ A[] (Police1.Over imply !sending[POLICE]) && ((Police1.CutOff || Answer1.CutOff)
 E<> given[1] == 2
 /* K8 holds: a host is told how its message has ended, unless its board was reset or seals it anew. */
 A[] (Police1.Over && Ends.Waiting) imply Fate.cuts > 0
-/* K9 holds: as undelivered only after all attempts, or as stale. */
+/* K9 holds: as undelivered only after all attempts, or below the floor. */
 A[] Ends.Undelivered imply (Police1.attempt == MAX_ATTEMPTS || Support1.lost)
 /* K10 holds: what has ended gives its board's turn back. */
 A[] Police1.Over imply (turn[POLICE] == 0 && ended[POLICE] == 1 && active == 0)

@@ -59,7 +59,7 @@ class Poll {
 
  private:
   bool isOver(uint32_t now) const { return static_cast<int32_t>(now - endsAt_) >= 0; }
-  bool mayTell(uint32_t now) const { return now - toldAt_ >= leastMillis_; }
+  JAVINO_OUT_OF_LINE bool mayTell(uint32_t now) const { return now - toldAt_ >= leastMillis_; }
   bool isReadingDue(uint32_t now, bool released) const;
   bool addReading(uint32_t now, Reply &reply);
 

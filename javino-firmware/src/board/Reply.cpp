@@ -22,7 +22,7 @@ bool Reply::add(const uint8_t *bytes, uint16_t length) {
 
 void Reply::finish() {
   memcpy(kept_, bytes_ + STATUS_AT, sizeof kept_);
-  memset(bytes_ + 1, '+', 2 * Address::TEXT_LENGTH);
+  for (uint8_t at = 1; at <= 2 * Address::TEXT_LENGTH; at++) bytes_[at] = '+';
   Frame::writeSize(bytes_ + 1 + 2 * Address::TEXT_LENGTH, static_cast<uint16_t>(length_ - STATUS_AT));
 }
 
@@ -37,12 +37,8 @@ const uint8_t Record::HEAD_LENGTH;
 
 Record::Record(Reply &reply, char type)
     : reply_(reply), at_(reply.bytes_ + reply.length_), end_(reply.bytes_ + reply.bodyEnd_) {
-  if (reply.room() < HEAD_LENGTH) {
-    at_ = nullptr;
-    return;
-  }
-  *at_++ = static_cast<uint8_t>(type);
-  at_ += 2;  // for the length
+  *at_ = static_cast<uint8_t>(type);  // where nothing fits the CRC comes later
+  add(at_, HEAD_LENGTH);
 }
 
 // Both loops keep the place in a register: a reading may have some 500 bytes, and the host waits for it.
@@ -73,12 +69,13 @@ void Record::add(const FlashText *text) {
 
 bool Record::close() {
   if (at_ == nullptr) return false;
-  uint8_t *const start = reply_.bytes_ + reply_.length_;
+  Reply &reply = reply_;
+  uint8_t *const start = reply.bytes_ + reply.length_;
   const uint16_t length = static_cast<uint16_t>(at_ - start);
+  reply.length_ = static_cast<uint16_t>(reply.length_ + length);
   const uint16_t valueLength = static_cast<uint16_t>(length - HEAD_LENGTH);
   start[1] = static_cast<uint8_t>(valueLength >> 8);
   start[2] = static_cast<uint8_t>(valueLength);
-  reply_.length_ = static_cast<uint16_t>(reply_.length_ + length);
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "../framing/Frame.h"
 #include "../support/Clock.h"
+#include "../support/Trace.h"
 
 namespace javinolib {
 
@@ -14,21 +15,29 @@ static const uint16_t FURTHER_SLOTS_MASK = 3;
 static const uint8_t MILLIS_A_UNIT = 100;  // of the uptime in a stale notice
 
 void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
-  for (Entry *entry = entries_; entry < end_; entry++) {
-    if (entry->slot == slot && entry->sender == sender) remove(entry);  // a sender awaits one answer at a time
+  Entry *entry = entries_;
+  while (entry < end_) {
+    if (entry->slot == slot && entry->sender == sender) {
+      remove(entry);  // a sender awaits one answer at a time
+    } else {
+      entry++;
+    }
   }
-  if (end_ == entries_ + CAPACITY) {
+  if (entry == entries_ + CAPACITY) {
     state_->count(Counter::RADIO_ANSWERS_DROPPED);
     remove(entries_);
+    entry--;
   }
-  Entry &entry = *end_++;
-  entry.type = type;
-  entry.twice = false;
+  end_ = entry + 1;
+  entry->type = type;
+  entry->twice = false;
+  entry->slot = slot;
+  entry->have = have;
+  entry->sender = sender;
+  memcpy(entry->nonce, nonce, NONCE_LENGTH);
   added_ = true;
-  entry.slot = slot;
-  entry.have = have;
-  entry.sender = sender;
-  memcpy(entry.nonce, nonce, NONCE_LENGTH);
+  trace::tell(static_cast<trace::Point>(trace::OWE_DELIVERED + (type - Proof::DELIVERED)), nonce[NONCE_LENGTH - 1],
+              slot);
 }
 
 void Acknowledger::remove(Entry *entry) {
@@ -41,7 +50,9 @@ void Acknowledger::remove(Entry *entry) {
 
 // The first acknowledgement is the host's to cause.
 void Acknowledger::answerTwice() {
-  if (added_ && end_[-1].type == Proof::DELIVERED) end_[-1].twice = true;
+  if (!added_ || end_[-1].type != Proof::DELIVERED) return;
+  end_[-1].twice = true;
+  trace::tell(trace::OWE_TWICE);
 }
 
 void Acknowledger::keysChanged() {
@@ -57,6 +68,7 @@ void Acknowledger::run() {
   uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
   const uint8_t length = build(entries_[0], frame);
   if (length != 0 && !medium_->send(frame, length)) return;
+  if (length != 0) trace::tell(trace::ANSWER, entries_[0].slot);
   if (length != 0 && entries_[0].twice) {
     entries_[0].twice = false;
   } else {
@@ -64,13 +76,17 @@ void Acknowledger::run() {
   }
 }
 
+void Acknowledger::noteCarrier(bool &deferred) {
+  if (deferred || !medium_->hearsCarrier()) return;
+  deferred = true;
+  state_->count(Counter::RADIO_DEFERRED);
+}
+
 void Acknowledger::noteBusyAir() {
-  if (medium_->hearsCarrier() && !deferred_) {
-    deferred_ = true;
-    state_->count(Counter::RADIO_DEFERRED);
-  }
+  noteCarrier(deferred_);
   if (medium_->isBusy() && slots_ == FRESH_SLOTS) {
     slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + state_->random->next(FURTHER_SLOTS_MASK));
+    trace::tell(trace::PUT_OFF, slots_);
   }
 }
 

@@ -39,7 +39,9 @@ class Acknowledger {
   }
 
   /// A frame was refused since it is not above the floor.
-  void stale(uint8_t slot, const Address &sender, const uint8_t *nonce) { add(Proof::STALE, slot, sender, nonce, 0); }
+  void tellFloor(uint8_t slot, const Address &sender, const uint8_t *nonce) {
+    add(Proof::STALE, slot, sender, nonce, 0);
+  }
 
   /// A frame under a key has come. Answers under it do not ask for parity, until its packet is known to have been damaged.
   /// @param slot the place of the key, or NO_SLOT where none is known
@@ -61,6 +63,10 @@ class Acknowledger {
   /// @param proof room for 8 bytes
   /// @return false where the key can no longer be read
   JAVINO_NOINLINE bool prove(uint8_t slot, const Proof::Claim &claim, uint8_t *proof) const;
+
+  /// Counts a packet, of this or of others, that waits for another's carrier to end.
+  /// @param deferred whether it was counted, which it is once
+  JAVINO_NOINLINE void noteCarrier(bool &deferred);
 
   /// To be called when keys were deleted: what was to be proved with them is dropped.
   void keysChanged();

@@ -99,7 +99,9 @@ bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame 
       state_->count(Counter::RADIO_REPEATS);
       if (frame.destination.isDevice()) acknowledger_->delivered(slot, frame.origin, nonce);
       return true;
-    case ReplayMemory::STALE: acknowledger_->stale(slot, frame.origin, nonce); return drop(Counter::RADIO_STALE);
+    case ReplayMemory::BELOW_FLOOR:
+      acknowledger_->tellFloor(slot, frame.origin, nonce);
+      return drop(Counter::RADIO_STALE);
     case ReplayMemory::FULL: return drop(Counter::RADIO_REPLAY_FULL);
     case ReplayMemory::DAMAGED: return drop(Counter::MEMORY_DAMAGED);
     default: return drop(Counter::RADIO_REPLAYED);

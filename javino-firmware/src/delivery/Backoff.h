@@ -31,6 +31,9 @@ class Backoff {
   /// @return whether the wait is over
   bool isOver(uint8_t quietSlots);
 
+  /// Slots to wait beyond the first ones.
+  uint8_t left() const { return left_; }
+
  private:
   uint16_t window_;                // of a first attempt, in sixteenths of a slot
   uint8_t quiet_ JAVINO_ZEROED;    // quiet slots when listened to last

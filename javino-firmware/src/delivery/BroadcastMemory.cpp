@@ -27,7 +27,7 @@ BroadcastMemory::Entry &BroadcastMemory::placeFor(const Address &origin) {
     if (entry.origin == origin) return entry;
   }
   Entry &place = entries_[oldest_];
-  oldest_ = static_cast<uint8_t>((oldest_ + 1) % CAPACITY);
+  oldest_ = static_cast<uint8_t>(oldest_ + 1 < CAPACITY ? oldest_ + 1 : 0);
   return place;
 }
 

@@ -5,6 +5,7 @@
 #include "../radio/Mender.h"
 #include "../support/Counters.h"
 #include "../support/Clock.h"
+#include "../support/Trace.h"
 
 namespace javinolib {
 
@@ -24,6 +25,7 @@ bool Broadcaster::send(const char *text) {
   memcpy(frame_ + HEADER_LENGTH, text, length);
   length_ = static_cast<uint8_t>(HEADER_LENGTH + length);
   backoff_.begin(0, medium_.quietSlots(), random_);
+  trace::tell(trace::CONTEND, backoff_.left());
   return true;
 }
 
@@ -40,7 +42,9 @@ void Broadcaster::run() {
     medium_.release();
   }
   medium_.update();  // the sketch may have taken its time with what was heard
-  if (isBusy() && backoff_.isOver(medium_.quietSlots()) && medium_.send(frame_, length_)) length_ = 0;
+  if (!isBusy() || !backoff_.isOver(medium_.quietSlots()) || !medium_.send(frame_, length_)) return;
+  trace::tell(trace::SEND, 1);
+  length_ = 0;
 }
 
 void Broadcaster::hear(const uint8_t *packet, uint8_t length) {

@@ -44,11 +44,11 @@ void Courier::run() {
     case IDLE:
     case READY: break;
     case CONTENDING:
-      noteCarrier();
+      acknowledger_->noteCarrier(deferred_);
       if (backoff_.isOver(medium_->quietSlots())) send();
       break;
     case PAUSING:
-      noteCarrier();
+      acknowledger_->noteCarrier(deferred_);
       if (medium_->quietSlots() != 0) send();
       break;
     case ON_AIR:
@@ -84,17 +84,24 @@ void Courier::nextTurn() {
   }
 }
 
-// Whether the message waits for its turn. One that was stale is sealed anew only here: where that is said, the stack has no room.
+// Whether the message waits for its turn. One that was refused is sealed anew only here: where that is said, the stack has no room.
 bool Courier::mayContend() {
   Message &message = current();
-  if (message.phase != READY || !message.stale) return message.phase == READY;
-  message.stale = false;
-  if (seal(true)) {
-    restart();
-    return true;
+  if (message.phase != READY || !message.refused) return message.phase == READY;
+  message.refused = false;
+  return begin(true);
+}
+
+// Seals the frame, unless it is a broadcast's; if that cannot be, its message has ended.
+bool Courier::begin(bool again) {
+  Message &message = current();
+  if (!message.destination.isBroadcast() && !seal(again)) {
+    finish(Outcome::UNDELIVERED);
+    return false;
   }
-  finish(Outcome::UNDELIVERED);
-  return false;
+  restart();
+  tell(static_cast<trace::Point>(trace::TAKE_UP + again), message.slot);
+  return true;
 }
 
 // Takes up a message whose destination has none under way: rather one to a device that had none lately, as those may be
@@ -115,17 +122,13 @@ bool Courier::takeUp() {
   }
   if (best == AFTER_ITS_LAST) return false;
   message.number = Outbox::numberOf(taken);
+  trace::tell(trace::TURN, message.number);
   Address::parse(taken.bytes, message.destination);
   Address::parse(taken.bytes + Address::TEXT_LENGTH, message.sender);
   message.slot = KeyStore::NO_SLOT;
-  message.stale = false;
+  message.refused = false;
   message.resealed = false;
-  if (message.destination.isBroadcast() || seal(false)) {
-    restart();
-    return true;
-  }
-  finish(Outcome::UNDELIVERED);
-  return false;
+  return begin(false);
 }
 
 // When a message to this destination is to be taken up. None to many waits for its turn, since it keeps it.
@@ -171,7 +174,7 @@ void Courier::restart() {
   message.count = pieces::count(frame().length, medium_->pieceLength());
   if (message.count > 1) {
     message.id = nextId_;
-    nextId_ = static_cast<uint8_t>((nextId_ + 1) % IDS);
+    nextId_ = static_cast<uint8_t>(static_cast<uint8_t>(nextId_ + 1) % IDS);
   }
   message.sent = 0;
   message.arrived = 0;
@@ -185,6 +188,7 @@ void Courier::contend() {
   backoff_.begin(current().attempt, medium_->quietSlots(), state_->random);
   current().phase = CONTENDING;
   deferred_ = false;
+  tell(trace::CONTEND, backoff_.left());
 }
 
 // Parity follows where the partner has asked for it; a packet that is sent again, if the partner is known to understand it. To
@@ -203,19 +207,14 @@ void Courier::noteParity(const Proof::Claim &claim) {
   if (claim.asksParity) understands_.set(current().slot, true);
 }
 
-// Counts each packet that waits for another's carrier to end, once.
-void Courier::noteCarrier() {
-  if (deferred_ || !medium_->hearsCarrier()) return;
-  deferred_ = true;
-  state_->count(Counter::RADIO_DEFERRED);
-}
-
 void Courier::send() {
   Message &message = current();
   const ByteQueue::Record record = frame();
   uint8_t index = 0;
-  for (onAir_ = 1; (message.pending & onAir_) == 0; onAir_ = static_cast<uint8_t>(onAir_ << 1)) index++;
-  const bool wantsAnswer = isUnicast() && message.pending == onAir_;
+  uint8_t bit = 1;
+  for (; (message.pending & bit) == 0; bit = static_cast<uint8_t>(bit << 1)) index++;
+  onAir_ = bit;
+  const bool wantsAnswer = message.pending == bit && isUnicast();
   const Trailer trailer = this->trailer();
   uint8_t piece[MAX_RADIO_PAYLOAD];
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
@@ -228,10 +227,11 @@ void Courier::send() {
   if (!taken) return;
   message.trailed = message.trailed || trailer != Trailer::NONE;
   if (message.sent == 0) message.sentAt = clock::millis();
-  if ((message.sent & onAir_) != 0) state_->count(Counter::RADIO_RESENT);
-  message.sent |= onAir_;
+  if ((message.sent & bit) != 0) state_->count(Counter::RADIO_RESENT);
+  message.sent |= bit;
   deferred_ = false;
   message.phase = ON_AIR;
+  tell(trace::SEND, message.pending);
 }
 
 // A broadcast or multicast keeps its turn until it was sent as often as it is to be: receivers know a broadcast's repeat by
@@ -241,8 +241,10 @@ void Courier::packetSent() {
   message.pending = static_cast<uint8_t>(message.pending & ~onAir_);
   if (message.pending != 0) {
     message.phase = PAUSING;
+    tell(trace::PART_SENT);
   } else if (isUnicast()) {
     await(message.count == 1 && message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
+    tell(trace::AWAIT, rounds_);
   } else if (++message.attempt != sends()) {
     message.pending = pieces::all(message.count);
     contend();
@@ -261,7 +263,9 @@ uint8_t Courier::sends() const {
 // answered; where that was there, the one that has just asked, every other time, as it is likely what is lacking.
 void Courier::attemptFailed() {
   Message &message = current();
-  if (++message.attempt == MAX_ATTEMPTS) {
+  message.attempt++;
+  tell(trace::ATTEMPT_FAILED, message.attempt);
+  if (message.attempt == MAX_ATTEMPTS) {
     finish(Outcome::UNDELIVERED);
   } else {
     message.pending = (message.arrived & message.attempt & 1) != 0 ? onAir_ : 1;
@@ -278,6 +282,7 @@ void Courier::finish(Outcome outcome) {
   }
   outbox_.close(message.number, outcome);
   message.phase = IDLE;
+  tell(static_cast<trace::Point>(trace::SENT + static_cast<uint8_t>(outcome)));
 }
 
 void Courier::keysChanged() {
@@ -362,6 +367,7 @@ void Courier::copied(const uint8_t *packet, uint8_t length) {
   if (length != record.length || memcmp(packet, record.bytes, Envelope::NONCE_AT + NONCE_LENGTH) != 0) return;
   if (contends) message.attempt--;
   await(ROUNDS_WITH_RELAY);
+  tell(trace::COPIED);
 }
 
 void Courier::await(uint8_t rounds) {
@@ -440,9 +446,13 @@ bool Courier::onPieces(uint8_t have) {
   if (have == all || message.phase == PAUSING || message.phase == ON_AIR) return true;
   if (isNews) {
     message.attempt = 0;
-  } else if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
-    finish(Outcome::UNDELIVERED);
-    return true;
+    tell(trace::FRAGMENTS_NEW, have);
+  } else {
+    tell(trace::FRAGMENTS_KNOWN, have);
+    if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
+      finish(Outcome::UNDELIVERED);
+      return true;
+    }
   }
   message.pending = static_cast<uint8_t>(all & ~have);
   if (message.phase != READY) message.phase = PAUSING;
@@ -452,9 +462,10 @@ bool Courier::onPieces(uint8_t have) {
 bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
   Message &message = current();
   if (!state_->nonces.raiseAbove(floor, message.nonce)) return false;
-  if (!isUnicast() || message.stale) return true;
+  if (!isUnicast() || message.refused) return true;
+  tell(trace::STALE_HEARD);
   if (!message.resealed && cannotHaveHadIt(uptime)) {
-    message.stale = true;
+    message.refused = true;
     message.resealed = true;
     message.phase = READY;
   } else {

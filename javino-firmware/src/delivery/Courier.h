@@ -8,6 +8,7 @@
 #include "../secure/Envelope.h"
 #include "../secure/Proof.h"
 #include "../support/Inlining.h"
+#include "../support/Trace.h"
 #include "Acknowledger.h"
 #include "Backoff.h"
 #include "KeyFlags.h"
@@ -64,7 +65,7 @@ class Courier {
   };
 
   // What is under way. What a multicast was sealed with stays when it has ended, until another message takes its place: a
-  // stale notice for it may come when all is sent.
+  // refusal of it may come when all is sent.
   struct Message {
     Phase phase;
     uint8_t number;   // of its transmission
@@ -74,7 +75,7 @@ class Courier {
     uint8_t pending;  // pieces that this attempt still has to send
     uint8_t sent;     // pieces that have been sent at least once; 0: nothing was ever sent from this place
     uint8_t arrived;  // pieces that the receiver has ever had
-    bool stale;       // to be sealed anew before its next attempt
+    bool refused;     // to be sealed anew before its next attempt
     bool resealed;    // or was
     bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
     uint8_t guesses;  // damaged answers that were not the expected one
@@ -95,13 +96,25 @@ class Courier {
   Turn turnOf(const Address &destination) const;
   JAVINO_NOINLINE bool seal(bool again);
   bool mayContend();
-  void restart();
+  bool begin(bool again);
+  JAVINO_OUT_OF_LINE void restart();
   JAVINO_NOINLINE void contend();
-  void noteCarrier();
   JAVINO_NOINLINE void send();
   void packetSent();
   uint8_t sends() const;
   void await(uint8_t rounds);
+  /// Tells a point of the current message; where several are under way, also of which.
+  void tellTurn() const {
+    if (config::PARTNERS > 1) trace::tell(trace::TURN, current().number);
+  }
+  void tell(trace::Point point) const {
+    tellTurn();
+    trace::tell(point);
+  }
+  void tell(trace::Point point, uint8_t operand) const {
+    tellTurn();
+    trace::tell(point, operand);
+  }
   void attemptFailed();
   JAVINO_NOINLINE void finish(Outcome outcome);
   JAVINO_NOINLINE bool isUnicast() const { return current().destination.isDevice(); }

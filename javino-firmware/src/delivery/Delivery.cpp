@@ -16,6 +16,8 @@ bool Delivery::begin() {
   return medium_->begin();
 }
 
+void Delivery::seed() { state_->random->seed(state_->id.address().value(), state_->epoch.value()); }
+
 bool Delivery::relay(const uint8_t *number) {
   if ((number != nullptr) == relays()) return true;
   if (number == nullptr) {

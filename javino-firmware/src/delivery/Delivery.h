@@ -48,7 +48,7 @@ class Delivery {
   void radioCounters(RadioCounters &into) const { medium_->counters(into); }
 
   /// To be called when the RF id has changed: random numbers begin from it.
-  void seed() { state_->random->seed(state_->id.address().value(), state_->epoch.value()); }
+  void seed();
 
   /// To be called when keys may have been deleted.
   void keysChanged();

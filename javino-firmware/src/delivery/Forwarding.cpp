@@ -66,6 +66,10 @@ void Doubts::set(uint16_t pair, uint8_t doubt) {
   entries_[0] = {pair, doubt};
 }
 
+void Forwarding::tell(trace::Point point, const Entry &entry, uint8_t second) {
+  trace::tell(point, static_cast<uint8_t>(reinterpret_cast<uintptr_t>(&entry)), second);
+}
+
 void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
   if (!isOn()) return;
   passTime();
@@ -107,7 +111,10 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
   Entry *entry = find(packet, length, crc.value());
   if (entry && heardAgain(*entry, hops)) return;
   const bool late = entry;
-  if (entry) entry->length = 0;
+  if (entry) {
+    entry->length = 0;
+    tell(trace::RELAY_FORGET, *entry);
+  }
   const uint16_t pair = Doubts::pairOf(packet);
   const bool trusted = memory_->doubts.of(pair) == Doubts::NONE;
   const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST / 2);
@@ -122,6 +129,7 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
   entry->pair = pair;
   entry->late = late;
   memcpy(entry->bytes, packet, length);
+  tell(trace::RELAY_NEW, *entry, packet[HEAD_LENGTH - 1]);
   begin(*entry, hops, false);
 }
 
@@ -136,8 +144,10 @@ void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
   entry.answers = 0;
   entry.quiet = 0;
   entry.age = 0;
-  if (!entry.reserve) {
-    wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)));
+  if (entry.reserve) {
+    tell(trace::RELAY_RESERVE, entry);
+  } else {
+    wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)), trace::RELAY_DRAW);
   }
 }
 
@@ -152,7 +162,7 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
     return true;
   }
   if (entry.answers >= MOST_ANSWERS) return false;
-  wait(entry, ANSWER, AGAIN_SLOTS, spread(true));
+  wait(entry, ANSWER, AGAIN_SLOTS, spread(true), trace::RELAY_DRAW_ANSWER_AGAIN);
   return true;
 }
 
@@ -161,21 +171,29 @@ void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   const bool isIdle = entry.due == NOTHING && !entry.sending;
   if (isIdle && !entry.reserve && entry.age > LATE_MILLIS) {
     entry.late = true;
+    tell(trace::RELAY_ANEW, entry);
     begin(entry, hops, false);
   } else if (from == DOWNSTREAM) {
     if (entry.copied && entry.quiet < SOON) entry.prompt = true;
     entry.handedOn = true;
+    tell(trace::RELAY_GONE_ON, entry, entry.prompt);
     entry.due = NOTHING;
     entry.age = 0;
   } else if (from == PEER) {
     if (entry.copied || entry.due == NOTHING) return;
+    tell(trace::RELAY_PEER, entry);
     entry.due = NOTHING;
     entry.age = 0;
   } else if (entry.reserve) {
-    if (entry.quiet >= RESERVE_QUIET) begin(entry, hops, true);
+    if (entry.quiet >= RESERVE_QUIET) {
+      tell(trace::RELAY_STEP_IN, entry);
+      begin(entry, hops, true);
+    } else {
+      tell(trace::RELAY_RESERVE, entry);
+    }
     entry.quiet = 0;
   } else if (hops == 0 && entry.hops == FROM_SENDER && !entry.sending && (entry.copied || entry.due == NOTHING)) {
-    wait(entry, COPY, AGAIN_SLOTS, spread(!entry.handedOn));
+    wait(entry, COPY, AGAIN_SLOTS, spread(!entry.handedOn), trace::RELAY_DRAW_AGAIN);
   }
 }
 
@@ -193,7 +211,10 @@ void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t 
     } else {
       const Place from = placeOf(hops, entry.answerHops);
       if (from == DOWNSTREAM) entry.answerHandedOn = true;
-      if (from != UPSTREAM) entry.due = NOTHING;
+      if (from != UPSTREAM) {
+        entry.due = NOTHING;
+        tell(from == PEER ? trace::RELAY_ANSWER_PEER : trace::RELAY_ANSWER_GONE_ON, entry);
+      }
     }
     entry.age = 0;
   }
@@ -213,22 +234,24 @@ void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length
   if (direct && entry.copied && entry.quiet < SOON) entry.prompt = true;
   if (!entry.copied) {
     memory_->doubts.set(entry.pair, static_cast<uint8_t>(doubt == Doubts::MOST ? doubt : doubt + 1));
-    return;
-  }
-  if (entry.prompt) {
+  } else if (entry.prompt) {
     memory_->doubts.set(entry.pair, entry.fromReserve ? Doubts::AFTER_RESERVE : Doubts::NONE);
   } else if (direct) {
     memory_->doubts.set(entry.pair, Doubts::MOST);
   }
+  tell(trace::RELAY_ANSWERED, entry, memory_->doubts.of(entry.pair));
+  if (!entry.copied) return;
   if (entry.handedOn || entry.prompt || (!direct && (doubt == Doubts::NONE || entry.late))) {
-    wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_->next(ANSWER_SPREAD_MASK)));
+    wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_->next(ANSWER_SPREAD_MASK)),
+         trace::RELAY_DRAW_ANSWER);
   }
 }
 
-void Forwarding::wait(Entry &entry, Due due, uint8_t first, uint8_t left) {
+void Forwarding::wait(Entry &entry, Due due, uint8_t first, uint8_t left, trace::Point point) {
   entry.due = due;
   entry.first = first;
   entry.left = left;
+  tell(point, entry, left);
 }
 
 // A random number of slots, and perhaps a turn of another relay, which may not be heard.
@@ -279,11 +302,13 @@ void Forwarding::send(Entry &entry) {
   if (entry.due == ANSWER) {
     if (!medium_->sendCopy(entry.bytes + HEAD_LENGTH, entry.answerLength, entry.answerHops)) return;
     entry.answers++;
+    tell(trace::RELAY_ANSWER, entry, entry.answerHops);
     counters_->count(Counter::RELAY_ANSWERS);
   } else {
     const uint16_t cost = costOf(entry.length);
     if (credit_ < cost) {
       entry.due = NOTHING;
+      tell(trace::RELAY_REFUSE, entry);
       counters_->count(Counter::RELAY_REFUSED);
       return;
     }
@@ -291,6 +316,7 @@ void Forwarding::send(Entry &entry) {
     credit_ = static_cast<uint16_t>(credit_ - cost);
     add(entry.spent, cost);
     entry.copied = true;
+    tell(trace::RELAY_COPY, entry, entry.hops);
     counters_->count(Counter::RELAY_COPIES);
   }
   entry.due = NOTHING;
@@ -301,16 +327,18 @@ void Forwarding::send(Entry &entry) {
 void Forwarding::sent(Entry &entry) {
   entry.sending = false;
   entry.age = 0;
+  tell(entry.answered ? trace::RELAY_ANSWER_ENDED : trace::RELAY_COPY_ENDED, entry);
   if (entry.answered) {
     if (entry.hops != FROM_SENDER && !entry.answerHandedOn && entry.answers <= ANSWER_REPEATS) {
-      wait(entry, ANSWER, AGAIN_SLOTS, static_cast<uint8_t>(ANSWER_REPEAT_WAIT + spread(false)));
+      wait(entry, ANSWER, AGAIN_SLOTS, static_cast<uint8_t>(ANSWER_REPEAT_WAIT + spread(false)),
+           trace::RELAY_DRAW_ANSWER_REPEAT);
     }
     return;
   }
   entry.quiet = 0;
   if (entry.repeated || entry.handedOn) return;
   entry.repeated = true;
-  wait(entry, COPY, REPEAT_SLOTS, static_cast<uint8_t>(REPEAT_WAIT + spread(true)));
+  wait(entry, COPY, REPEAT_SLOTS, static_cast<uint8_t>(REPEAT_WAIT + spread(true)), trace::RELAY_DRAW_REPEAT);
 }
 
 }  // namespace javinolib

@@ -10,6 +10,7 @@
 #include "../support/Inlining.h"
 #include "../support/Part.h"
 #include "../support/Random.h"
+#include "../support/Trace.h"
 #include "../support/Zeroed.h"
 #include "MediumAccess.h"
 
@@ -55,7 +56,10 @@ class Forwarding {
 
   /// Begins to relay, or ends that.
   /// @param memory for all that a relay knows, cleared; null where it ends
-  void relay(Memory *memory) { memory_ = memory; }
+  void relay(Memory *memory) {
+    memory_ = memory;
+    trace::tell(trace::RELAY_ON, isOn());
+  }
 
   bool isOn() const { return memory_ != nullptr; }
 
@@ -118,7 +122,8 @@ class Forwarding {
   void begin(Entry &entry, uint8_t hops, bool fromReserve);
   void answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
   void firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops);
-  void wait(Entry &entry, Due due, uint8_t first, uint8_t left);
+  void wait(Entry &entry, Due due, uint8_t first, uint8_t left, trace::Point point);
+  JAVINO_NOINLINE static void tell(trace::Point point, const Entry &entry, uint8_t second = 0);
   uint8_t spread(bool turn);
   void passTime();
   JAVINO_NOINLINE uint16_t costOf(uint8_t length) const;

@@ -1,6 +1,7 @@
 #include "Inbox.h"
 
 #include "../secure/BoardState.h"
+#include "../support/Trace.h"
 
 #include <string.h>
 
@@ -12,6 +13,7 @@ const uint8_t Inbox::NONCE_AT;
 const uint8_t Inbox::HEAD_LENGTH;
 
 void Inbox::add(uint8_t slot, const uint8_t *frame, uint16_t length) {
+  trace::tell(trace::QUEUED, frame[HEADER_LENGTH + NONCE_LENGTH - 1], slot);
   uint8_t *const record = records_.append(static_cast<uint16_t>(HEAD_LENGTH + length));
   uint8_t *into = record + NONCE_AT;
   record[0] = slot;
@@ -42,9 +44,11 @@ void Inbox::taken(uint8_t number) {
   const uint8_t index = static_cast<uint8_t>(number - firstNumber_);
   if (index >= records_.count()) return;
   firstNumber_ = static_cast<uint8_t>(number + 1);
+  trace::tell(trace::TAKEN, number);
   for (uint8_t left = static_cast<uint8_t>(index + 1); left != 0; left--) {
-    settle(records_.first().bytes);
-    records_.remove(first().bytes);
+    uint8_t *const record = records_.first().bytes;
+    settle(record);
+    records_.remove(record);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "MediumAccess.h"
 
 #include "../support/Clock.h"
+#include "../support/Trace.h"
 
 namespace javinolib {
 
@@ -15,6 +16,7 @@ void MediumAccess::update() {
   const bool wasBusy = isBusy();
   carrier_ = radio_.carrier();
   sending_ = radio_.sending();
+  trace::tell(static_cast<trace::Point>(trace::QUIET + isBusy()));
   const uint16_t elapsed = static_cast<uint16_t>(now - lookedAt_);
   lookedAt_ = now;
   quietMillis_ = 0;

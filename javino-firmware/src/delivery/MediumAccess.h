@@ -65,7 +65,7 @@ class MediumAccess {
   Mender *mender() { return radio_.mender(); }
 
   /// Drops that packet, or the one that is lost.
-  void release() { radio_.release(); }
+  JAVINO_NOINLINE void release() { radio_.release(); }
 
   /// Whether the radio holds none. Safe to call with interrupts off.
   bool isIdle() const { return radio_.idle(); }

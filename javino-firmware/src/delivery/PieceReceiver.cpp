@@ -2,6 +2,7 @@
 
 #include "../secure/Envelope.h"
 #include "../support/Clock.h"
+#include "../support/Trace.h"
 #include "Pieces.h"
 
 namespace javinolib {
@@ -25,6 +26,7 @@ bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint16_t age, bo
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
     return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
+  trace::tell(trace::FRAGMENT);
   finish(*partial, now);
   if (wantsAnswer && partial->hasFirst()) answer(admission_, *partial);
   return true;

@@ -1,5 +1,7 @@
 #include "News.h"
 
+#include "../support/Trace.h"
+
 #include "../board/Poll.h"
 
 namespace javinolib {
@@ -82,7 +84,9 @@ bool News::addMessage(uint8_t number, const Inbox::Message &message, Reply &repl
   record.add(message.addresses, 2 * Address::TEXT_LENGTH);
   record.add(id, sizeof id);
   record.add(message.content, message.length);
-  return record.close();
+  const bool fitted = record.close();
+  if (fitted) trace::tell(trace::HANDED, number);
+  return fitted;
 }
 
 }  // namespace javinolib

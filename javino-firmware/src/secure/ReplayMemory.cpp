@@ -6,6 +6,7 @@
 
 #include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
+#include "../support/Trace.h"
 
 namespace javinolib {
 
@@ -75,6 +76,7 @@ bool ReplayMemory::begin(uint32_t epoch) {
 bool ReplayMemory::takeOverRam(uint32_t epoch) {
   const bool isNext = memory().epoch + 1 == epoch;
   const bool intact = isNext && retained::holds();
+  trace::tell(trace::MEMORY, intact);
   for (TakenNonce &entry : memory().entries) {
     if (!intact) entry.state = FREE;
     entry.floor = NO_PLACE;
@@ -148,7 +150,7 @@ ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, co
 
   const int order = entry->state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry->taken.nonce, NONCE_LENGTH);
   if (order > 0) return NEWER;
-  if (entry->state == LOST) return STALE;
+  if (entry->state == LOST) return BELOW_FLOOR;
   return order == 0 ? REPEATED : REPLAYED;
 }
 
@@ -166,6 +168,7 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
     writeUint24(floor.nonce + COUNTER_AT, counter < LAST_COUNTER ? counter : LAST_COUNTER);
     place = store(floor);
     if (place == NO_PLACE) return false;
+    trace::tell(trace::FLOOR_STORED, key, place);
   }
 
   uint8_t before = NO_PLACE;

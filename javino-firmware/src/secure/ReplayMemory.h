@@ -39,12 +39,12 @@ struct Floor;
 class ReplayMemory {
  public:
   enum Verdict : uint8_t {
-    NEWER,     ///< higher than all that were taken
-    REPEATED,  ///< the last one taken
-    REPLAYED,  ///< lower
-    STALE,     ///< not above the floor, and what was taken is no longer known exactly
-    FULL,      ///< from an origin that there is no room to remember
-    DAMAGED    ///< the memory does not hold: whether it is one of the others is not known
+    NEWER,        ///< higher than all that were taken
+    REPEATED,     ///< the last one taken
+    REPLAYED,     ///< lower
+    BELOW_FLOOR,  ///< not above it, and what was taken is no longer known exactly
+    FULL,         ///< from an origin that there is no room to remember
+    DAMAGED       ///< the memory does not hold: whether it is one of the others is not known
   };
 
   explicit ReplayMemory(const KeyStore &keys) : keys_(keys) {}

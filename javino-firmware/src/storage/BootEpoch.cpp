@@ -1,5 +1,6 @@
 #include "BootEpoch.h"
 
+#include "../support/Trace.h"
 #include "EepromLayout.h"
 
 namespace javinolib {
@@ -16,7 +17,9 @@ JAVINO_NOINLINE static uint16_t placeAt(uint8_t slot) {
 
 static EepromRecord recordAt(uint8_t slot) { return EepromRecord(placeAt(slot), EPOCH_LENGTH); }
 
-static uint8_t behind(uint8_t slot) { return static_cast<uint8_t>((slot + 1) % config::EPOCH_SLOTS); }
+static uint8_t behind(uint8_t slot) {
+  return static_cast<uint8_t>(static_cast<uint8_t>(slot + 1) % config::EPOCH_SLOTS);
+}
 
 void BootEpoch::begin(bool hasKeys) {
   const uint8_t highest = findHighest();
@@ -64,8 +67,11 @@ void BootEpoch::store(uint8_t highest, Uint24 epoch) {
   writeUint24(record, epoch);
   uint8_t copies = 0;
   for (uint8_t slot = highest; (slot = behind(slot)) != highest && (lost || copies < COPIES);) {
-    if (recordAt(slot).write(record) && ++copies == COPIES) status_ = Status::OK;
+    if (recordAt(slot).write(record)) copies++;
   }
+  if (copies < COPIES) return;
+  status_ = Status::OK;
+  trace::tell(trace::EPOCH_STORED, record[EPOCH_LENGTH - 1]);
 }
 
 }  // namespace javinolib

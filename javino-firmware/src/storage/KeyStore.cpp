@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "../support/Trace.h"
 #include "../support/Wipe.h"
 #include "Eeprom.h"
 #include "EepromLayout.h"
@@ -174,12 +175,12 @@ Status KeyStore::use(const Address &address) {
 bool KeyStore::erase(uint8_t slot) {
   if (isSession(slot)) {
     sessions_.erase(static_cast<uint8_t>(slot - SLOTS));
-    addresses_[slot] = Address::serialLine();
-    return true;
+  } else if (!recordAt(slot).erase(SECRETS_LENGTH)) {
+    return false;
   }
-  const bool erased = recordAt(slot).erase(SECRETS_LENGTH);
-  if (erased) addresses_[slot] = Address::serialLine();
-  return erased;
+  addresses_[slot] = Address::serialLine();
+  trace::tell(trace::KEY_DELETED, slot);
+  return true;
 }
 
 bool KeyStore::holds(uint8_t slot, const DerivedKeys &keys) const {
@@ -194,6 +195,7 @@ bool KeyStore::write(StoredKey &key) {
     if (eeprom::read(useAt(slot)) != UNUSED) eeprom::write(useAt(slot), UNUSED);
     if (eeprom::read(useAt(slot)) == UNUSED && recordAt(slot).write(key.record())) {
       addresses_[slot] = key.address;
+      trace::tell(trace::KEY_STORED, slot);
       return true;
     }
     recordAt(slot).erase(SECRETS_LENGTH);

@@ -8,6 +8,7 @@
 #include "../crypto/DerivedKeys.h"
 #include "../support/Inlining.h"
 #include "../support/Part.h"
+#include "../support/Trace.h"
 #include "SessionKeys.h"
 
 namespace javinolib {
@@ -93,6 +94,7 @@ class KeyStore {
     if (SessionKeys::PLACES == 0) return;
     sessions_.set(static_cast<uint8_t>(slot - SLOTS), key, check);
     addresses_[slot] = device;
+    trace::tell(trace::KEY_STORED, slot);
   }
 
   /// The session keys, by their places less SLOTS.

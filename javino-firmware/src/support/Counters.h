@@ -6,6 +6,7 @@
 #include "Clock.h"
 #include "Inlining.h"
 #include "Part.h"
+#include "Trace.h"
 #include "Zeroed.h"
 
 namespace javinolib {
@@ -111,7 +112,10 @@ class Counters {
   SerialCounters &serial() { return serial_; }
 
   /// @param counter none of the radio's
-  void count(Counter counter) { countUp(at(counter)); }
+  JAVINO_NOINLINE void count(Counter counter) {
+    trace::tell(trace::COUNT, static_cast<uint8_t>(counter));
+    countUp(at(counter));
+  }
 
   /// @param counter none of the radio's
   config::Count value(Counter counter) const { return const_cast<Counters *>(this)->at(counter); }

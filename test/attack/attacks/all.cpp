@@ -21,8 +21,8 @@ const std::vector<Attack> &allAttacks() {
       {"acknowledgements forged", forgeAcknowledgements},
       {"acknowledgements forged and damaged", forgeDamagedAcknowledgements},
       {"acknowledgements of other messages", replayAcknowledgements},
-      {"stale acknowledgements forged and replayed", forgeStaleAcknowledgements},
-      {"stale acknowledgements of a group's member for one multicast", raiseByMulticast},
+      {"acknowledgements with floors, forged and replayed", forgeStaleAcknowledgements},
+      {"acknowledgements with floors, of a group's member for one multicast", raiseByMulticast},
       {"invented origins of a group's member", inventOrigins},
   };
   return ALL;

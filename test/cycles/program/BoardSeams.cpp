@@ -20,7 +20,7 @@ bool SerialPort::canWrite() const { return true; }
 
 void SerialPort::write(uint8_t byte) {
   if (line.measured && byte == 0) return;  // it says that a request has come
-  if (line.measured) GPIOR0 = 0;
+  if (line.measured) TWBR = 0;
   line.measured = false;
   if (line.out != nullptr) *line.out++ = byte;
 }

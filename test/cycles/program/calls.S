@@ -6,9 +6,9 @@
   .macro measured_call function
   .global measured_\function
 measured_\function:
-  out _SFR_IO_ADDR(GPIOR0), r24
+  sts _SFR_MEM_ADDR(TWBR), r24
   call \function
-  out _SFR_IO_ADDR(GPIOR0), r1
+  sts _SFR_MEM_ADDR(TWBR), r1
   ret
   .endm
 

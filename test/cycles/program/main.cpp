@@ -1,4 +1,4 @@
-// Runs on the emulated Mega: does what the mailbox asks for, between two writes to GPIOR0 that the test times.
+// Runs on the emulated Mega: does what the mailbox asks for, between two writes to TWBR that the test times.
 
 #include <avr/io.h>
 #include <string.h>
@@ -28,11 +28,11 @@ inline void barrier() { __asm__ volatile("" ::: "memory"); }
 template <typename Work>
 inline void measure(Work work) {
   barrier();
-  GPIOR0 = 1;
+  TWBR = 1;
   barrier();
   work();
   barrier();
-  GPIOR0 = 0;
+  TWBR = 0;
   barrier();
 }
 
@@ -231,7 +231,7 @@ void answer() {
   line.out = mailbox.bytes;
   line.measured = true;
   barrier();
-  GPIOR0 = 1;
+  TWBR = 1;
   barrier();
   board.run();
   mailbox.length = static_cast<uint16_t>(line.out - mailbox.bytes);
@@ -277,11 +277,11 @@ void perform() {
 
 int main() {
   const uint16_t address = reinterpret_cast<uint16_t>(&mailbox);
-  GPIOR1 = static_cast<uint8_t>(address);
-  GPIOR1 = static_cast<uint8_t>(address >> 8);
+  TWAR = static_cast<uint8_t>(address);
+  TWAR = static_cast<uint8_t>(address >> 8);
   for (;;) {
     barrier();
-    GPIOR2 = 1;  // the test reads and writes the mailbox now
+    TWAMR = 1;  // the test reads and writes the mailbox now
     barrier();
     perform();
   }

@@ -215,7 +215,7 @@ TEST_F(Renewal, a_step_whose_power_is_cut_is_taken_again_and_loses_nothing) {
         }
         torn.board.eeprom.restorePower();
         torn.reset(false);
-        // It has lost its RAM, too: others' multicasts may be stale to it, which has nothing to do with keys.
+        // It has lost its RAM, too: it may refuse others' multicasts, which has nothing to do with keys.
         air->pass(3000);
         send(station, station);
         expectAllArrived();

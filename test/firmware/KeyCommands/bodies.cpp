@@ -221,7 +221,7 @@ TEST_F(KeyCommandsTest, after_a_power_cut_anywhere_leave_no_key_without_its_floo
     uint8_t check[3];
     torn.keys.readCheckValue(slot, check);
     const bool isOld = std::string(check, check + 3) == checkOf(KEY);
-    ASSERT_EQ(isOld ? ReplayMemory::STALE : ReplayMemory::NEWER, torn.judge(slot, SUPO, nonce(5, 7))) << cut;
+    ASSERT_EQ(isOld ? ReplayMemory::BELOW_FLOOR : ReplayMemory::NEWER, torn.judge(slot, SUPO, nonce(5, 7))) << cut;
   }
 }
 

@@ -52,8 +52,8 @@ TEST(ReplayFloor, makes_all_stale_that_is_not_above_it_when_power_was_lost) {
   rig.take(0, SUPO, nonce(5, 9));
   rig.powerCycle();
   for (uint32_t counter : {0, 7, 9, 10, 38})
-    EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, counter))) << counter;
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(4, 0xFFFFFF)));
+    EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, counter))) << counter;
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(4, 0xFFFFFF)));
   EXPECT_EQ(nonce(5, 38), rig.floor(0, SUPO));
   EXPECT_TRUE(rig.take(0, SUPO, nonce(5, 39)));
   EXPECT_EQ(ReplayMemory::REPEATED, rig.judge(0, SUPO, nonce(5, 39)));
@@ -67,7 +67,7 @@ TEST(ReplayFloor, that_is_raised_for_what_waits_does_not_make_that_stale) {
   EXPECT_TRUE(rig.reserve(0, SUPO, nonce(5, 39)));
   EXPECT_EQ(nonce(5, 70), rig.floor(0, SUPO));
   EXPECT_EQ(ReplayMemory::NEWER, rig.judge(0, SUPO, nonce(5, 39)));
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 38)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 38)));
 }
 
 TEST(ReplayFloor, of_a_key_that_is_gone_is_erased_at_the_next_boot) {
@@ -102,7 +102,7 @@ TEST(ReplayFloor, passes_over_worn_places) {
     ASSERT_EQ(nonce(5, counter + 31), rig.floor(0, SUPO));
   }
   rig.powerCycle();
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 4992)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 4992)));
 }
 
 TEST(ReplayFloor, that_no_longer_can_be_erased_does_not_lower_the_one_in_force) {
@@ -117,7 +117,7 @@ TEST(ReplayFloor, that_no_longer_can_be_erased_does_not_lower_the_one_in_force) 
   for (int boots = 0; boots < 3; boots++) {
     rig.powerCycle();
     EXPECT_EQ(nonce(5, 131), rig.floor(0, SUPO));
-    EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 131)));
+    EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 131)));
   }
 }
 

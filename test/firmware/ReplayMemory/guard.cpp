@@ -82,14 +82,14 @@ TEST_F(ReplayMemoryGuard, deletes_no_floor_by_what_it_no_longer_knows) {
   change(offsetof(javinolib::TakenNonces, entries) + offsetof(javinolib::TakenNonce, floor));
   EXPECT_TRUE(rig.memory->forget(0));
   rig.reset();
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 38)));
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(1, SUPP, nonce(6, 31)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 38)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(1, SUPP, nonce(6, 31)));
 }
 
 TEST_F(ReplayMemoryGuard, goes_by_the_floors_after_the_next_boot) {
   change(20);
   rig.reset();
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 7)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 7)));
   EXPECT_EQ(ReplayMemory::NEWER, rig.judge(0, SUPO, nonce(5, 39)));
 }
 
@@ -128,7 +128,7 @@ TEST(DoubtfulFloors, refuse_what_no_floor_covers_and_take_what_is_above_one) {
   rig.memory->doubtFloors();
   for (int boots = 0; boots < 3; boots++) {
     EXPECT_FALSE(rig.memory->isDoubtful(0)) << "its one origin has a floor";
-    EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, Address(0), nonce(5, 38)));
+    EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, Address(0), nonce(5, 38)));
     EXPECT_EQ(ReplayMemory::NEWER, rig.judge(0, Address(0), nonce(5, 39)));
     EXPECT_TRUE(rig.memory->isDoubtful(1));
     EXPECT_FALSE(rig.take(1, Address(1), nonce(0xFFFFFE, 0xFFFFFF)));

@@ -45,7 +45,7 @@ TEST(ReplayMemoryPowerCuts, while_forgetting_a_key_leave_the_others) {
     }
     rig.eeprom.restorePower();
     rig.powerCycle();
-    ASSERT_EQ(ReplayMemory::STALE, rig.judge(1, SUPO, nonce(5, 7))) << cut;
+    ASSERT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(1, SUPO, nonce(5, 7))) << cut;
     ASSERT_TRUE(rig.memory->forget(0));
     ASSERT_EQ(ReplayMemory::NEWER, rig.judge(0, SUPO, nonce(0, 0))) << cut;
     ASSERT_EQ(ReplayMemory::NEWER, rig.judge(0, SUPP, nonce(0, 0))) << cut;

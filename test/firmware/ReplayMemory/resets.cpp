@@ -38,7 +38,7 @@ TEST(ReplayMemoryReset, after_a_loss_of_power_keeps_the_floor_as_it_was_then) {
   rig.powerCycle();
   rig.reserve(0, SUPO, nonce(5, 39));
   rig.reset();
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 38)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 38)));
   EXPECT_EQ(ReplayMemory::NEWER, rig.judge(0, SUPO, nonce(5, 39)));
 }
 
@@ -54,8 +54,8 @@ TEST(ReplayMemoryReset, with_any_changed_bit_in_RAM_trusts_the_floor_only) {
     rig.ram.restore(damaged);
     rig.epoch = 1;
     rig.reset();
-    ASSERT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 38))) << bit;
-    ASSERT_EQ(ReplayMemory::STALE, rig.judge(1, SUPP, nonce(6, 31))) << bit;
+    ASSERT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 38))) << bit;
+    ASSERT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(1, SUPP, nonce(6, 31))) << bit;
     ASSERT_EQ(ReplayMemory::NEWER, rig.judge(0, SUPO, nonce(5, 39))) << bit;
   }
 }
@@ -68,7 +68,7 @@ TEST(ReplayMemoryReset, does_not_trust_an_old_image_that_came_back) {
   rig.reset();
   rig.ram.restore(image);
   rig.reset();
-  EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 8)));
+  EXPECT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 8)));
 }
 
 TEST(ReplayMemoryReset, with_random_RAM_never_accepts_what_was_accepted) {
@@ -76,7 +76,7 @@ TEST(ReplayMemoryReset, with_random_RAM_never_accepts_what_was_accepted) {
   for (uint32_t i = 0; i < 2000; i++) {
     ASSERT_TRUE(rig.take(0, SUPO, nonce(5, 40 * i)));
     rig.powerCycle();
-    ASSERT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 40 * i)));
+    ASSERT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 40 * i)));
   }
 }
 

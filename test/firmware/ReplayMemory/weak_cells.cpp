@@ -49,7 +49,7 @@ TEST(WeakFloors, with_any_one_cell_that_reads_as_it_likes_stay_in_force) {
     for (int boots = 0; boots < 10; boots++) {
       rig.powerCycle();
       ASSERT_EQ(nonce(9, 40), rig.floor(0, SUPP)) << at;
-      ASSERT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 7))) << at;
+      ASSERT_EQ(ReplayMemory::BELOW_FLOOR, rig.judge(0, SUPO, nonce(5, 7))) << at;
       ASSERT_TRUE(rig.take(0, SUPO, nonce(6, static_cast<uint32_t>(100 * boots))));
       ASSERT_EQ(nonce(6, static_cast<uint32_t>(100 * boots + 31)), rig.floor(0, SUPO)) << at;
     }

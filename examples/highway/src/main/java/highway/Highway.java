@@ -11,7 +11,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.UnmatchedArgumentException;
-import uppaal.replay.Replay;
+import uppaal.conformance.Replay;
 
 /** The launcher of the five-vehicle scenario: exit status 0 if all behaviours were observed and the model
  * allows what the boards did, 1 if not; also of a run with a page that a signal ends, but that what was not seen yet

@@ -31,7 +31,7 @@ sealed interface Observation {
     /**
      * An acknowledgement that was sent (SPEC 7.3).
      *
-     * @param answers what it says: delivered, fragments or stale
+     * @param answers what it says (SPEC 7.3)
      */
     record Acknowledged(double seconds, String origin, String answers) implements Observation {}
 

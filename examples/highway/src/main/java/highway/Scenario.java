@@ -26,7 +26,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import trace.MalformedEventException;
 import trace.TraceEvent;
-import uppaal.replay.Replay;
+import uppaal.conformance.Replay;
 
 /**
  * One run: boards, keys, agents, and what is seen of them. Everything that is started here is ended by {@link #close}.

@@ -78,7 +78,7 @@ final class LegacyExchange {
             answers.addAll(read(Deadline.in(STEP)));
             awaitsLateOne = false;
         }
-        answers.stream().skip(1).forEach(stale -> counters.count(SessionCounter.STALE_REPLIES));
+        answers.stream().skip(1).forEach(late -> counters.count(SessionCounter.STALE_REPLIES));
         LegacyMessage answer = answers.get(answers.size() - 1);
         answerLength = answer.encode().length();
         return answer;

@@ -1,7 +1,7 @@
 package javino.protocol;
 
 /** CRC-16/X-25: polynomial 0x1021, reflected, initial value 0xFFFF, complemented (SPEC 4.1). */
-final class Crc16 {
+public final class Crc16 {
 
     private static final int REFLECTED_POLYNOMIAL = 0x8408;
     /** What each value of the low byte adds: bit by bit it would be most of the time that a packet takes. */
@@ -11,7 +11,7 @@ final class Crc16 {
     }
 
     /** The checksum, 0…0xFFFF. */
-    static int of(Bytes bytes) {
+    public static int of(Bytes bytes) {
         int crc = 0xFFFF;
         for (int i = 0; i < bytes.length(); i++) {
             crc = crc >> 8 ^ TABLE[(crc ^ bytes.at(i)) & 0xFF];

@@ -20,6 +20,6 @@ class VectorFilesTest {
 
     private static void compare(Map.Entry<String, String> file) throws IOException {
         assertEquals(file.getValue(), Files.readString(VectorFile.FOLDER.resolve(file.getKey())),
-                file.getKey() + " is stale: run gradle :javino-protocol:vectors");
+                file.getKey() + " is out of date: run gradle :javino-protocol:vectors");
     }
 }

@@ -23,7 +23,7 @@ import picocli.CommandLine;
 class CaptureCommandTest {
 
     private static final Path TRACES =
-            Path.of(System.getProperty("javino.root"), "uppaal/replay/src/test/resources/traces");
+            Path.of(System.getProperty("javino.root"), "optional/capture/src/test/resources/traces");
 
     @TempDir
     private Path folder;

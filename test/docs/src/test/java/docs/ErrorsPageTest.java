@@ -143,7 +143,7 @@ class ErrorsPageTest {
     private static void assertNoneMissing(String section, Stream<String> wanted,
             Predicate<String> isThere) {
         List<String> all = wanted.distinct().toList();
-        assertFalse(all.isEmpty(), "the sources have no errors for \"" + section + "\": is the pattern stale?");
+        assertFalse(all.isEmpty(), "the sources have no errors for \"" + section + "\": is the pattern out of date?");
         assertEquals(new TreeSet<String>(),
                 all.stream().filter(isThere.negate()).collect(Collectors.toCollection(TreeSet::new)),
                 "these have no entry in docs/errors.md, \"" + section + "\"");

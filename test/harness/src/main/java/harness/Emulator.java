@@ -25,7 +25,7 @@ import javino.board.Transitions;
 import trace.EmulatorControl;
 import trace.TraceEvent;
 import trace.TransitionHandler;
-import uppaal.replay.Replay;
+import uppaal.conformance.Replay;
 
 /**
  * A running {@code javino-emulator} with a scenario of its own, in a folder of its own. Its trace is replayed in the

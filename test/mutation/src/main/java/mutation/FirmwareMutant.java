@@ -43,8 +43,18 @@ record FirmwareMutant(String file, int line, String right, String what, String w
         return lines.lines().map(line -> gson.fromJson(line, FirmwareMutant.class)).toList();
     }
 
+    /** Where what it does is recorded. */
+    String folderName() {
+        return file.replaceAll("[/.]", "-") + "-" + line + "-" + Integer.toHexString(wrong.hashCode());
+    }
+
+    /** Whether it tells a trace point wrongly, or not. */
+    boolean lies() {
+        return right.contains("tell(");
+    }
+
     String folder() {
-        return file.substring(0, file.indexOf('/'));
+        return lies() ? "points" : file.substring(0, file.indexOf('/'));
     }
 
     /** A source with the change. */
@@ -96,12 +106,6 @@ record FirmwareMutant(String file, int line, String right, String what, String w
     /** How many parentheses more begin than end. */
     private static int opened(String text) {
         return text.replaceAll("[^(]", "").length() - text.replaceAll("[^)]", "").length();
-    }
-
-    /** Whether its line only counts something. */
-    boolean onlyCounts() {
-        return right.strip()
-                .matches("((if|for) \\(.*\\) )?(state_\\.count|admission_\\.drop|drop)\\(.*Counter::.*\\);");
     }
 
     private String with(String source, String changed) {

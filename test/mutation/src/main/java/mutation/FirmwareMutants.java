@@ -8,19 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.Consumer;
-import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** How many mutants of the firmware's delivery the replay of their traces kills. */
 final class FirmwareMutants implements Part {
@@ -29,8 +24,6 @@ final class FirmwareMutants implements Part {
     private static final int USUAL = 60;
     /** So begins the reason for a survivor that does harm. */
     private static final String UNSEEN = "unseen: ";
-    /** So the trace says that a program has left its flash. */
-    private static final String CRASH = "\"event\":\"crash\"";
     /** Of the air. A mutant that the first does not kill has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L);
     /**
@@ -47,10 +40,6 @@ final class FirmwareMutants implements Part {
 
     private record Judged(FirmwareMutant mutant, Fate fate, String why) {}
 
-    /** Why runs of the right firmware did not go well. A trap that no board comes to changes nothing. */
-    private final Queue<String> refused = new ConcurrentLinkedQueue<>();
-    private final Queue<String> failed = new ConcurrentLinkedQueue<>();
-
     @Override
     public String name() {
         return "firmware";
@@ -65,19 +54,22 @@ final class FirmwareMutants implements Part {
     public void run(Options options, Report report) throws Exception {
         Path place = options.root().resolve("test/mutation/build/firmware");
         List<FirmwareMutant> possible = FirmwareMutant.all(options.root()).stream()
-                .filter(mutant -> SOURCES.matcher(mutant.file()).matches() && !mutant.onlyCounts()).toList();
-        List<FirmwareMutant> chosen = options.draw(possible, USUAL);
+                .filter(mutant -> SOURCES.matcher(mutant.file()).matches()).toList();
+        List<FirmwareMutant> chosen = options.draw(Stream.of(false, true)
+                .flatMap(lies -> options.draw(possible.stream().filter(mutant -> mutant.lies() == lies).toList(), USUAL)
+                        .stream())
+                .toList(), 2 * USUAL);
         BlockingQueue<FirmwareBuild> builds = new LinkedBlockingQueue<>();
         int workers = Runtime.getRuntime().availableProcessors();
         for (int i = 0; i < workers; i++) {
             builds.add(new FirmwareBuild(options.root(), place.resolve("" + i), FirmwareBuild.command()));
         }
-        check(builds.peek());
+        check(builds.peek(), options.recorded());
         ExecutorService threads = Executors.newFixedThreadPool(workers);
         List<Judged> judged = new ArrayList<>();
         try {
             List<Future<Judged>> running = chosen.stream()
-                    .map(mutant -> threads.submit(() -> judged(mutant, builds, options.root()))).toList();
+                    .map(mutant -> threads.submit(() -> judged(mutant, builds, options))).toList();
             for (Future<Judged> each : running) {
                 judged.add(each.get());
                 report.progress("%d of %d: %s: %s %s", judged.size(), chosen.size(), each.get().mutant,
@@ -90,96 +82,87 @@ final class FirmwareMutants implements Part {
     }
 
     /** Unchanged firmware must pass, or nothing can be said of mutants. */
-    private static void check(FirmwareBuild build) throws IOException, InterruptedException {
-        Path program = build.build().orElseThrow(() -> new IOException("the firmware does not build"));
+    private static void check(FirmwareBuild build, Path recorded) throws IOException, InterruptedException {
         for (long seed : SEEDS) {
-            DeliveryRun.Result result = converse(program, seed, line -> {});
-            if (result.end() != DeliveryRun.End.FINE) {
-                throw new IllegalStateException("the unchanged firmware, with seed " + seed + ": " + result.why());
+            Recording right = new Recording(recorded.resolve("unchanged"), seed);
+            if (!right.isMade()) {
+                right.make(build.build().orElseThrow(() -> new IOException("the firmware does not build")));
+            }
+            String why = right.refusal().orElse(right.hosts());
+            if (!why.isEmpty()) {
+                throw new IllegalStateException("the unchanged firmware, with seed " + seed + ": " + why);
             }
         }
     }
 
-    private static DeliveryRun.Result converse(Path program, long seed, Consumer<String> trace)
+    private Judged judged(FirmwareMutant mutant, BlockingQueue<FirmwareBuild> builds, Options options)
             throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("javino-mutate");
-        try {
-            return DeliveryRun.run(program, seed, folder, trace);
-        } finally {
-            FirmwareBuild.delete(folder);
-        }
-    }
-
-    private Judged judged(FirmwareMutant mutant, BlockingQueue<FirmwareBuild> builds, Path root)
-            throws IOException, InterruptedException {
-        FirmwareBuild build = builds.take();
-        try {
-            String source = mutant.source(root);
-            Optional<Path> program = build.with(mutant.file(), mutant.in(source));
-            if (program.isEmpty()) {
+        Path folder = options.recorded().resolve(mutant.folderName());
+        Path unbuilt = folder.resolve("unbuilt");
+        String hosts = "";
+        for (long seed : SEEDS) {
+            Recording run = new Recording(folder, seed);
+            if (!Files.exists(unbuilt) && !run.isMade()) {
+                record(mutant, run, unbuilt, builds, options.root());
+            }
+            if (Files.exists(unbuilt)) {
                 return new Judged(mutant, Fate.UNBUILT, "");
             }
-            Judged failed = null;
-            for (long seed : SEEDS) {
-                DeliveryRun.Result result = converse(program.get(), seed, line -> {});
-                if (result.kept().isPresent()) {
-                    Files.delete(result.kept().get());
-                    return new Judged(mutant, Fate.REFUSED, result.why());
-                }
-                if (result.end() == DeliveryRun.End.FAILED) {
-                    failed = new Judged(mutant, Fate.FAILED, result.why());
-                }
+            Optional<String> refusal = run.refusal();
+            if (refusal.isPresent()) {
+                return new Judged(mutant, Fate.REFUSED, refusal.get());
             }
-            return failed != null ? failed
-                    : new Judged(mutant, isReached(mutant, source, build) ? Fate.SURVIVED : Fate.UNREACHED, "");
+            hosts = run.hosts().isEmpty() ? hosts : run.hosts();
+        }
+        return new Judged(mutant, !hosts.isEmpty() ? Fate.FAILED
+                : isReached(mutant, builds, options, folder) ? Fate.SURVIVED : Fate.UNREACHED, hosts);
+    }
+
+    private static void record(FirmwareMutant mutant, Recording run, Path unbuilt, BlockingQueue<FirmwareBuild> builds,
+            Path root) throws IOException, InterruptedException {
+        FirmwareBuild build = builds.take();
+        try {
+            Files.createDirectories(run.folder());
+            Files.writeString(run.folder().resolve("mutant"), mutant.toString());
+            Optional<Path> program = build.with(mutant.file(), mutant.in(mutant.source(root)));
+            if (program.isPresent()) {
+                run.make(program.get());
+            } else {
+                Files.createFile(unbuilt);
+            }
         } finally {
             builds.add(build);
         }
     }
 
     /** Whether boards come to the changed line; taken for granted where a trap cannot stand before it. */
-    private boolean isReached(FirmwareMutant mutant, String source, FirmwareBuild build)
-            throws IOException, InterruptedException {
-        Optional<Path> program =
-                mutant.takesTrap() ? build.with(mutant.file(), mutant.trapIn(source)) : Optional.empty();
-        if (program.isEmpty()) {
-            return true;
-        }
-        for (long seed : SEEDS) {
-            AtomicBoolean crashed = new AtomicBoolean();
-            DeliveryRun.Result result = converse(program.get(), seed, line -> {
-                if (line.contains(CRASH)) {
-                    crashed.set(true);
+    private static boolean isReached(FirmwareMutant mutant, BlockingQueue<FirmwareBuild> builds, Options options,
+            Path folder) throws IOException, InterruptedException {
+        Path known = folder.resolve("reached");
+        if (!Files.exists(known)) {
+            FirmwareBuild build = builds.take();
+            try {
+                Optional<Path> program = mutant.takesTrap()
+                        ? build.with(mutant.file(), mutant.trapIn(mutant.source(options.root()))) : Optional.empty();
+                boolean reached = program.isEmpty();
+                for (long seed : SEEDS) {
+                    reached = reached || new Recording(folder.resolve("trap"), seed).make(program.get());
                 }
-            });
-            if (crashed.get()) {
-                if (result.kept().isPresent()) {
-                    Files.delete(result.kept().get());
-                }
-                return true;
-            }
-            String why = "seed " + seed + ": " + result.why() + result.kept().map(file -> ", see " + file).orElse("");
-            switch (result.end()) {
-                case FINE -> {}
-                case REFUSED -> refused.add(why);
-                case FAILED -> failed.add(why);
+                Files.writeString(known, "" + reached);
+            } finally {
+                builds.add(build);
             }
         }
-        return false;
+        return Files.readString(known).equals("true");
     }
 
     private void describe(List<Judged> judged, int possible, Options options, Report report) {
         report.text("""
-            Of %d possible mutants of what decides when and what a board sends (another operator, a number greater or
-            less by one or twice as large, a negated condition, a removed statement, true for false), %d were drawn.
-            Lines that only count are left out. Each was planted alone into `Station`, which three emulated boards then
-            ran eight times, for 100 s of theirs at most, four times with a bit error rate of 0.001, twice with short
-            jams: unicasts, multicasts, broadcasts and contents in fragments, to partners that are there, away for a
-            while or never there, with a reset, a loss of power, and an attacker who repeats what was on the air, as it
-            was or changed. *Refused*: the replay of a trace says that no board does this. *Only hosts*: the trace is
-            accepted, but a message has no end, or has not come although it was reported so. *Not reached*: no board
-            comes to the line, or to the part of it that is changed. No board is a relay here. Hosts run in wall
-            time: on a machine that has much else to do they say less, and fewer mutants die.
+            Of %d possible mutants of what decides when and what a board sends, %d were drawn, half of them of lines
+            that tell a trace point, which lies then (*points*). Three emulated boards ran each eight times, for 100 s
+            of theirs at most, four times with bit errors, twice with jams. *Refused*: the replay of a trace says that
+            no board does this. *Only hosts*: the trace is accepted, but a message has no end, or has not come although
+            it was reported so. *Not reached*: no board comes to the line; none is a relay here.
             """.formatted(possible, judged.size()));
         Table table = new Table("folder", "drawn", "not built", "not reached", "refused", "only hosts", "neither",
                 "harmless", "refused of the others");
@@ -197,10 +180,6 @@ final class FirmwareMutants implements Part {
         report.never("survivors without a reason",
                 judged.stream().filter(each -> each.fate == Fate.SURVIVED)
                         .filter(each -> options.survivors().reason(each.mutant.toString()).isEmpty()).count());
-        refused.forEach(why -> report.progress("genuine, but refused: %s", why));
-        report.never("runs of unchanged firmware refused", refused.size());
-        failed.forEach(why -> report.progress("unchanged, but hosts failed: %s", why));
-        report.text("Runs of unchanged firmware in which hosts did not get what they must: " + failed.size() + ".");
     }
 
     private static void row(Table table, String name, List<Judged> judged, Options options) {
@@ -226,21 +205,14 @@ final class FirmwareMutants implements Part {
     }
 
     private static void survivors(List<Judged> judged, Survivors known, Report report) {
-        list("Accepted by the replay, but not by the hosts:\n\n| changed line | what hosts saw |", judged,
-                each -> each.fate == Fate.FAILED, each -> each.why, report);
-        list("Survivors:\n\n| changed line | does no harm, since; or is unseen, since |", judged,
-                each -> each.fate == Fate.SURVIVED, each -> known.reason(each.mutant.toString()).orElse(""), report);
-    }
-
-    private static void list(String head, List<Judged> judged, Predicate<Judged> which,
-            Function<Judged, String> why, Report report) {
-        String rows = judged.stream().filter(which)
+        String rows = judged.stream().filter(each -> each.fate == Fate.FAILED || each.fate == Fate.SURVIVED)
                 .map(each -> "| " + each.mutant.file() + ":" + each.mutant.line() + " "
                         + Mutate.cell(each.mutant.right().strip()) + ", " + Mutate.cell(each.mutant.what()) + " | "
-                        + why.apply(each).replace("|", "\\|") + " |")
+                        + (each.why + known.reason(each.mutant.toString()).orElse("")).replace("|", "\\|") + " |")
                 .sorted().collect(Collectors.joining("\n"));
         if (!rows.isEmpty()) {
-            report.text(head + "\n| --- | --- |\n" + rows);
+            report.text("Accepted:\n\n| changed line | what hosts saw, or why it does no harm or is unseen |\n"
+                    + "| --- | --- |\n" + rows);
         }
     }
 }

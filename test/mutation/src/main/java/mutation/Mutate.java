@@ -31,6 +31,10 @@ public final class Mutate implements Callable<Integer> {
             description = "of each model, of each change of a trace, and of the firmware so many (250, 40, 60)")
     private Integer mutants;
 
+    @Option(names = "--recorded", paramLabel = "FOLDER",
+            description = "what boards did with mutants of the firmware; what is missing there is recorded")
+    private Path recorded;
+
     private Mutate() {}
 
     public static void main(String[] arguments) {
@@ -53,7 +57,8 @@ public final class Mutate implements Callable<Integer> {
         }
         Path root = Path.of(System.getProperty("javino.root"));
         Options options = new Options(seed, Optional.ofNullable(mutants),
-                Survivors.read(root.resolve("test/mutation/survivors.txt")), root);
+                Survivors.read(root.resolve("test/mutation/survivors.txt")), root,
+                recorded == null ? root.resolve("test/mutation/build/recorded") : recorded);
         List<String> violations = new ArrayList<>();
         for (Part part : ALL) {
             if (only.contains(part.name())) {

@@ -13,8 +13,9 @@ import java.util.Random;
  * @param wanted    how many mutants of each kind; each part has a number of its own if it is not said
  * @param survivors those that are known, with reasons
  * @param root      the top of the repository
+ * @param recorded  a folder for what boards do with mutants of the firmware
  */
-record Options(long seed, Optional<Integer> wanted, Survivors survivors, Path root) {
+record Options(long seed, Optional<Integer> wanted, Survivors survivors, Path root, Path recorded) {
 
     /** How many mutants of a kind are tried, where this part would try so many. */
     int mutants(int usual) {

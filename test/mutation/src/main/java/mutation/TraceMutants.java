@@ -42,6 +42,9 @@ final class TraceMutants {
     /** What hosts and boards may say as often as they like. */
     private static final Set<String> REPEATED =
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
+    private static final List<String> OPERANDS =
+            List.of("number", "message", "key", "slots", "rounds", "attempts", "pending",
+                    "have", "nonce", "kept", "low", "place", "hops", "doubt", "counter");
     private static final List<String> OUTCOMES = List.of("sent", "delivered", "undelivered");
     private static final List<String> KINDS =
             List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement");
@@ -66,6 +69,7 @@ final class TraceMutants {
         for (int i = 0; i < lines.size(); i++) {
             all.order(i);
             all.fields(i);
+            all.declared(i);
         }
         for (int i = 0; i < all.packets.size(); i++) {
             all.times(i);
@@ -107,6 +111,24 @@ final class TraceMutants {
             asked(line).ifPresent(asked -> enter("before its packet", line, "",
                     (trace, it) -> trace.move(it, asked.seconds() + MOMENT - it.seconds())));
         }
+    }
+
+    /** What a board's program declares by trace points, and a host of its machines. */
+    private void declared(int line) {
+        TraceEvent event = genuine.events().get(line);
+        String name = event.is("point") ? "name" : "state";
+        if (!event.is("point") && !event.is("transition") || event.textOrEmpty("name").matches("QUIET|BUSY")) {
+            return;
+        }
+        enter(event.name() + " dropped", line, event.text(name), (trace, it) -> trace.events().remove(it));
+        if (!event.textOrEmpty("name").equals("TURN")) {
+            enter(event.name() + " told twice", line, event.text(name),
+                    (trace, it) -> trace.events().add(line + 1, it));
+        }
+        other(name, event).ifPresent(other -> enter("another " + name, line, event.text(name) + " as " + other,
+                (trace, it) -> trace.change(it, name, other)));
+        OPERANDS.stream().filter(event::has).forEach(operand -> enter("another operand", line,
+                event.text(name) + " " + operand, (trace, it) -> trace.change(it, operand, event.number(operand) + 1)));
     }
 
     private void fields(int line) {
@@ -444,7 +466,7 @@ final class TraceMutants {
         Set<String> values = new LinkedHashSet<>();
         for (TraceEvent each : genuine.events()) {
             if (each.has(field) && each.textOrEmpty(field).length() == event.textOrEmpty(field).length()
-                    || field.equals("board")) {
+                    || field.equals("board") || List.of("name", "state").contains(field) && each.is(event.name())) {
                 values.add(each.textOrEmpty(field));
             }
         }

@@ -7,14 +7,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import uppaal.replay.Replay;
+import uppaal.conformance.Replay;
 
 /** How many small changes of genuine traces the replay refuses. */
 final class Traces implements Part {
@@ -50,12 +49,10 @@ final class Traces implements Part {
             }
             Map<String, List<TraceMutant>> mutants = TraceMutants.of(trace.lines, options.seed()).stream()
                     .collect(Collectors.groupingBy(TraceMutant::operator, LinkedHashMap::new, Collectors.toList()));
-            // Each thread finds once what all mutants have in common.
-            ThreadLocal<Replay> like = ThreadLocal.withInitial(() -> new Replay(trace.keys));
             mutants.forEach((operator, all) -> byOperator.computeIfAbsent(operator, any -> new ArrayList<>())
                     .addAll(options.draw(all, USUAL).parallelStream()
                             .map(mutant -> new Judged(mutant, trace.name,
-                                    refused(mutant.lines().get(), like.get().another())))
+                                    refused(mutant.lines().get(), new Replay(trace.keys))))
                             .toList()));
             report.progress("%s done", trace.name);
         }
@@ -71,15 +68,14 @@ final class Traces implements Part {
             traces.add(new Genuine(name, Files.readAllLines(file),
                     file.resolveSibling(name.replace(".jsonl", ".keys"))));
         }
-        Path folder = options.root().resolve("test/mutation/build/today");
-        FirmwareBuild.delete(folder);
-        List<String> today = Collections.synchronizedList(new ArrayList<>());
-        DeliveryRun.Result result = DeliveryRun.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
-        Files.write(folder.resolve("trace.jsonl"), today);
-        if (result.end() == DeliveryRun.End.FAILED) {
-            throw new IllegalStateException("unchanged: " + result.why());
+        Recording today = new Recording(options.recorded().resolve("unchanged"), options.seed());
+        if (!today.isMade()) {
+            today.make(Emulator.firmware("Station"));
         }
-        traces.add(new Genuine("today's firmware", today, Emulator.keys(folder)));
+        if (!today.hosts().isEmpty()) {
+            throw new IllegalStateException("unchanged: " + today.hosts());
+        }
+        traces.add(new Genuine("today's firmware", today.lines(), today.keys()));
         return traces;
     }
 

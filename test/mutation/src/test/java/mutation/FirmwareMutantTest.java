@@ -88,17 +88,6 @@ class FirmwareMutantTest {
     }
 
     @Test
-    void onlyCounts_lineThatDoesMore_isFalse() {
-        for (String line : List.of("    state_.count(Counter::RADIO_OWN);",
-                "  if (!isKnown(frame)) admission_.drop(Counter::RADIO_OWN);")) {
-            assertTrue(new FirmwareMutant("a/B.cpp", 1, line, "", "").onlyCounts(), line);
-        }
-        for (String line : List.of("  if (isOwn) return drop(Counter::RADIO_OWN);", "  counts_ = 1;")) {
-            assertFalse(new FirmwareMutant("a/B.cpp", 1, line, "", "").onlyCounts(), line);
-        }
-    }
-
-    @Test
     void takesTrap_lineThatBeginsNoStatement_isFalse() {
         for (String line : List.of("const int SLOTS = 6;", "  } else {", "    case 1: return 2;")) {
             assertFalse(new FirmwareMutant("a/B.cpp", 1, line, "", "").takesTrap(), line);

@@ -2,7 +2,6 @@ package mutation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -63,16 +62,6 @@ class TraceMutantsTest {
                 assertFalse(lines.equals(mutant.lines().get()), mutant::toString);
             }
         }
-    }
-
-    @Test
-    void of_sameSeed_givesTheSame() {
-        assertEquals(all(1), all(1));
-        assertNotEquals(all(1), all(2));
-    }
-
-    private static List<List<String>> all(long seed) {
-        return TraceMutants.of(LINES, seed).stream().map(mutant -> mutant.lines().get()).toList();
     }
 
     @Test

@@ -131,9 +131,10 @@ public final class DocumentReader {
         Location target = end(only(element, "target", template), byId, template);
         String where = template + ", edge " + source.name() + " -> " + target.name();
         Xml.allow(element, where, "source", "target", "label", "nail");
-        Xml.allowLabels(element, where, "guard", "synchronisation", "assignment", "comments");
+        Xml.allowLabels(element, where, "guard", "synchronisation", "assignment", "testcode", "comments");
         return new Edge(source.name(), target.name(), Xml.label(element, "guard"),
-                Xml.label(element, "synchronisation"), Xml.label(element, "assignment"));
+                Xml.label(element, "synchronisation"), Xml.label(element, "assignment"),
+                Xml.label(element, "testcode"));
     }
 
     private static void unique(List<String> names, String where) {

@@ -8,11 +8,18 @@ package uppaal.document;
  * @param guard when it may be taken
  * @param synchronisation {@code channel!} or {@code channel?}
  * @param assignment what it changes
+ * @param points the trace points that boards take it at, with spaces between them
  */
-public record Edge(String source, String target, String guard, String synchronisation, String assignment) {
+public record Edge(String source, String target, String guard, String synchronisation, String assignment,
+        String points) {
+    /** One that no trace shows. */
+    public Edge(String source, String target, String guard, String synchronisation, String assignment) {
+        this(source, target, guard, synchronisation, assignment, "");
+    }
+
     /** This edge with another synchronisation; empty for none. */
     public Edge withSynchronisation(String changed) {
-        return new Edge(source, target, guard, changed, assignment);
+        return new Edge(source, target, guard, changed, assignment, points);
     }
 
     /** Where it leads: {@code Idle -> Connected}. */

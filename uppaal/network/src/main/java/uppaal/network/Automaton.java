@@ -2,9 +2,7 @@ package uppaal.network;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
 import uppaal.document.Location;
 import uppaal.language.Scope;
@@ -17,7 +15,7 @@ public final class Automaton {
     private final List<Location> locations;
     private final List<Term> invariants;
     private final Set<Integer> clocks;
-    private final List<Map<Integer, Limits>> limits;
+    private final List<Set<Integer>> active;
     private final List<List<Transition>> outgoing;
     private final Scope scope;
 
@@ -27,41 +25,23 @@ public final class Automaton {
      * @param clocks the slots of its own clocks
      * @param transitions in the order of the file
      * @param scope what the names in the template stand for in this instance
-     * @param greatest the greatest value that what a clock is compared with can have
      */
     Automaton(String name, int slot, List<Location> locations, List<Term> invariants, Set<Integer> clocks,
-            List<Transition> transitions, Scope scope, ToIntFunction<Term> greatest) {
+            List<Transition> transitions, Scope scope) {
         this.name = name;
         this.slot = slot;
         this.locations = List.copyOf(locations);
         this.invariants = List.copyOf(invariants);
         this.clocks = Set.copyOf(clocks);
         this.scope = scope;
-        ClockLimits analysis = new ClockLimits(invariants, transitions, greatest);
-        this.limits = analysis.byLocation();
-        List<Transition> resetting = analysis.resetting(clocks, limits);
+        ActiveClocks analysis = new ActiveClocks(invariants, transitions);
+        this.active = analysis.byLocation();
+        List<Transition> resetting = analysis.resetting(clocks, active);
         this.outgoing = new ArrayList<>();
         for (int i = 0; i < locations.size(); i++) {
             int source = i;
             outgoing.add(resetting.stream().filter(transition -> transition.source() == source).toList());
         }
-    }
-
-    private Automaton(Automaton whole, List<List<Transition>> outgoing) {
-        this.name = whole.name;
-        this.slot = whole.slot;
-        this.locations = whole.locations;
-        this.invariants = whole.invariants;
-        this.clocks = whole.clocks;
-        this.scope = whole.scope;
-        this.limits = whole.limits;
-        this.outgoing = outgoing;
-    }
-
-    /** As it is, but that it sets no other slots than these. */
-    Automaton setting(Set<Integer> slots) {
-        return new Automaton(this, outgoing.stream()
-                .map(leaving -> leaving.stream().map(transition -> transition.setting(slots)).toList()).toList());
     }
 
     /** The name of the instance. */
@@ -106,13 +86,8 @@ public final class Automaton {
 
     /** The locations, by index, where the clock of this slot, one of its own, matters. */
     public List<Integer> active(int clock) {
-        return IntStream.range(0, limits.size()).filter(location -> limits.get(location).containsKey(clock)).boxed()
+        return IntStream.range(0, active.size()).filter(location -> active.get(location).contains(clock)).boxed()
                 .toList();
-    }
-
-    /** What the clock of this slot is compared with from the location of this index on. */
-    Limits limits(int location, int clock) {
-        return limits.get(location).getOrDefault(clock, Limits.NONE);
     }
 
     /** What must be true as long as it is at the location of this index. */

@@ -40,7 +40,7 @@ final class ClockRanges {
     }
 
     /** The greatest value that a term can have: of numbers, variables and their sums. */
-    int greatest(Term term) {
+    private int greatest(Term term) {
         if (term instanceof Term.Constant constant) {
             return constant.number();
         } else if (term instanceof Term.Variable variable) {

@@ -76,8 +76,7 @@ public final class NetworkBuilder {
                 .map(edge -> transition(edge, locations, scope, where + ", edge " + edge.path())).toList();
         Set<Integer> clocks = IntStream.range(slot, slots.size()).filter(i -> slots.get(i).clock()).boxed()
                 .collect(Collectors.toSet());
-        return new Automaton(instance.name(), slot, template.locations(), invariants, clocks, transitions, scope,
-                new ClockRanges(slots, document.file())::greatest);
+        return new Automaton(instance.name(), slot, template.locations(), invariants, clocks, transitions, scope);
     }
 
     private static Transition transition(Edge edge, List<String> locations, Scope scope, String where) {
@@ -89,7 +88,8 @@ public final class NetworkBuilder {
         }
         return new Transition(index(edge.source(), locations, where), index(edge.target(), locations, where), guard,
                 synchronisation,
-                Labels.assignments(edge.assignment(), scope, where + ", assignment"));
+                Labels.assignments(edge.assignment(), scope, where + ", assignment"),
+                edge.points().isBlank() ? Set.of() : Set.of(edge.points().split("\\s+")));
     }
 
     private static int index(String location, List<String> locations, String where) {

@@ -15,18 +15,19 @@ import uppaal.language.Term;
  * @param guard when it may be taken
  * @param synchronisation empty for a move that the automaton makes alone
  * @param assignments what it changes, in this order
+ * @param points the trace points that boards take it at
  */
 public record Transition(int source, int target, Term guard, Optional<Labels.Synchronisation> synchronisation,
-        List<Labels.Assignment> assignments) {
-    /** Copies the list, so that a transition never changes. */
+        List<Labels.Assignment> assignments, Set<String> points) {
+    /** Copies the collections, so that a transition never changes. */
     public Transition {
         assignments = List.copyOf(assignments);
+        points = Set.copyOf(points);
     }
 
-    /** As it is, but that it sets no other slots than these. */
-    Transition setting(Set<Integer> slots) {
-        return new Transition(source, target, guard, synchronisation,
-                assignments.stream().filter(assignment -> slots.contains(assignment.slot())).toList());
+    /** As it is, but that it makes these assignments. */
+    Transition assigning(List<Labels.Assignment> changed) {
+        return new Transition(source, target, guard, synchronisation, changed, points);
     }
 
     /** Whether it needs no other automaton. */
@@ -42,11 +43,6 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
     /** Whether no time passes while it can be taken. */
     boolean urgent() {
         return synchronisation.isPresent() && synchronisation.get().channel().urgent();
-    }
-
-    /** Whether it cannot be left out where its guard is true and its channel is used. */
-    boolean mustHear() {
-        return synchronisation.isPresent() && !sends() && synchronisation.get().channel().broadcast();
     }
 
     /** Whether it has {@code channel?}. */

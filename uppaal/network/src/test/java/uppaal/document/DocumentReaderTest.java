@@ -39,8 +39,8 @@ class DocumentReaderTest {
                 + "<location id='a' x='0' y='0'><name>First</name><label kind='comments'>c</label></location>"
                 + "<location id='b'><committed/></location><location id='c'><urgent/></location><init ref='b'/>"
                 + "<transition><source ref='a'/><target ref='b'/><label kind='guard'> x &lt; 1 </label>"
-                + "<label kind='synchronisation'>c!</label><label kind='assignment'>x++</label><nail x='1' "
-                + "y='2'/></transition>"
+                + "<label kind='synchronisation'>c!</label><label kind='assignment'>x++</label>"
+                + "<label kind='testcode'>POINT</label><nail x='1' y='2'/></transition>"
                 + "</template><system>system T;</system><queries/></nta>");
 
         Template template = document.template("T");
@@ -54,7 +54,7 @@ class DocumentReaderTest {
         assertEquals(new Location("c", Location.Haste.URGENT, ""), template.locations().get(2));
         assertTrue(template.locations().get(2).urgent() && template.locations().get(1).urgent());
         assertFalse(template.locations().get(2).committed() || template.locations().get(0).urgent());
-        assertEquals(new Edge("First", "b", "x < 1", "c!", "x++"), template.edges().get(0));
+        assertEquals(new Edge("First", "b", "x < 1", "c!", "x++", "POINT"), template.edges().get(0));
     }
 
     @ParameterizedTest

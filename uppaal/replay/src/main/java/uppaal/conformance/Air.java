@@ -1,0 +1,85 @@
+package uppaal.conformance;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import trace.TraceEvent;
+
+/** The packets of the last time, and what the trace does not tell of the air. */
+final class Air {
+    /** Without training, a board hears a packet from this bit on (SPEC 6). */
+    static final int UNTRAINED_BITS = 30;
+    /** What makes more or less heard than the trace tells. */
+    private static final List<String> UNCERTAIN =
+            List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture", "loss", "module");
+    private static final Set<String> BREAKS = Set.of("reset", "fault", "command", "crash");
+    /** Commands that change nothing of what boards hear. */
+    private static final Set<String> HARMLESS = Set.of("send", "speed", "light", "sensor");
+
+    private final Deque<Transmission> recent = new ArrayDeque<>();
+    private final Header header;
+    private final boolean isCertain;
+    private double disturbed = Double.NEGATIVE_INFINITY;
+    /** Since when a packet is sent by command that the trace has not told, as it may end before. */
+    private double injected = Double.POSITIVE_INFINITY;
+
+    Air(Header header) {
+        this.header = header;
+        isCertain = UNCERTAIN.stream().noneMatch(header::hasRadio);
+    }
+
+    void begins(Transmission packet) {
+        injected = header.boards().contains(packet.board()) ? injected : Double.POSITIVE_INFINITY;
+        recent.addLast(packet);
+        while (!isKept(recent.getFirst())) {
+            recent.removeFirst();
+        }
+    }
+
+    /** Whether a packet is so young that it may still matter. */
+    boolean isKept(Transmission packet) {
+        return packet.end() >= now() - 2 * header.longest();
+    }
+
+    /** When the last packet began, in seconds. */
+    double now() {
+        return recent.isEmpty() ? 0 : recent.getLast().start();
+    }
+
+    /** Takes notice of what breaks packets off, which the trace then does not tell. */
+    void event(TraceEvent event) {
+        if (event.textOrEmpty("do").equals("send")) {
+            injected = event.seconds();
+        }
+        if (BREAKS.contains(event.name()) && !HARMLESS.contains(event.textOrEmpty("do"))) {
+            disturbed = Math.max(disturbed, event.has("until") ? event.real("until") : event.seconds());
+        }
+    }
+
+    /** Whether the trace tells all that was on the air from then on. */
+    boolean isKnownSince(double moment) {
+        return isCertain && disturbed < moment - header.longest();
+    }
+
+    /** The packet that reaches a board, perhaps damaged. */
+    Optional<Transmission> sent(TraceEvent reception) {
+        String from = reception.textOrEmpty("from");
+        double start = reception.real("start");
+        return recent.stream().filter(packet -> packet.board().equals(from)
+                && Math.abs(packet.start() - start) < PhysicalLimits.ARRIVAL_BITS * header.bit()).findFirst();
+    }
+
+    /** Whether nobody sends at any time between two. */
+    boolean isSilent(double from, double to) {
+        return to < injected && recent.stream().allMatch(packet -> packet.end() < from || packet.start() > to);
+    }
+
+    /** Whether nobody else, within range or not, sends between two moments of a packet. */
+    boolean isAlone(Transmission packet, double from, double to) {
+        double bits = UNTRAINED_BITS * header.bit();
+        return recent.stream()
+                .noneMatch(other -> other != packet && other.start() < to + bits && other.end() > from - bits);
+    }
+}

@@ -1,0 +1,229 @@
+package uppaal.conformance;
+
+import static uppaal.conformance.RefusedException.require;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import javino.protocol.Payload;
+import trace.TraceEvent;
+
+/**
+ * The air: each packet has its declared send and the reverse, takes the time that its bits need, reaches others as it
+ * was sent, and was sent when its board heard nobody; what boards declare to hear is there.
+ */
+final class AirCheck implements Check {
+    /** Points at which a board's radio takes a packet. */
+    static final Set<String> SENDS = Set.of("SEND", "SEND_PART", "ANSWER", "RELAY_COPY", "RELAY_ANSWER");
+    /** SPEC 6: a carrier is heard from this bit on, and never for so long without an edge. */
+    private static final int HEARD_BITS = 12;
+    private static final int SILENT_BITS = 10;
+    private static final Set<String> BOOTS = Set.of("reset", "fault", "crash");
+    /** What a reset may take of a packet's end (emulator/README.md, rf-tx). */
+    private static final int LOST_BITS = 12;
+
+    /** A board's side of the air. */
+    private static final class Station {
+        final QuietAir quiet = new QuietAir();
+        /** Whether it runs our firmware: it declares points, or greets a host of ours. Others may send anything. */
+        boolean isOurs;
+        /** The send that it has declared, and that is not yet on the air. */
+        Point declared;
+        /** What its last packet lacks, unless a reset took it. */
+        RefusedException lacks;
+        double lacksSince;
+    }
+
+    private final Map<String, Station> stations = new HashMap<>();
+    private final Map<Transmission, Set<String>> reached = new HashMap<>();
+    private final Header header;
+    private final Air air;
+    private final double bit;
+
+    AirCheck(Header header) {
+        this.header = header;
+        bit = header.bit();
+        air = new Air(header);
+        header.boards().forEach(board -> stations.put(board, new Station()));
+    }
+
+    @Override
+    public void point(Point point) throws RefusedException {
+        Station station = stations.computeIfAbsent(point.board(), added -> new Station());
+        station.isOurs = true;
+        if (station.lacks != null) {
+            throw station.lacks;
+        }
+        if (SENDS.contains(point.name())) {
+            if (station.declared != null) {
+                throw unsent(station.declared);
+            }
+            station.declared = point;
+        } else if (point.is("BUSY") && !station.quiet.isBusy() && isQuietFor(point)) {
+            throw new RefusedException(point.board() + " declares that it hears a carrier", "silence: nobody sends");
+        }
+        station.quiet.point(point);
+    }
+
+    private static RefusedException unsent(Point declared) {
+        return new RefusedException(String.format(Locale.ROOT, "%s has declared %s at %.6f s, and nothing was on the "
+                + "air", declared.board(), declared.name(), declared.seconds()), "a packet of its own");
+    }
+
+    /**
+     * Whether nobody was on the air since the run() before, nor in the time before in which a board hears on. What was
+     * declared may be there, but for a reset or the trace's end.
+     */
+    private boolean isQuietFor(Point busy) {
+        double from = busy.run() - busy.gap() - (SILENT_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
+        return air.isKnownSince(from) && air.isSilent(from, busy.seconds())
+                && stations.values().stream().allMatch(other -> other.declared == null);
+    }
+
+    @Override
+    public void begins(Transmission packet) throws RefusedException {
+        air.begins(packet);
+        reached.keySet().removeIf(before -> !air.isKept(before));
+        Station station = stations.get(packet.board());
+        if (station == null || !station.isOurs) {
+            return;
+        }
+        require(station.declared != null, packet.board() + " sends " + packet + " that it has not declared",
+                "one of " + String.join(", ", new TreeSet<>(SENDS)) + " before");
+        checkDeclared(packet, station.declared);
+        station.declared = null;
+    }
+
+    private void checkDeclared(Transmission packet, Point declared) throws RefusedException {
+        Payload payload = packet.payload();
+        boolean isRelays = declared.name().startsWith("RELAY_");
+        int hops = isRelays ? declared.operand("hops") : 0;
+        boolean isExpected = switch (declared.name()) {
+            case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
+            case "RELAY_COPY" -> payload.kind() == Payload.Kind.UNICAST;
+            default -> payload.isAcknowledgement();
+        };
+        require(isExpected && packet.hops() == hops, packet.board() + " sends " + packet + " with " + packet.hops() +
+                " hops behind it", declared.name() + ", as it has declared, with " + hops);
+        double late = packet.start() - declared.seconds();
+        if (!packet.isOfModule() && (late < 0 || late > 2 * bit)) {
+            throw new RefusedException(String.format(Locale.ROOT, "%s sends %s %.6f s behind its %s", packet.board(),
+                    packet, late, declared.name()), "at once");
+        }
+        require(packet.trailer().isEmpty() || packet.mayHaveTrailer(), packet.board() + " sends " + packet +
+                " with a trailer", "none");
+    }
+
+    @Override
+    public void ends(Transmission packet) throws RefusedException {
+        Station station = stations.get(packet.board());
+        if (station == null || !station.isOurs) {
+            return;
+        }
+        int bits = packet.bits();
+        int all = packet.expectedBits();
+        if (bits != all && !packet.isCut()) {
+            station.lacks = new RefusedException(packet.board() + " sends " + bits + " bits", all + " for these bytes"
+                    + (packet.trailer().isEmpty() ? "" : " and this trailer"));
+            station.lacksSince = packet.end();
+            if (bits < packet.wholeBits() || bits > all) {
+                throw station.lacks;
+            }
+        }
+        double seconds = packet.end() - packet.start();
+        double expected = (bits - 1) * bit * header.second(packet.board());
+        if (!packet.isOfModule() && Math.abs(seconds - expected) > bit) {
+            throw new RefusedException(
+                    String.format(Locale.ROOT, "%s sends %d bits in %.6f s", packet.board(), bits, seconds),
+                    String.format(Locale.ROOT, "%.6f s", expected));
+        }
+    }
+
+    @Override
+    public void event(TraceEvent event) throws RefusedException {
+        air.event(event);
+        Station station = stations.get(event.board());
+        if (event.is("rf-rx") || event.is("rf-damaged")) {
+            reaches(event);
+        } else if (event.is("host-id")) {
+            station.isOurs = true;
+        } else if (station != null && BOOTS.contains(event.name())) {
+            double lost = (LOST_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
+            if (station.lacks != null && event.seconds() > station.lacksSince + lost) {
+                throw station.lacks;
+            }
+            station.lacks = null;
+            station.declared = null;
+            station.quiet.reset(event.seconds());
+        }
+    }
+
+    private void reaches(TraceEvent event) throws RefusedException {
+        String from = event.textOrEmpty("from");
+        Optional<Transmission> sent = air.sent(event);
+        require(sent.isPresent() && !from.equals(event.board()), event.board() + " hears a packet" +
+                (from.isEmpty() ? "" : " of " + from + " begin at " + event.real("start") + " s"),
+                "one that another board sent");
+        Transmission packet = sent.get();
+        require(reached.computeIfAbsent(packet, added -> new HashSet<>()).add(event.board()), event.board() +
+                " hears " + packet + " twice", "once");
+        double whole = packet.start() + (packet.wholeBits() - 2) * bit * header.second(packet.board());
+        double last = packet.end() + 2 * PhysicalLimits.ARRIVAL_BITS * bit;
+        double end = event.real("end");
+        if (!packet.isOfModule() && (end < Math.min(whole, packet.end()) || end > last || event.seconds() > last
+                || event.seconds() < whole)) {
+            throw new RefusedException(event.board() + " hears " + packet + " end at another time than it was sent",
+                    String.format(Locale.ROOT, "%.6f to %.6f s", whole, last));
+        }
+        if (event.is("rf-rx")) {
+            checkSame(event, packet);
+        }
+        hears(event, packet);
+    }
+
+    private static void checkSame(TraceEvent event, Transmission packet) throws RefusedException {
+        Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
+        require(payload.equals(packet.payload()) && event.hops() == packet.hops(), event.board() +
+                " hears a packet of " + packet.board() + " other than it was sent",
+                packet.payload().hex() +
+                        " with " + packet.hops() + " hops behind it");
+    }
+
+    /** What a board that a packet reached has heard of it, and when. */
+    private void hears(TraceEvent event, Transmission packet) throws RefusedException {
+        QuietAir quiet = stations.get(event.board()).quiet;
+        double from = event.real("start") + HEARD_BITS * bit;
+        double to = packet.start() + packet.wholeBits() * bit * header.second(packet.board());
+        if (packet.isOfModule() || !air.isKnownSince(packet.start())
+                || !air.isAlone(packet, packet.start(), packet.start())) {
+            return;
+        }
+        Optional<Point> into = quiet.sentWithin(from + 2 * bit, to);
+        if (into.isPresent()) {
+            throw new RefusedException(String.format(Locale.ROOT, "%s has sent at %.6f s into %s, which it has heard "
+                    + "since %.6f s", event.board(), into.get().run(), packet, from), "silence");
+        }
+        if (event.is("rf-rx")) {
+            double since = quiet.busySince(to);
+            if (since > from + (Air.UNTRAINED_BITS - HEARD_BITS) * bit) {
+                throw new RefusedException(
+                        String.format(Locale.ROOT, "%s declares no carrier at %.6f s, while it hears "
+                                + "%s", event.board(), from, packet),
+                        "BUSY at its first run() behind that");
+            }
+        }
+    }
+
+    @Override
+    public void end() throws RefusedException {
+        for (Station station : stations.values()) {
+            if (station.declared != null && station.declared.seconds() < air.now() - header.longest()) {
+                throw unsent(station.declared);
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package uppaal.conformance;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+
+/** The automata of {@code delivery.xml} with all parameters that a trace needs; patience is counted in rounds. */
+final class DeliveryModels {
+    private static final String FILE = "delivery.xml";
+    private static final int ATTEMPTS = 8;
+    private static final int MULTICASTS = 2;
+    private static final int WIDEST = 256;
+    private static final int ME = 1;
+    private static final int PEER = 2;
+    private static final int GROUP = 4;
+    /** A round is 150 ms: alone, where a relay may be there, and where one has copied the message. */
+    private static final Map<String, Integer> ROUNDS =
+            Map.of("PATIENCE", 1, "LATE_PATIENCE", 4, "RELAY_PATIENCE", 20);
+    /** What is set from outside: all that a guard asks of the channel and of how long a location lasts. */
+    private static final Map<String, Integer> OUTSIDE = Map.of("quiet", WIDEST, "to", ME, "from", PEER, "nonce",
+            1, "genuine", 1);
+
+    private final Map<String, Model> models = new HashMap<>();
+
+    /** @param kind unicast, multicast or broadcast */
+    Instance sender(String kind, boolean isCut, int number) {
+        boolean isUnicast = kind.equals("unicast");
+        int most = isUnicast ? ATTEMPTS : kind.equals("multicast") ? MULTICASTS : 1;
+        return instance("Sender " + kind + isCut, "transmission " + number, () -> new Model(FILE, "Sender", ROUNDS, ME,
+                PEER, 1, 0, flag(isUnicast), flag(isCut), most, WIDEST, WIDEST));
+    }
+
+    Instance receiver(String kind, int number) {
+        return instance("Receiver " + kind, "message " + number, () -> new Model(FILE, "Receiver", ROUNDS, ME, GROUP,
+                PEER, 1, flag(!kind.equals("broadcast")), flag(kind.equals("unicast")), 1, 0));
+    }
+
+    Instance answer(String name) {
+        return instance("Answer", name, () -> new Model(FILE, "Answer", ROUNDS, ME, PEER, 1));
+    }
+
+    /** What a point's guard is to see, beside more. */
+    static Map<String, Integer> outside(Map<String, Integer> more) {
+        Map<String, Integer> all = new HashMap<>(OUTSIDE);
+        all.putAll(more);
+        return all;
+    }
+
+    static int flag(boolean is) {
+        return is ? 1 : 0;
+    }
+
+    private Instance instance(String which, String name, Supplier<Model> made) {
+        return models.computeIfAbsent(which, added -> made.get()).instance(name);
+    }
+
+    /** All edges that boards declare. */
+    static Set<String> edges() {
+        Set<String> all = new TreeSet<>();
+        DeliveryModels made = new DeliveryModels();
+        made.sender("unicast", false, 0);
+        made.receiver("unicast", 0);
+        made.answer("");
+        made.models.values().forEach(model -> all.addAll(model.edges()));
+        return all;
+    }
+
+    /** The edges that boards have declared. */
+    Set<String> covered() {
+        Set<String> all = new TreeSet<>();
+        models.values().forEach(model -> all.addAll(model.covered()));
+        return all;
+    }
+}

@@ -1,0 +1,123 @@
+package uppaal.conformance;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import javino.protocol.Counter;
+import javino.protocol.Payload;
+import trace.TraceEvent;
+
+/** A board tells of each undamaged packet what has become of it, by the end of the first run() behind it. */
+final class FateCheck implements Check {
+    private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
+            "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD", "COPIED", "RELAY_NEW",
+            "RELAY_ANSWERED");
+    private static final Set<Counter> COUNTED = Set.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
+            Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG,
+            Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.RADIO_REPEATS,
+            Counter.RADIO_FRAGMENTS_DROPPED, Counter.RADIO_BAD_PROOFS, Counter.RADIO_STALE, Counter.RADIO_BLOCKED,
+            Counter.RADIO_DOUBTFUL, Counter.RADIO_ANSWERS_TOLERATED, Counter.MEMORY_DAMAGED);
+
+    private static final int LOW_BYTE = 0xFF;
+    private static final int NUMBERS = 256;
+
+    /** A board with a host. */
+    private static final class Receiver {
+        /** Whether it runs since its last reset. */
+        boolean isRunning;
+        /** What it has not told of; nothing where it may have missed it. */
+        Transmission waits;
+        double since;
+        /** The last bytes of the nonces in its inbox, and the number of the first. */
+        final List<Integer> inbox = new ArrayList<>();
+        int first;
+        /** Whether it is to acknowledge again what its host has taken. */
+        boolean owes;
+
+        void reset() {
+            isRunning = false;
+            waits = null;
+            inbox.clear();
+            first = 0;
+            owes = false;
+        }
+
+        private boolean isTakenAgain(Point point) {
+            return point.is("COUNT") && point.operand("counter") == Counter.RADIO_REPEATS.number() && waits != null
+                    && waits.payload().kind() == Payload.Kind.UNICAST
+                    && !inbox.contains(waits.payload().lastBits() & LOW_BYTE);
+        }
+    }
+
+    private final Map<String, Receiver> receivers = new HashMap<>();
+    private final Air air;
+    private final double arrival;
+
+    FateCheck(Header header) {
+        air = new Air(header);
+        arrival = PhysicalLimits.ARRIVAL_BITS * header.bit();
+    }
+
+    @Override
+    public void begins(Transmission packet) {
+        air.begins(packet);
+    }
+
+    @Override
+    public void point(Point point) throws RefusedException {
+        Receiver receiver = receivers.get(point.board());
+        if (receiver == null || !point.event().has("run")) {
+            return;
+        }
+        receiver.isRunning = true;
+        if (point.is("QUEUED")) {
+            receiver.inbox.add(point.operand("nonce"));
+        } else if (point.is("TAKEN")) {
+            int end = Math.floorMod(point.operand("message") + 1 - receiver.first, NUMBERS);
+            receiver.inbox.subList(0, Math.min(end, receiver.inbox.size())).clear();
+            receiver.first = (point.operand("message") + 1) % NUMBERS;
+        }
+        point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
+                "OWE_DELIVERED, as what its host has taken has come again");
+        receiver.owes = receiver.isTakenAgain(point) || receiver.owes && point.is("COUNT");
+        if (isFate(point)) {
+            receiver.waits = null;
+        } else if (receiver.waits != null && point.run() - point.gap() > receiver.since + arrival) {
+            throw new RefusedException(point.board() + " has not told what became of " + receiver.waits,
+                    "a point or COUNT for it");
+        }
+    }
+
+    private static boolean isFate(Point point) {
+        return FATES.contains(point.name()) || point.is("COUNT") && COUNTED.stream()
+                .anyMatch(counter -> counter.number() == point.operand("counter"));
+    }
+
+    @Override
+    public void event(TraceEvent event) {
+        air.event(event);
+        switch (event.name()) {
+            case "host-id" -> receivers.computeIfAbsent(event.board(), added -> new Receiver());
+            case "reset", "fault", "crash" ->
+                Optional.ofNullable(receivers.get(event.board())).ifPresent(Receiver::reset);
+            case "rf-rx" -> {
+                Receiver receiver = receivers.get(event.board());
+                if (receiver != null && receiver.isRunning) {
+                    // It keeps few: the first of two it may have had no place for.
+                    receiver.waits = receiver.waits == null ? air.sent(event).filter(this::isSure).orElse(null) : null;
+                    receiver.since = event.seconds();
+                }
+            }
+            default -> {}
+        }
+    }
+
+    /** Boards without relays do not take copies. */
+    private boolean isSure(Transmission packet) {
+        return packet.hops() == 0 && !packet.isOfModule() && air.isKnownSince(packet.start())
+                && air.isAlone(packet, packet.start(), packet.end());
+    }
+}

@@ -1,0 +1,70 @@
+package uppaal.conformance;
+
+import java.util.Set;
+import javino.protocol.Airtime;
+import javino.protocol.Payload;
+import trace.TraceEvent;
+
+/**
+ * A packet on the air.
+ *
+ * @param trailer {@code mark}, {@code parity} or empty (SPEC 6.1)
+ * @param hops relays behind it, modulo 3
+ * @param start of its first bit, in seconds
+ * @param end of its last one, and of its trailer's
+ */
+record Transmission(TraceEvent event, Payload payload, int hops, String trailer, int bits, double start,
+        double end) {
+
+    private static final Set<String> OF_ONE_MESSAGE = Set.of("unicast", "fragment");
+    private static final int MARK_BITS = 12;
+    private static final int PARITY_BITS = 12 * 17;
+    private static final int SHORT_PARITY_BITS = 12 * 13;
+    /** The most bytes of payload whose parity is short. */
+    private static final int SHORT_PAYLOAD = 45;
+
+    static Transmission of(TraceEvent event) {
+        Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
+        return new Transmission(event, payload, event.hops(), event.textOrEmpty("trailer"), event.number("bits"),
+                event.real("start"), event.real("end"));
+    }
+
+    String board() {
+        return event.board();
+    }
+
+    boolean isOfModule() {
+        return event.has("radio");
+    }
+
+    /** The bits that its bytes and its trailer need (SPEC 6, 6.1). */
+    int expectedBits() {
+        return wholeBits() + switch (trailer) {
+            case "mark" -> MARK_BITS;
+            case "parity" -> payload.bytes().length() <= SHORT_PAYLOAD ? SHORT_PARITY_BITS : PARITY_BITS;
+            default -> 0;
+        };
+    }
+
+    /** Without the trailer. */
+    int wholeBits() {
+        int length = payload.bytes().length();
+        return isOfModule() ? Airtime.moduleBits(length) : Airtime.bits(length);
+    }
+
+    boolean mayHaveTrailer() {
+        return hops == 0 && OF_ONE_MESSAGE.contains(payload.kind().toString());
+    }
+
+    /** Whether a reset or the trace's end may have taken its last bits. */
+    boolean isCut() {
+        return event.has("cut");
+    }
+
+    @Override
+    public String toString() {
+        String kind = payload.kind().toString();
+        return (hops == 0 ? payload.isAcknowledgement() ? "an " : "a " : "a copy of a ") + kind + " of "
+                + payload.origin();
+    }
+}

@@ -1,0 +1,209 @@
+package uppaal.conformance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What boards must not put on the air, by scripts of {@link TestTrace}: the last step is the one that is refused. */
+class ByteCheckTest {
+    private static final String ASKED = "police asks SUPP help; police seals 0; ";
+    private static final String SENT = ASKED + "police sends 0 s:SUPP:0:help; ";
+    private static final String TAKEN = SENT + "support queues 0; support hands 0 SUPP 010000 help; ";
+    private static final String DELIVERED = TAKEN + "support answers DELIVERED a:0:; ";
+    private static final String LONG = "police asks SUPP LONG; police seals 0; ";
+    private static final String BEGUN = LONG + "police parts 0 f:AA:s:SUPP:0:LONG; ";
+    private static final String ASKING = BEGUN + "police sends 0 f:AJ:s:SUPP:0:LONG; ";
+    private static final String STALE = SENT + "support boots 000002; police sends 0 s:SUPP:0:help; ";
+    private static final Map<String, String> BEGINNINGS = Map.of("ASKED", ASKED, "SENT", SENT, "TAKEN", TAKEN,
+            "DELIVERED", DELIVERED, "LONG", LONG, "BEGUN", BEGUN, "ASKING", ASKING, "STALE", STALE);
+
+    private static TestTrace trace(String script) {
+        String[] parts = script.split("; ", 2);
+        return new TestTrace(BEGINNINGS.containsKey(parts[0])
+                ? BEGINNINGS.get(parts[0]) + (parts.length > 1 ? parts[1] : "") : script);
+    }
+
+    private static String shown(TestTrace trace) {
+        return trace.verdict(ByteCheck::new) + "; without keys: " + trace.verdictWithoutKeys(ByteCheck::new);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "DELIVERED; police DELIVERED number=0 | 1, 1",
+            "TAKEN; support OWE_DELIVERED nonce=0 key=0; support OWE_TWICE; support answers nothing a:0:; "
+                    + "support answers nothing a:0: | 1, 2",
+            "TAKEN; police sends 0 s:SUPP:0:help + mark; support answers DELIVERED p:0:; "
+                    + "police sends 0 s:SUPP:0:help + parity | 1, 1",
+            "police asks //SU help; police seals 0 1; police sends 0 s://SU:0:help; "
+                    + "police sends 0 s://SU:0:help | 1, 0",
+            "police asks //// help; police seals 0 255; police sends 0 b:help | 0, 0",
+            "police seals 0; police asks SUPP help; police sends 0 s:SUPP:0:help | 1, 0",
+            "police seals 0; police sends 0 s:SUPP:0:help; police asks SUPP help | 1, 0",
+            "ASKING; police sends 0 f:AI:s:SUPP:0:LONG; support answers FRAGMENTS a:0:01; "
+                    + "police FRAGMENTS_NEW number=0 "
+                    + "have=1; police sends 0 f:AJ:s:SUPP:0:LONG | 1, 1",
+            // Ids, nonces and epochs go on.
+            "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:BA:s://SU:1:LONG | 2, 0",
+            "LONG; police parts 0 f:/A:s:SUPP:0:LONG; police asks //SU LONG; police seals 1 1; "
+                    + "police parts 1 f:AA:s://SU:1:LONG | 2, 0",
+            "police boots 000002; police asks SUPP help; police seals 0; "
+                    + "police sends 0 s:SUPP:000002000000:help | 1, 0",
+            "police boots 061a80; police asks SUPP help; police seals 0; "
+                    + "police sends 0 s:SUPP:061a80000000:help | 1, 0",
+            "police does reset why=power; police does host-id id=SUPO epoch=000000 | 0, 0",
+            "ASKED; police asks //SU help; police seals 1 1; police sends 1 s://SU:1:help; "
+                    + "police sends 0 s:SUPP:0:help | 2, 0",
+            // What is stale is sealed anew above the floor.
+            "STALE; support answers STALE a:0:00000100001f0015; police STALE_HEARD number=0; "
+                    + "police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | 2, 1",
+            "STALE; support answers STALE a:0:00000100001f0015; police sends 0 s:SUPP:0:help; "
+                    + "support answers STALE a:0:00000100001f002b | 1, 2",
+            // Others may send anything.
+            "thief throws s:SUPP:0:help~-1; thief throws x:010203; thief throws f:AA:s:SUPP:0:LONG; "
+                    + "thief throws a:1: | 0, 0",
+            "SENT; thief throws s:SUPP:0:help; support hands 0 SUPP 010000 help | 1, 0",
+            "BEGUN; thief throws f:AA:s:SUPP:0:LONG~-1; police sends 0 f:AJ:s:SUPP:0:LONG; "
+                    + "support hands 0 SUPP 010000 LONG | 1, 0",
+            // Nothing proves a fragment of a broadcast.
+            "police asks //// LONG; police seals 0 255; police parts 0 f:AA:b:LONG; thief throws f:AB:b:LONG~-1; "
+                    + "police sends 0 f:AB:b:LONG; support hands 0 //// 000000 LONGy | 0, 0",
+    })
+    void genuine_isAcceptedAndCounted(String script, String counts) {
+        TestTrace trace = trace(script);
+        String[] count = counts.split(", ");
+        assertEquals("model: trace accepted (" + trace.lines.size() + " events, " + count[0] + " messages opened, "
+                + count[1] + " proofs)", trace.verdict(ByteCheck::new));
+        assertEquals("model: trace accepted (" + trace.lines.size() + " events)",
+                trace.verdictWithoutKeys(ByteCheck::new));
+    }
+
+    /** Those that end with a {@code *} need keys. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            // Cipher and tag.
+            "ASKED; police sends 0 s:SUPP:0:help~-1 | under nonce 000001000000 with a wrong tag; expected 'help' *",
+            "ASKED; police sends 0 s:SUPP:0:help~16 | that opens under none of the 1 keys for it; expected 'help' *",
+            "ASKED; police sends 0 s:SUPP:0:halp | that says 'halp'; expected 'help' *",
+            "ASKED; police sends 0 s:SUPP:0:helps | with a content of 5 bytes; expected 4",
+            "ASKED; police sends 0 s://SU:0:help | police sends a message to //SU under nonce 000001000000; "
+                    + "expected SUPP",
+            "police asks SUHO help; police seals 0; police sends 0 s:SUHO:0:help"
+                    + " | no key was given for SUPO and SUHO *",
+            "ASKED; police sends 0 b:help | police sends a message to many that it has sealed",
+            "ASKED; police sends 0 c:SUPP:0:help"
+                    + " | a message to SUPP under nonce 000001000000 in the clear: 'help'; exp",
+            "LONG; police parts 0 f:AA:c:SUPP:0:LONG | in the clear",
+            "ASKED; police sends 0 x:535550505355504f426f00000000000000000000000000 | no room for nonce and tag",
+            "police asks //// help; police seals 0 255; police sends 0 b:halp | that says 'halp'; expected 'help'",
+            "LONG; police parts 0 f:AA:s:SUPP:0:LONG~-1 | opens under none of the 1 keys *",
+            // Fragments.
+            "BEGUN; police sends 0 f:AJ:s:SUPP:0:LONG~20"
+                    + " | other bytes as fragment 1 of SUPO to SUPP, nonce 0000010000*",
+            "BEGUN; police sends 0 f:AK:s:SUPP:0:LONG | police sends other bytes as fragment 2",
+            "BEGUN; police sends 0 f:BJ:s:SUPP:0:LONG | police sends other bytes as fragment 1",
+            "BEGUN; police sends 0 f:AB:s:SUPP:0:LONG"
+                    + " | fragment 1 of SUPO to SUPP, nonce 000001000000 and does not ask",
+            "LONG; police parts 0 f:AI:s:SUPP:0:LONG | fragment 0 of SUPO to SUPP, nonce 000001000000 and asks for an",
+            "LONG; police parts 0 f:AB:s:SUPP:0:LONG | sends fragment 1 of a message first; expected fragment 0",
+            "ASKED; police sends 0 f:AI:s:SUPP:0:help | sends a fragment with a frame that fits one packet",
+            "police asks //// LONG; police seals 0 255; police sends 0 f:AI:b:LONG | and asks for an answer",
+            "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:AA:s://SU:1:LONG | with id 0; expected 1",
+            "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:CA:s://SU:1:LONG | with id 2; expected 1",
+            // Nonces and epochs.
+            "police asks SUPP help; police sends 0 s:SUPP:0:help | declares SEND of message 0; expected TAKE_UP first",
+            "ASKED; police sends 0 s:SUPP:1:help | under nonce 000001000001; expected 000001000000, as it has sealed 0",
+            "SENT; police asks //SU help; police seals 1 1; police sends 1 s://SU:0:help"
+                    + " | the nonce of an earlier message",
+            "ASKED; police sends 0 s:SUPP:000002000000:help | police seals under epoch 000002; "
+                    + "expected 000001, as before",
+            "SENT; police sends 0 s:SUPP:0:halp | police sends other bytes as SUPO to SUPP, nonce 000001000000",
+            "police does reset why=power; police does host-id id=SUPO epoch=000001 | says that it has epoch 000001",
+            "police does reset why=power; police asks SUPP help; police seals 0"
+                    + " | expected that it stores an epoch before",
+            "police boots 000001 | police says that it has epoch 000001; "
+                    + "expected 000002 or a later one, since it was reset",
+            "police does host-id id=SUPO epoch=000000 | says that it has epoch 000000; expected one that ends in 01",
+            "police EPOCH_STORED low=2; police does host-id id=SUPO epoch=000001 | expected one that ends in 02",
+            "DELIVERED; police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | expected 000001000001, as it has",
+            // Answers.
+            "TAKEN; support answers DELIVERED a:0:~-1 | with a wrong proof; "
+                    + "expected that of SUPO to SUPP, nonce 0000010*",
+            "TAKEN; support answers DELIVERED a:000002000000: | with a wrong proof *",
+            "TAKEN; support answers DELIVERED a:1: | acknowledges a nonce that ends in 001; "
+                    + "expected that of a message to",
+            "TAKEN; support answers FRAGMENTS a:0: | sends 'delivered' about a nonce that ends in 000; "
+                    + "expected 'fragments'",
+            "DELIVERED; support answers nothing a:0: | expected nothing, as it owes no answer to that",
+            "TAKEN; support answers nothing a:0: | expected nothing, as it owes no answer to that",
+            "TAKEN; support answers DELIVERED p:0:"
+                    + " | support asks for parity of SUPO to SUPP, nonce 000001000000; expec *",
+            "BEGUN; support answers FRAGMENTS a:0:00 | has the fragments 00 of SUPO to SUPP, nonce 000001000000",
+            "BEGUN; support answers FRAGMENTS a:0:03 | has the fragments 03 of SUPO to SUPP, nonce 000001000000; expec",
+            "ASKING; support answers FRAGMENTS a:0:05 | has the fragments 05",
+            "ASKING; support answers FRAGMENTS a:0:03 | has the fragments 03",
+            "ASKING; police boots 000002; police asks SUPP LONG; police seals 0; "
+                    + "police parts 0 f:AA:s:SUPP:000002000000:LONG; "
+                    + "support answers FRAGMENTS a:000002000000:02 | has the fragments 02 *",
+            "STALE; support answers STALE a:0:000000ffffff0000 | tells the floor 000000ffffff",
+            "STALE; support answers STALE a:0:00000100001fffff | says that it has been up for 6553.5 s; expected",
+            "STALE; police asks SUPP help; police asks SUPP help; support answers STALE a:0:00000100001f0000"
+                    + " | up for 0.0 s",
+            // Answers that nobody gave.
+            "SENT; police DELIVERED number=0 | declares DELIVERED of message 0; expected an acknowledgement of that",
+            "SENT; thief throws a:0:~-1; police DELIVERED number=0 | declares DELIVERED of message 0 *",
+            "ASKING; support answers FRAGMENTS a:0:01; police FRAGMENTS_NEW number=0 have=3 | declares FRAGMENTS_NEW",
+            "SENT; police STALE_HEARD number=0 | declares STALE_HEARD",
+            // Trailers.
+            "ASKED; police sends 0 s:SUPP:0:help + mark | one only behind a packet that is sent again",
+            "SENT; police sends 0 s:SUPP:0:help + parity | expected that its partner asks for parity first *",
+            // What a host is handed.
+            "SENT; support hands 0 SUPP 010000 halp | support hands its host 'halp' from SUPO; expected 'help'",
+            "SENT; support hands 0 SUPP 010001 help | support hands its host 'help' from SUPO; "
+                    + "expected nothing that any key",
+            "thief throws s:SUPP:0:help~-1; support hands 0 SUPP 010000 help | expected nothing that any key opens",
+            "police asks //// LONG; police seals 0 255; police parts 0 f:AA:b:LONG; police sends 0 f:AB:b:LONG; "
+                    + "support hands 0 //// 000000 LONGy | support hands its host 'xxxx",
+    })
+    void wrong_isRefusedByName(String script, String why) {
+        TestTrace trace = trace(script);
+        String verdict = trace.verdict(ByteCheck::new);
+        String words = why.replaceFirst(" ?\\*$", "");
+        assertTrue(verdict.startsWith("model: trace refused at event ") && verdict.contains(words), verdict);
+        assertEquals(1, verdict.lines().count());
+        String without = trace.verdictWithoutKeys(ByteCheck::new);
+        assertTrue(why.endsWith("*") || without.contains("refused") && without.contains(words), without);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"destination, SUHO", "origin, SUHO", "kind, multicast", "id, 1", "index, 2", "asks, true"})
+    void field_thatTheBytesDoNotSay_isRefused(String field, String value) {
+        TestTrace trace = trace("BEGUN");
+        trace.lines.get(trace.lines.size() - 2).addProperty(field, value);
+        assertTrue(shown(trace).contains("the " + field + " '" + value + "'; expected '"), shown(trace));
+    }
+
+    @Test
+    void broadcast_ofWhichNobodyKnowsWhatItSays_isItsBoards() {
+        TestTrace trace = trace("police asks //// LONG; police seals 0 255; police parts 0 f:AA:b:LONG; "
+                + "thief throws f:AB:b:LONG~-1; police sends 0 f:AB:b:LONG");
+        trace.lines.forEach(line -> line.remove("content"));
+        assertTrue(trace.verdictWithoutKeys(ByteCheck::new).contains("accepted"));
+    }
+
+    @Test
+    void packet_ofWhichTheTraceEndsTooEarly_isNotMissed() {
+        TestTrace trace = trace("TAKEN");
+        trace.lines.removeIf(line -> line.get("event").getAsString().equals("rf-tx"));
+        int heard = trace.lines.size() - 1;
+        while (!trace.lines.get(heard).get("event").getAsString().equals("rf-rx")) {
+            trace.lines.get(heard--).addProperty("t", 5.2);
+        }
+        assertTrue(shown(trace).contains("accepted"), shown(trace));
+        trace.lines.remove(heard);
+        assertTrue(shown(trace).contains("support hands its host"), shown(trace));
+    }
+}

@@ -1,0 +1,105 @@
+package uppaal.conformance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What passes between hosts and boards, by scripts of {@link TestTrace}. */
+class HostCheckTest {
+    private static final String SENT = "police asks SUPP help; police seals 0; police sends 0 s:SUPP:0:help; ";
+    private static final String HANDED = SENT + "support queues 0; support hands 0 SUPP 010000 help; ";
+    private static final String TAKEN = HANDED + "support does host-taking number=0; support TAKEN message=0; "
+            + "support does host-taken number=0; ";
+    private static final String TWO = "police asks SUPP one; police asks SUPP two; ";
+
+    private static String verdict(String script) {
+        return new TestTrace(script.replace("SENT; ", SENT).replace("HANDED; ", HANDED).replace("TAKEN; ", TAKEN)
+                .replace("TWO; ", TWO)).verdict(HostCheck::new);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+            "TAKEN; police DELIVERED number=0; police does host-outcome number=0 outcome=delivered; "
+                    + "police does host-nothing; "
+                    + "police does host-nothing",
+            "TAKEN; police DELIVERED number=0; police does host-nothing; "
+                    + "police does host-outcome number=0 outcome=delivered",
+            "SENT; police UNDELIVERED number=0; police does host-outcome number=0 outcome=undelivered",
+            "police asks //SU help; police SENT number=0",
+            "police asks CAFE help; police DELIVERED number=0", // of another run
+            "HANDED; support hands 0 SUPP 010000 help; support does host-nothing",
+            "TAKEN; support does host-taking number=0; support does host-nothing; support does host-nothing",
+            "TAKEN; support queues 1; support queues 2; support hands 1 SUPP 010001 a; support hands 2 SUPP 010002 b; "
+                    + "support does host-taking number=2; support TAKEN message=2; support does host-taken number=2",
+            // What was not taken comes again after a reset.
+            "HANDED; support does reset why=power; support queues 0; support hands 0 SUPP 010000 help",
+            "HANDED; support does host-taking number=0; support TAKEN message=0; support boots 000002; "
+                    + "support queues 0; support hands 0 SUPP 010000 help",
+            "TAKEN; support queues 0; support hands 1 SUPP 020000 help",
+            "support queues 0 255; support hands 0 //// 000000 help; support queues 0 255; "
+                    + "support hands 1 //// 000000 help",
+            "TWO; police asks //SU three; police SENT number=2; police UNDELIVERED number=0; "
+                    + "police UNDELIVERED number=1",
+            "TWO; police UNDELIVERED number=0; police boots 000002; police asks SUPP one; police UNDELIVERED number=0",
+    })
+    void genuine_isAccepted(String script) {
+        String verdict = verdict(script);
+        assertTrue(verdict.contains("accepted"), verdict);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "HANDED; police DELIVERED number=0 | police declares message 0 DELIVERED; "
+                    + "expected that a host of SUPP has taken it",
+            "TAKEN; police SENT number=0 | expected DELIVERED or UNDELIVERED",
+            "police asks //SU help; police DELIVERED number=0 | expected SENT, as it is for many",
+            "police DELIVERED number=0 | expected a message under way",
+            "SENT; police UNDELIVERED number=0; police UNDELIVERED number=0 | expected a message under way",
+            "TWO; police UNDELIVERED number=1 | expected the outcome of message 0 first",
+            "police asks //SU a; police asks //// b; police SENT number=1 | expected the outcome of message 0 first",
+            "SENT; police does host-outcome number=0 outcome=undelivered | expected that it declares an outcome before",
+            "SENT; police UNDELIVERED number=0; police does host-outcome number=0 outcome=delivered"
+                    + " | undelivered, as it has d",
+            "police does host-outcome number=0 outcome=undelivered | police reports message 0 undelivered",
+            "SENT; police UNDELIVERED number=0; police does host-nothing; police does host-nothing"
+                    + " | expected an outcome: "
+                    + "undelivered",
+            "TWO; police UNDELIVERED number=0; police UNDELIVERED number=1; "
+                    + "police does host-outcome number=1 outcome=undelivered "
+                    + "| expected outcomes in the order in which they were",
+            "HANDED; support does host-taking number=0; support TAKEN message=0; support queues 1; "
+                    + "support hands 1 SUPP 010001 a; support does host-taking number=1; support TAKEN message=1 "
+                    + "| that it confirms what was taken before",
+            "support queues 0; support does host-nothing; support does host-nothing"
+                    + " | a message that waits for its host",
+            "support does host-handed number=0 destination=SUPP origin=SUPO id=010000"
+                    + " | hands its host message 0 of SUPO; expe",
+            "support queues 0; support does host-handed number=0 destination=SUPP origin=SUPO id=010000"
+                    + " | one that it declares",
+            "support HANDED message=0 | one that is in its inbox",
+            "HANDED; support hands 0 SUPP 010001 help | the same as before: SUPOSUPP010000",
+            "TAKEN; support queues 0; support hands 1 SUPP 010000 help"
+                    + " | another id than 010000, which a host of it has taken",
+            "TAKEN; support does reset why=power; support queues 0; support hands 0 SUPP 010000 help | has taken",
+            "HANDED; support queues 0; support hands 1 SUPP 010000 help | a higher id than before, not 010000",
+            "support queues 1; support queues 0; support hands 0 SUPP 010001 b; support hands 1 SUPP 010000 a"
+                    + " | a higher id",
+            "TAKEN; support queues 1; support does host-taking number=1 | host takes message 1; "
+                    + "expected one that it was hand",
+            "support does host-taking number=0 | host takes message 0",
+            "HANDED; support does host-taking number=0; support TAKEN message=0; support does percepts; "
+                    + "support does percepts "
+                    + "| support replies with 'percepts' alone; expected that it confirms what its host has taken",
+            "HANDED; support TAKEN message=0 | declares message 0 taken; expected that its host takes it before",
+            "HANDED; support does host-taking number=0; support does host-taken number=0"
+                    + " | confirms that message 0 is taken; e",
+    })
+    void wrong_isRefusedByName(String script, String why) {
+        String verdict = verdict(script);
+        assertTrue(verdict.contains("refused at event ") && verdict.contains(why), verdict);
+        assertEquals(1, verdict.lines().count());
+    }
+}

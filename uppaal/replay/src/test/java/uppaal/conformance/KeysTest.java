@@ -1,0 +1,63 @@
+package uppaal.conformance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class KeysTest {
+    private static final String ONE = "000102030405060708090a0b0c0d0e0f";
+    private static final String OTHER = "2b7e151628aed2a6abf7158809cf4f3c";
+
+    @TempDir
+    private Path folder;
+
+    private Keys keys(String... lines) throws IOException {
+        Keys keys = new Keys(Files.write(folder.resolve("keys"), List.of(lines)));
+        keys.refresh();
+        return keys;
+    }
+
+    private static int count(Keys keys, String origin, String destination) {
+        return keys.of(Set.of(origin), Set.of(destination)).size();
+    }
+
+    @Test
+    void of_pairs_areFoundFromBothSidesAndGroupsFromAll() throws IOException {
+        Keys keys = keys("# made by hand", "", "SUPO SUPP = " + ONE + "  # ours", "//SU = " + OTHER,
+                "SUPO: epoch 470367, SUPP 54040d, //SU 530095");
+        assertEquals(1, count(keys, "SUPO", "SUPP"));
+        assertEquals(keys.of(Set.of("SUPO"), Set.of("SUPP")), keys.of(Set.of("SUPP"), Set.of("SUPO")));
+        assertEquals(1, count(keys, "CAFE", "//SU"));
+        assertEquals(0, count(keys, "SUPO", "ROMA"));
+        assertEquals(0, count(keys, "SUPO", "//RO"));
+        assertEquals(1, keys.of(Set.of("CAFE", "SUPO"), Set.of("SUPP")).size(), "a board that was called so before");
+    }
+
+    @Test
+    void of_renewedOrSetAgain_areAllOnce() throws IOException {
+        assertEquals(2, count(keys("SUPO SUPP = " + ONE + ", next " + OTHER), "SUPP", "SUPO"));
+        assertEquals(2,
+                count(keys("SUPO SUPP = " + ONE, "SUPP SUPO = " + OTHER, "SUPO SUPP = " + ONE), "SUPP", "SUPO"));
+    }
+
+    @Test
+    void refresh_fileThatComesAndGrows_isReadAgain() throws IOException {
+        Path file = folder.resolve("later");
+        Keys keys = new Keys(file);
+        assertFalse(keys.refresh());
+        Files.writeString(file, "SUPO SUPP = " + ONE + "\n");
+        assertTrue(keys.refresh());
+        assertFalse(keys.refresh());
+        Files.writeString(file, "SUPO SUPP = " + ONE + "\n//SU = " + OTHER + "\n");
+        assertTrue(keys.refresh());
+        assertEquals(1, count(keys, "SUPO", "//SU"));
+    }
+}

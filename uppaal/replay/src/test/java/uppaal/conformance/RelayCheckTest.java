@@ -1,0 +1,129 @@
+package uppaal.conformance;
+
+import org.junit.jupiter.api.Test;
+
+/** Board b relays between a (ROMA) and c (SUPO); its score for them is 1 at first. */
+class RelayCheckTest {
+    private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";
+    /** Of SUPO, for the nonce that ends with 000. */
+    private static final String ANSWER = "2b4b41415355504f4241" + "0102030405060708";
+
+    private final Trace trace = new Trace(RelayCheck::new).point(0.5, "b", "RELAY_ON", "'on':1");
+
+    /** The packet has come, and its copy waits for 8 + so many slots from 1.25 s on. */
+    private Trace waits(int slots) {
+        trace.sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "");
+        return trace.point(1.25, "b", "QUIET", "").point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0")
+                .point(1.25, "b", "RELAY_DRAW", "'place':7,'slots':" + slots);
+    }
+
+    private static Trace copies(Trace trace, double seconds) {
+        return trace.point(seconds, "b", "RELAY_COPY", "'place':7,'hops':1")
+                .sends(seconds + 0.0002, "b", UNICAST, ",'hops':1");
+    }
+
+    private static Trace copied(Trace trace) {
+        double end = 1.3392 + Trace.airtime(UNICAST);
+        return copies(trace, 1.339).point(end + 0.001, "b", "QUIET", "").point(end + 0.001, "b", "RELAY_COPY_ENDED",
+                "'place':7");
+    }
+
+    private static Trace answered(Trace trace, int doubt) {
+        return trace.sends(1.6, "c", ANSWER, "").hears(1.6, "b", ANSWER, "c", "").point(1.75, "b", "RELAY_ANSWERED",
+                "'place':7,'doubt':" + doubt);
+    }
+
+    @Test
+    void copy_afterItsSlots_isAccepted() {
+        copies(waits(3), 1.339).isAccepted();
+    }
+
+    @Test
+    void copy_early_isRefused() {
+        copies(waits(3), 1.33).isRefused("b declares RELAY_COPY too early; expected 1.338");
+    }
+
+    @Test
+    void copy_late_isRefused() {
+        copies(waits(3), 1.36).isRefused("RELAY_COPY at its first run()");
+    }
+
+    @Test
+    void copy_otherHops_isRefused() {
+        waits(3).point(1.339, "b", "RELAY_COPY", "'place':7,'hops':2")
+                .isRefused("; expected 1 hops, one more than it came with");
+    }
+
+    @Test
+    void copy_otherBytes_isRefused() {
+        waits(3).point(1.339, "b", "RELAY_COPY", "'place':7,'hops':1")
+                .sends(1.3392, "b", UNICAST.replace("2be5", "2be4"), ",'hops':1").isRefused(", as it came");
+    }
+
+    @Test
+    void copy_twiceInDoubt_isRefused() {
+        copied(waits(3)).point(1.8, "b", "RELAY_COPY", "'place':7,'hops':1").isRefused("is Known; expected ");
+    }
+
+    @Test
+    void new_nothingCame_isRefused() {
+        trace.point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0")
+                .isRefused("; expected that the packet has come to it");
+    }
+
+    @Test
+    void new_noRelay_isRefused() {
+        trace.point(1.25, "a", "RELAY_NEW", "'place':7,'nonce':0").isRefused("; expected RELAY_ON");
+    }
+
+    @Test
+    void draw_tooMany_isRefused() {
+        waits(8).isRefused("b declares RELAY_DRAW; expected 0 to 7 slots");
+    }
+
+    @Test
+    void draw_missing_isRefused() {
+        trace.sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "")
+                .point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0").point(1.26, "b", "QUIET", "")
+                .isRefused("; expected RELAY_DRAW of place 7");
+    }
+
+    @Test
+    void goneOn_thenCopy_isRefused() {
+        waits(3).point(1.265, "b", "BUSY", "").sends(1.26, "c", UNICAST, ",'hops':2");
+        trace.hears(1.26, "b", UNICAST, "c", ",'hops':2").point(1.51, "b", "RELAY_GONE_ON", "'place':7,'soon':0").point(
+                1.51, "b",
+                "QUIET", "");
+        copies(trace, 1.7).isRefused("is Known; expected ");
+    }
+
+    @Test
+    void answered_soon_scoreIsNone() {
+        answered(copied(waits(3)), 0).point(1.75, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':2").isAccepted();
+    }
+
+    @Test
+    void answered_otherScore_isRefused() {
+        answered(copied(waits(3)), 2).isRefused("b declares RELAY_ANSWERED");
+    }
+
+    @Test
+    void answered_neverCopied_scoreRises() {
+        answered(waits(3).point(1.26, "b", "BUSY", ""), 2).isAccepted();
+    }
+
+    @Test
+    void answer_moreOften_isRefused() {
+        Trace answers = answered(copied(waits(3)), 0).point(1.75, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
+                .point(1.751, "b", "RELAY_ANSWER", "'place':7,'hops':1");
+        answers.sends(1.7512, "b", ANSWER, ",'hops':1").point(1.92, "b", "RELAY_ANSWER_ENDED", "'place':7")
+                .point(1.92, "b", "QUIET", "").point(1.99, "b", "RELAY_ANSWER", "'place':7,'hops':1")
+                .isRefused("is Kept; expected ");
+    }
+
+    @Test
+    void refuse_withCredit_isRefused() {
+        waits(3).point(1.339, "b", "RELAY_REFUSE", "'place':7")
+                .isRefused("; expected RELAY_COPY of a packet of 240 ms");
+    }
+}

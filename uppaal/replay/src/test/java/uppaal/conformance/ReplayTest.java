@@ -1,0 +1,60 @@
+package uppaal.conformance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import trace.TraceEvent;
+
+class ReplayTest {
+    private final List<String> told = new ArrayList<>();
+
+    @Test
+    void event_packets_comeInOrderOfTheirBeginnings() {
+        Check all = new Check() {
+            @Override
+            public void point(Point point) {
+                told.add(point.name());
+            }
+
+            @Override
+            public void begins(Transmission packet) {
+                told.add("begins");
+            }
+
+            @Override
+            public void ends(Transmission packet) {
+                told.add("ends");
+            }
+
+            @Override
+            public void event(TraceEvent event) {
+                told.add(event.name());
+            }
+        };
+
+        new Trace(header -> all).point(1.01, "b", "BUSY", "").sends(1, "a", "31", "").isAccepted();
+
+        assertEquals(List.of("scenario", "begins", "BUSY", "ends", "rf-tx"), told);
+    }
+
+    @Test
+    void event_olderTrace_isRefusedInOneLine() {
+        Replay replay = new Replay(List.of(), Optional.empty());
+
+        replay.line("{\"t\":0,\"event\":\"scenario\"}");
+
+        assertEquals(
+                "model: trace refused at event 1 (0.000000 s, scenario): the trace has no version; expected version "
+                        + "2, of a newer emulator",
+                replay.verdict());
+    }
+
+    @Test
+    void event_timeRunsBackwards_isRefused() {
+        new Trace(header -> new Check() {}).point(2, "a", "BUSY", "").point(1, "a", "QUIET", "")
+                .isRefused("event 3 (1.000000 s, a, point): time runs backwards; expected 1.996");
+    }
+}

@@ -1,0 +1,258 @@
+package uppaal.conformance;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import javino.protocol.Address;
+import javino.protocol.Airtime;
+import javino.protocol.Bytes;
+import javino.protocol.Crc16;
+import javino.protocol.Payload;
+
+/**
+ * A trace of two boards, the police SUPO and the support SUPP, by a script: one step a second, steps with a {@code ;}
+ * between them. A step is
+ *
+ * <pre>
+ * BOARD boots [EPOCH]            a reset, with what a board declares then, and hello
+ * BOARD asks TO CONTENT          its host wants a message to be sent; numbers from 0 on
+ * BOARD seals NUMBER [KEY]       it is taken up
+ * BOARD sends NUMBER PACKET      all of it, or the last fragment; with a trailer: + mark, + parity
+ * BOARD parts NUMBER PACKET      another fragment
+ * BOARD answers KIND PACKET      it owes and sends an acknowledgement
+ * BOARD throws PACKET            a packet that it does not declare
+ * BOARD queues NONCE [KEY]       its inbox takes a message in
+ * BOARD hands NUMBER TO ID CONTENT   its host is handed it, from the police
+ * BOARD stores AT RECORD…        records, each with its seal, one behind the other in its EEPROM
+ * BOARD does EVENT FIELD=VALUE…  any other event
+ * BOARD POINT OPERAND=VALUE…     any point
+ * </pre>
+ *
+ * and a packet is
+ *
+ * <pre>
+ * s:TO:COUNTER:CONTENT   sealed by the police in epoch 1, or with all of a nonce
+ * c:TO:COUNTER:CONTENT   the same, but in the clear
+ * b:CONTENT              its broadcast
+ * f:DIGITS:PACKET        a fragment of that with these digits of id and index
+ * a:COUNTER:BODY         the support's acknowledgement to it; p: asks for parity
+ * x:BYTES                anything
+ * </pre>
+ *
+ * with {@code ~N} behind it where byte N is wrong, from the end if negative. {@code LONG} is a long content.
+ */
+final class TestTrace {
+    static final SharedKey PAIR = key("000102030405060708090a0b0c0d0e0f");
+    private static final SharedKey GROUP = key("2b7e151628aed2a6abf7158809cf4f3c");
+    private static final Map<String, String> IDS = Map.of("police", "SUPO", "support", "SUPP");
+    private static final Map<Integer, Integer> TYPES = Map.of(0, 6, 1, 7, 8, 8);
+    private static final int ALL = 0xFF;
+    private static final int ASKS_PARITY = 0x10;
+    private static final String KEYS = "src/test/resources/traces/talk.keys";
+    private static final double RATE = 4000;
+
+    final List<JsonObject> lines = new ArrayList<>();
+    private double now;
+    private int asked;
+    private final Map<String, String> turns = new HashMap<>(Map.of("police", "number=0"));
+
+    TestTrace(String script) {
+        JsonArray boards = new JsonArray();
+        IDS.keySet().stream().sorted().map(name -> "name=" + name).map(TestTrace::fields).forEach(boards::add);
+        JsonObject scenario = add("", "scenario", "version=2");
+        scenario.add("radio", fields("bitRate=" + (int) RATE));
+        scenario.add("boards", boards);
+        run("police boots; support boots; " + script);
+    }
+
+    private static SharedKey key(String hex) {
+        return new SharedKey(HexFormat.of().parseHex(hex));
+    }
+
+    private void run(String script) {
+        for (String step : script.split("; ")) {
+            String[] words = step.split(" ");
+            now++;
+            run(words[0], words[1], words);
+        }
+    }
+
+    private void run(String board, String verb, String... words) {
+        String third = words.length > 2 ? words[2] : "";
+        switch (verb) {
+            case "boots" -> {
+                String epoch = third.isEmpty() ? "000001" : third;
+                add(board, "reset", "why=power");
+                store(board, "100", epoch);
+                store(board, "200", epoch);
+                point(board, "EPOCH_STORED", "low=" + Integer.parseInt(epoch.substring(4), 16));
+                point(board, "MEMORY", "kept=0");
+                point(board, "QUIET");
+                add(board, "host-id", "id=" + IDS.get(board), "epoch=" + epoch);
+                asked = board.equals("police") ? 0 : asked;
+            }
+            case "asks" -> add(board, "host-transmit", "number=" + asked++, "destination=" + third, "asked=" + now,
+                    "content=" + content(words[3]));
+            case "seals" -> point(board, "TAKE_UP", "number=" + third, "key=" + (words.length > 3 ? words[3] : 0));
+            case "sends", "parts" -> {
+                byte[] packet = packet(words[3]);
+                point(board, "SEND", "number=" + third,
+                        "pending=" + ((verb.equals("parts") ? ALL : 1) << Payload.of(Bytes.copyOf(packet)).index()));
+                send(board, packet, words.length > 5 ? "trailer=" + words[5] : "");
+            }
+            case "answers" -> {
+                byte[] packet = packet(words[3]);
+                int nonce = Payload.of(Bytes.copyOf(packet)).answered() & 0xFF;
+                if (!third.equals("nothing")) {
+                    point(board, "OWE_" + third, "nonce=" + nonce, "key=0");
+                }
+                point(board, "ANSWER", "key=0");
+                send(board, packet, "");
+            }
+            case "throws" -> send(board, packet(third), "");
+            case "queues" -> point(board, "QUEUED", "nonce=" + third, "key=" + (words.length > 3 ? words[3] : 0));
+            case "hands" -> {
+                point(board, "HANDED", "message=" + third);
+                add(board, "host-handed", "number=" + third, "destination=" + words[3], "origin=SUPO",
+                        "id=" + words[4], "content=" + content(words[5]));
+            }
+            case "stores" -> store(board, Arrays.copyOfRange(words, 2, words.length));
+            case "does" -> add(board, third, Arrays.copyOfRange(words, 3, words.length));
+            default -> point(board, verb, Arrays.copyOfRange(words, 2, words.length));
+        }
+    }
+
+    /** Of a number it also tells the turn. */
+    private void point(String board, String name, String... operands) {
+        if (operands.length != 0 && operands[0].startsWith("number=") && !name.equals("TURN")
+                && !operands[0].equals(turns.put(board, operands[0]))) {
+            point(board, "TURN", operands[0]);
+        }
+        JsonObject point = add(board, "point", operands);
+        point.addProperty("name", name);
+        point.addProperty("run", now);
+        point.addProperty("gap", 0);
+    }
+
+    private void store(String board, String... words) {
+        Bytes all = Bytes.EMPTY;
+        for (String record : Arrays.copyOfRange(words, 1, words.length)) {
+            int crc = Crc16.of(Bytes.ofHex(record));
+            int[] seal = {crc >> 8, crc & 0xFF, crc >> 8 ^ crc & 0xFF};
+            all = Bytes.join(all, Bytes.ofHex(record),
+                    Bytes.of(Arrays.stream(seal).map(each -> each == 0xFF ? 0 : each).toArray()));
+        }
+        add(board, "eeprom", "at=" + words[0], "length=" + all.length(), "hex=" + all.hex());
+    }
+
+    private JsonObject add(String board, String event, String... more) {
+        JsonObject line = fields(more);
+        line.addProperty("t", now);
+        line.addProperty("event", event);
+        if (!board.isEmpty()) {
+            line.addProperty("board", board);
+        }
+        lines.add(line);
+        return line;
+    }
+
+    private static JsonObject fields(String... fields) {
+        JsonObject object = new JsonObject();
+        for (String field : fields) {
+            String[] pair = field.split("=", 2);
+            if (pair.length == 2) {
+                object.addProperty(pair[0], pair[1]);
+            }
+        }
+        return object;
+    }
+
+    private void send(String board, byte[] packet, String trailer) {
+        double start = now + 0.01;
+        int bits = Airtime.bits(packet.length);
+        String kind = Payload.of(Bytes.copyOf(packet)).kind().toString();
+        now = start + bits / RATE;
+        String[] fields = {"payload=" + HexFormat.of().formatHex(packet), "kind=" + kind, "start=" + start,
+                "end=" + now, "bits=" + bits, trailer};
+        add(board, "rf-tx", fields);
+        JsonObject heard = add(board.equals("support") ? "police" : "support", "rf-rx", fields);
+        heard.addProperty("from", board);
+    }
+
+    static String content(String word) {
+        return word.startsWith("LONG") ? "x".repeat(75 + word.length()) : word;
+    }
+
+    static byte[] packet(String words) {
+        String[] spoilt = words.split("~");
+        byte[] packet = rightPacket(spoilt[0]);
+        for (String place : Arrays.copyOfRange(spoilt, 1, spoilt.length)) {
+            packet[Math.floorMod(Integer.parseInt(place), packet.length)] ^= 1;
+        }
+        return packet;
+    }
+
+    private static byte[] rightPacket(String words) {
+        String[] word = words.split(":", 3);
+        switch (word[0]) {
+            case "s", "c":
+                String[] more = word[2].split(":", 2);
+                byte[] content = bytes(content(more[1]));
+                byte[] frame = (word[1].startsWith("//") ? GROUP : PAIR).seal(word[1], "SUPO", nonce(more[0]), content);
+                if (word[0].equals("c")) {
+                    System.arraycopy(content, 0, frame, Frame.CONTENT_AT, content.length);
+                }
+                return frame;
+            case "b":
+                byte[] said = bytes(content(word[1]));
+                return SharedKey.join(SharedKey.header("////", "SUPO", said.length), said);
+            case "f":
+                byte[] whole = packet(word[2]);
+                int at = Math.min(whole.length, (word[1].charAt(1) - 'A') % 8 * Payload.PART_LENGTH);
+                byte[] part = Arrays.copyOfRange(whole, at, Math.min(whole.length, at + Payload.PART_LENGTH));
+                return SharedKey.join(SharedKey.header("+F" + word[1], "SUPO", part.length), part);
+            case "a", "p":
+                byte[] body = HexFormat.of().parseHex(word[2]);
+                int type = TYPES.getOrDefault(body.length, 0) + (word[0].equals("p") ? ASKS_PARITY : 0);
+                byte[] proof = PAIR.proof(type, SharedKey.join(nonce(word[1]), bytes("SUPOSUPP"), body));
+                int bits = (nonce(word[1])[4] & 0xF) << 8 | nonce(word[1])[5] & 0xFF;
+                return SharedKey.join(SharedKey.header(Address.acknowledgement(bits).toString(), "SUPP",
+                        body.length + proof.length), body, proof);
+            default:
+                return HexFormat.of().parseHex(word[1]);
+        }
+    }
+
+    private static byte[] nonce(String counter) {
+        return HexFormat.of().parseHex(counter.length() > 6 ? counter
+                : "000001" + "0".repeat(6 - counter.length()) + counter);
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    String verdict(Function<Header, Check> check) {
+        return verdict(check, Optional.of(Path.of(KEYS)));
+    }
+
+    String verdictWithoutKeys(Function<Header, Check> check) {
+        return verdict(check, Optional.empty());
+    }
+
+    private String verdict(Function<Header, Check> check, Optional<Path> keys) {
+        Replay replay = new Replay(List.of(check), keys);
+        lines.forEach(line -> replay.line(line.toString()));
+        replay.finish();
+        return replay.verdict();
+    }
+}
