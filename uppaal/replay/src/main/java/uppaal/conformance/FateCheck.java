@@ -2,6 +2,7 @@ package uppaal.conformance;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,7 +11,10 @@ import javino.protocol.Counter;
 import javino.protocol.Payload;
 import trace.TraceEvent;
 
-/** A board tells of each undamaged packet what has become of it, by the end of the first run() behind it. */
+/**
+ * A board tells of each undamaged packet what has become of it, by the end of the first run() behind it; but not of
+ * fragments that it ignores.
+ */
 final class FateCheck implements Check {
     private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
             "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD", "COPIED", "RELAY_NEW",
@@ -31,6 +35,8 @@ final class FateCheck implements Check {
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
         double since;
+        /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
+        final Set<String> assembled = new HashSet<>();
         /** The last bytes of the nonces in its inbox, and the number of the first. */
         final List<Integer> inbox = new ArrayList<>();
         int first;
@@ -40,9 +46,31 @@ final class FateCheck implements Check {
         void reset() {
             isRunning = false;
             waits = null;
+            assembled.clear();
             inbox.clear();
             first = 0;
             owes = false;
+        }
+
+        /** Whether what it waits for must have a fate. */
+        private boolean isDemanded() {
+            Payload packet = waits.payload();
+            return !packet.isFragment() || assembled.contains(message(packet))
+                    || packet.index() == 0 && packet.whole().kind() != Payload.Kind.BROADCAST;
+        }
+
+        /** Takes note of a fate. */
+        private void told(Point fate) {
+            if (fate.is("QUEUED") || fate.is("COUNT")) {
+                assembled.clear();
+            } else if (fate.is("FRAGMENT") && waits != null) {
+                assembled.add(message(waits.payload()));
+            }
+            waits = null;
+        }
+
+        private static String message(Payload fragment) {
+            return fragment.origin() + fragment.fragmentId();
         }
 
         private boolean isTakenAgain(Point point) {
@@ -84,10 +112,11 @@ final class FateCheck implements Check {
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(point) || receiver.owes && point.is("COUNT");
         if (isFate(point)) {
-            receiver.waits = null;
+            receiver.told(point);
         } else if (receiver.waits != null && point.run() - point.gap() > receiver.since + arrival) {
-            throw new RefusedException(point.board() + " has not told what became of " + receiver.waits,
-                    "a point or COUNT for it");
+            RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "
+                    + receiver.waits, "a point or COUNT for it");
+            receiver.waits = null;
         }
     }
 

@@ -2,9 +2,14 @@ package uppaal.conformance;
 
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class FateCheckTest {
     private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";
+    /** Of a unicast, in fragments. */
+    private static final String FIRST = "2b4658415355504f4251535550505355504f546f";
+    private static final String LATER = "2b4658425355504f4149aa";
     private static final String OWED = "'nonce':0,'key':1";
     private static final String REPEATS = "'counter':" + Counter.RADIO_REPEATS.number();
     private static final double END = 1 + Trace.airtime(UNICAST);
@@ -12,8 +17,17 @@ class FateCheckTest {
     private final Trace trace = new Trace(FateCheck::new);
 
     private Trace heard() {
-        trace.line("{'t':0.5,'board':'b','event':'host-id','id':'SUPO','epoch':'000001'}");
-        return trace.point(0.6, "b", "QUIET", "").sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "");
+        return heard(UNICAST);
+    }
+
+    private Trace heard(String payload) {
+        trace.line("{'t':0.5,'board':'b','event':'host-id','id':'SUPP','epoch':'000001'}");
+        trace.point(0.6, "b", "QUIET", "");
+        return heardAt(1, payload);
+    }
+
+    private Trace heardAt(double seconds, String payload) {
+        return trace.sends(seconds, "a", payload, "").hears(seconds, "b", payload, "a", "");
     }
 
     @Test
@@ -29,6 +43,24 @@ class FateCheckTest {
     @Test
     void point_noFate_isRefused() {
         heard().point(2, "b", "QUIET", "").isRefused("b has not told what became of a unicast of ROMA; expected");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"FRAGMENT, true", "COUNT, false"})
+    void point_laterFragment_isToldIfTheMessageIsAssembled(String first, boolean isTold) {
+        heard(FIRST).point(1.5, "b", first, "'counter':" + Counter.RADIO_NOT_FOR_US.number());
+        heardAt(2, LATER).point(3, "b", "QUIET", "");
+        if (isTold) {
+            trace.isRefused("b has not told what became of a fragment of SUPO");
+        } else {
+            trace.isAccepted();
+        }
+    }
+
+    @Test
+    void point_fragmentBehindTheLast_isIgnored() {
+        heard(FIRST).point(1.5, "b", "FRAGMENT", "").point(1.5, "b", "QUEUED", OWED);
+        heardAt(2, LATER).point(3, "b", "QUIET", "").isAccepted();
     }
 
     @Test
@@ -48,8 +80,8 @@ class FateCheckTest {
 
     @Test
     void point_twoAtOnce_mayBeMissed() {
-        heard().sends(END + 0.02, "a", UNICAST, "").hears(END + 0.02, "b", UNICAST, "a", "");
-        trace.point(2, "b", "QUIET", "").isAccepted();
+        heard();
+        heardAt(END + 0.02, UNICAST).point(2, "b", "QUIET", "").isAccepted();
     }
 
     @Test
@@ -66,7 +98,7 @@ class FateCheckTest {
 
     @Test
     void point_notTakenYet_isNotAcknowledged() {
-        heard().point(END + 0.001, "b", "QUEUED", OWED).sends(2, "a", UNICAST, "").hears(2, "b", UNICAST, "a", "");
-        trace.point(END + 1.001, "b", "COUNT", REPEATS).point(3, "b", "QUIET", "").isAccepted();
+        heard().point(END + 0.001, "b", "QUEUED", OWED);
+        heardAt(2, UNICAST).point(END + 1.001, "b", "COUNT", REPEATS).point(3, "b", "QUIET", "").isAccepted();
     }
 }

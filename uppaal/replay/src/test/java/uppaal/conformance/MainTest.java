@@ -26,16 +26,19 @@ class MainTest {
         return Main.run(Files.writeString(folder.resolve("trace.jsonl"), trace), null);
     }
 
-    private static List<Path> genuine() throws IOException {
-        try (Stream<Path> files = Files.list(TRACES)) {
+    private static List<Path> genuine(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> file.toString().endsWith(".jsonl")).toList();
         }
     }
 
     @Test
     void run_genuineTraces_endsWithZero() throws IOException {
-        for (Path trace : genuine()) {
+        for (Path trace : genuine(TRACES)) {
             assertEquals(0, Main.run(trace, keys(trace)), trace.toString());
+            assertEquals(0, Main.run(trace, null), trace.toString());
+        }
+        for (Path trace : genuine(TRACES.resolve("keyless"))) {
             assertEquals(0, Main.run(trace, null), trace.toString());
         }
     }
