@@ -78,6 +78,9 @@ public final class Replay {
      * @throws trace.MalformedEventException where it lacks something
      */
     public synchronized void event(TraceEvent event) {
+        if (header == null && event.is("note")) {
+            return; // what a launcher has said before the boards were there
+        }
         last = event;
         perform(() -> {
             begin(event);

@@ -53,6 +53,16 @@ class ReplayTest {
     }
 
     @Test
+    void event_noteBeforeTheBoards_isIgnored() {
+        Replay replay = new Replay(List.of(), Optional.empty());
+
+        replay.line("{\"t\":0,\"event\":\"note\",\"text\":\"on one radio\"}");
+        replay.line("{\"t\":0,\"event\":\"scenario\",\"version\":2,\"boards\":[]}");
+
+        assertEquals(Optional.empty(), replay.refusal());
+    }
+
+    @Test
     void event_timeRunsBackwards_isRefused() {
         new Trace(header -> new Check() {}).point(2, "a", "BUSY", "").point(1, "a", "QUIET", "")
                 .isRefused("event 3 (1.000000 s, a, point): time runs backwards; expected 1.996");
