@@ -164,7 +164,7 @@ class HighwayTest {
 
         assertTrue(run.lastButOne().matches(ALL), run::toString);
         assertTrue(run.last().matches(
-                "model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////; expected .*"),
+                "model: trace refused at event \\d+ \\(.*, bus, point\\): bus declares message \\d+ SENT; expected .*"),
                 run::toString);
         assertEquals(1, run.status);
     }
