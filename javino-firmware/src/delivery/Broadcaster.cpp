@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../radio/Mender.h"
+#include "../storage/KeyStore.h"
 #include "../support/Counters.h"
 #include "../support/Clock.h"
 #include "../support/Trace.h"
@@ -25,6 +26,7 @@ bool Broadcaster::send(const char *text) {
   memcpy(frame_ + HEADER_LENGTH, text, length);
   length_ = static_cast<uint8_t>(HEADER_LENGTH + length);
   backoff_.begin(0, medium_.quietSlots(), random_);
+  trace::tell(trace::TAKE_UP, KeyStore::NO_SLOT);
   trace::tell(trace::CONTEND, backoff_.left());
   return true;
 }
@@ -45,6 +47,7 @@ void Broadcaster::run() {
   if (!isBusy() || !backoff_.isOver(medium_.quietSlots()) || !medium_.send(frame_, length_)) return;
   trace::tell(trace::SEND, 1);
   length_ = 0;
+  trace::tell(trace::SENT);  // once: nothing more is told of it
 }
 
 void Broadcaster::hear(const uint8_t *packet, uint8_t length) {

@@ -4,6 +4,7 @@ import static uppaal.conformance.RefusedException.require;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -69,6 +70,8 @@ final class HostCheck implements Check {
         }
     }
 
+    /** Boards with hosts: another's sketch sends what it likes. */
+    private final Set<String> hosts = new HashSet<>();
     private final Map<String, Side> sides = new HashMap<>();
     private final Map<String, String> addresses = new HashMap<>();
     /** By receiver, origin and destination, which id was taken last; and all, and whether that is confirmed. */
@@ -105,7 +108,11 @@ final class HostCheck implements Check {
                 side.inbox.get(index).isDeclared = true;
             }
             case "TAKEN" -> take(side, point);
-            case "SENT", "DELIVERED", "UNDELIVERED" -> end(side, point);
+            case "SENT", "DELIVERED", "UNDELIVERED" -> {
+                if (hosts.contains(point.board())) {
+                    end(side, point);
+                }
+            }
             default -> side.declared = AirCheck.SENDS.contains(point.name()) ? point : side.declared;
         }
     }
@@ -181,6 +188,9 @@ final class HostCheck implements Check {
     @Override
     public void event(TraceEvent event) throws RefusedException {
         Side side = side(event.board());
+        if (event.name().startsWith("host-")) {
+            hosts.add(event.board());
+        }
         switch (event.name()) {
             case "reset" -> sides.remove(event.board());
             case "host-id" -> {
