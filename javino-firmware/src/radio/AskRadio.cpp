@@ -93,10 +93,11 @@ void AskRadio::release() {
   decoder_->queue().release();
 }
 
-// A packet whose last bits are alike ends without an edge: it need not wait for the alarm.
+// A packet whose last bits are alike ends without an edge: it need not wait for the alarm. A level that came in shorter
+// pieces would not steer the bit clock.
 void AskRadio::lookAtLine() {
   askhardware::InterruptLock lock;
-  if (decoder_->inPacket()) hear(askhardware::now());
+  if (decoder_->inPacket()) hear(askhardware::now(), bitTicks_ / 4);
 }
 
 void AskRadio::count(config::Count &counter) {
@@ -152,10 +153,11 @@ void AskRadio::stopReceiving() {
   decoder_->abandon();
 }
 
-// Gives the decoder the bits of the time since the line was last looked at.
-void AskRadio::hear(uint16_t now) {
+// Gives the decoder the bits of the time since the line was last looked at, if that is long enough.
+void AskRadio::hear(uint16_t now, uint16_t least) {
   if (decoder_->carrier().isHeard()) carrierHeard_ = true;
   uint16_t ticks = static_cast<uint16_t>(now - heardUntil_);
+  if (ticks < least) return;
   bool bit;
   while (bitClock_->advance(ticks, level_, bit)) {
     decoder_->carrier().addBit();

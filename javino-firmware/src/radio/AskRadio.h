@@ -63,7 +63,7 @@ class AskRadio : public Radio {
   void startReceiving();
   void stopReceiving();
   void lookAtLine();
-  void hear(uint16_t now);
+  void hear(uint16_t now, uint16_t least = 0);
   void onSilence();
   bool isHeldByCollision() const;
   void sendBit();

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/Modem.h"
 #include "support/SampledReceiver.h"
 #include "support/Vectors.h"
@@ -38,6 +40,26 @@ TEST(AskRadio, receivesEdgesThatAreATenthOfABitOff) {
       const Bytes payload = randomPayload(random);
       modem.hardware.play(packetLine(payload, Modem::BIT * (1 + skew)).jitter(100, random));
       EXPECT_EQ(modem.take(), payload) << "skew " << skew;
+    }
+  }
+}
+
+// As where each byte from the host wakes the CPU.
+TEST(AskRadio, receivesWhereTheLoopLooksTenTimesABit) {
+  std::mt19937 random(25);
+  for (double skew : {-0.01, 0.01}) {
+    Modem modem;
+    for (int i = 0; i < PACKETS; i++) {
+      const Bytes payload = randomPayload(random);
+      const AirLine line = packetLine(payload, Modem::BIT * (1 + skew));
+      Bytes taken;
+      for (const AirLine::Run &run : line.runs()) {
+        for (double left = run.ticks; left > 0; left -= Modem::BIT / 10) {
+          modem.hardware.play(AirLine().hold(run.level, std::min(left, Modem::BIT / 10.0)));
+          if (taken.empty()) taken = modem.take();
+        }
+      }
+      EXPECT_EQ(taken, payload) << "skew " << skew;
     }
   }
 }
