@@ -43,6 +43,12 @@ class MainTest {
         }
     }
 
+    /** Its board has lost a packet while its host sent a long request. */
+    @Test
+    void run_packetThatABoardHasLost_endsWithOne() {
+        assertEquals(1, Main.run(TRACES.resolve("refused/lost-packet.jsonl"), null));
+    }
+
     @Test
     void run_otherKeys_endsWithOne() {
         assertEquals(1, Main.run(TRACES.resolve("relays.jsonl"), TRACES.resolve("phases.keys")));
