@@ -302,6 +302,11 @@ void Courier::keysChanged() {
   }
 }
 
+void Courier::otherAcknowledged() {
+  if (backoff_.otherAcknowledged(state_->random) && current().phase == CONTENDING)
+    tell(trace::CONTEND, backoff_.left());
+}
+
 // It may be about one whose turn has passed: that takes the first place meanwhile. Of two with the same bits in their nonces
 // the proof tells which it is about.
 bool Courier::acknowledged(const Frame &frame) {
@@ -427,7 +432,10 @@ bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
 bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
   switch (type) {
     case Proof::DELIVERED:
-      if (isUnicast()) finish(Outcome::DELIVERED);
+      if (isUnicast()) {
+        if (config::LARGE) backoff_.acknowledged();
+        finish(Outcome::DELIVERED);
+      }
       return isUnicast();
     case Proof::PIECES: return onPieces(body[0]);
     case Proof::STALE: return onStale(body, static_cast<uint16_t>(body[NONCE_LENGTH] << 8 | body[NONCE_LENGTH + 1]));

@@ -44,6 +44,9 @@ class Courier {
   /// @return false where it is not about what is under way
   bool acknowledged(const Frame &frame);
 
+  /// Another device was acknowledged.
+  void otherAcknowledged();
+
   /// Looks at a unicast from the air: if it is what has its turn, a relay has copied that.
   void copied(const uint8_t *packet, uint8_t length);
 

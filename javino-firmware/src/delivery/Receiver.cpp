@@ -66,7 +66,9 @@ void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
   }
   const Address::Class to = frame.destination.classOf();
   if (to == Address::ACKNOWLEDGEMENT) {
-    if (!courier_->acknowledged(frame)) admission_->drop(Counter::RADIO_NOT_FOR_US);
+    if (courier_->acknowledged(frame)) return;
+    admission_->drop(Counter::RADIO_NOT_FOR_US);
+    if (config::LARGE && hops == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
     return;
   }
   if (to == Address::DEVICE) courier_->copied(packet, length);

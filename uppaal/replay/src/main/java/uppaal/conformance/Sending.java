@@ -8,6 +8,7 @@ import java.util.Set;
 /** A message at its sender's board. It is followed once its kind is known, and whether it is in fragments. */
 final class Sending {
     private static final int FIRST_SLOTS = 6;
+    private static final int MOST_SLOTS_OF_TURN = 7;
     private static final int NO_KEY = 255;
     private static final int ROUNDS_WITH_RELAY = 20;
     private static final String UNICAST = "unicast";
@@ -25,6 +26,7 @@ final class Sending {
     String kind;
     private Instance instance;
     private int contentions;
+    private boolean isContending;
     /** Its fragments: all; those that its receiver has had; those that this attempt has to send; the last sent. */
     private int all;
     private int arrived;
@@ -56,7 +58,14 @@ final class Sending {
      * @param isCrowded whether another message has the turn
      */
     void see(Point point, boolean isCrowded) throws RefusedException {
-        contentions += DeliveryModels.flag(point.is("CONTEND"));
+        if (isContending && point.is("CONTEND")) {
+            // What it draws anew, once another device is acknowledged, changes when it sends, and nothing else.
+            point.require(point.operand("slots") <= MOST_SLOTS_OF_TURN, "at most " + MOST_SLOTS_OF_TURN + " slots");
+            time(point);
+            return;
+        }
+        isContending = point.is("CONTEND");
+        contentions += DeliveryModels.flag(isContending);
         if (kind.isEmpty() && OF_UNICASTS.contains(point.name())) {
             kind = UNICAST;
         } else if (kind.isEmpty() && (point.is("SENT") || contentions > 1)) {
