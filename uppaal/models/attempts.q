@@ -38,3 +38,9 @@ E<> Air.Over && Home.Awaiting && rule[SENDER] == 0 && kind == ACK && genuine
 E<> Air.Over && Home.Contending && rule[SENDER] == 0 && kind == ACK && genuine
 /* A242 holds: a message may be lost. */
 E<> Air.Over && Away.Listening && kind == DATA && genuine
+/* A243 holds: it carries back what it has not copied, */
+E<> rule[ONE] == REPEATS && !One.copied
+/* A244 holds: 1.5 s later at the earliest. */
+A[] Time.Early imply One.copied
+/* A245 holds: what it has copied sooner. */
+E<> Time.Early

@@ -12,8 +12,8 @@ A[] Home.GivenUp imply Home.attempt == MAX_ATTEMPTS
 A[] !Watch.Early && (Home.Failed imply Watch.failed)
 /* A7 holds: a relay that has heard the acknowledgement sends no further copy. */
 A[] (Air.Carries && kind == DATA && by == ONE) imply !One.answered
-/* A8 holds: it carries acknowledgements only of what it has copied. */
-A[] (Air.Carries && kind == ACK && by == ONE) imply (One.answered && One.copied)
+/* A8 holds: it carries only acknowledgements that it has heard. */
+A[] (Air.Carries && kind == ACK && by == ONE) imply One.answered
 /* A9 holds: it knows of an acknowledgement until the packet begins anew. */
 A[] (One.Answered || One.Asked || One.Carrying || One.Kept) == One.answered
 /* A10 holds: what it sends has its hops, and is as it came. */
@@ -65,7 +65,7 @@ A[] (rule[ONE] == PASSED || rule[ONE] == PASSED_LATER) imply (kind == ACK && by 
 /* A96 holds: one from a peer is carried by that peer (rule 8). */
 A[] rule[ONE] == CARRIED imply (kind == ACK && by != ONE && hops == One.back && One.Kept)
 /* A97 holds: a packet that comes again, but not from downstream, asks for its acknowledgement (rule 9). */
-A[] One.Asked imply (Air.Over && rule[ONE] == ASKED && kind == DATA && genuine && by != ONE && One.copied && hops != (One.own == 2 ? 0 : One.own + 1))
+A[] One.Asked imply (Air.Over && rule[ONE] == ASKED && kind == DATA && genuine && by != ONE && hops != (One.own == 2 ? 0 : One.own + 1))
 /* A98 holds: the acknowledgement is then carried again (rule 9). */
 A[] rule[ONE] == REPEATS imply (kind == DATA && genuine && by != ONE && One.answers < MOST_ANSWERS && One.Carrying)
 /* A99 holds: after four copies of it the packet is forgotten (rule 9). */

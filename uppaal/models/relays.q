@@ -7,7 +7,7 @@ A[] Two.spent < 2 * MAX_ATTEMPTS
 /* A34 holds: A7 for the other one. */
 A[] (Air.Carries && kind == DATA && by == TWO) imply !Two.answered
 /* A35 holds: A8 for the other one. */
-A[] (Air.Carries && kind == ACK && by == TWO) imply (Two.answered && Two.copied)
+A[] (Air.Carries && kind == ACK && by == TWO) imply Two.answered
 /* A36 holds: who hears the other one's copy first keeps silent. */
 E<> One.copied && Two.Known && !Two.copied && !Two.handed
 /* A37 holds: a line of two: what the one has copied the other one copies. */

@@ -18,6 +18,7 @@ const uint8_t FROM_SENDER = 1;  // hops of a copy of what its sender itself has 
 
 // In slots (SPEC 7.5).
 const uint8_t NEW_SLOTS = 8;
+const uint8_t DOUBTFUL_SLOTS = 30;  // in which an answer would have come
 const uint8_t AGAIN_SLOTS = 6;
 const uint8_t REPEAT_SLOTS = 2;
 const uint8_t ANSWER_SLOTS = 1;
@@ -27,10 +28,11 @@ const uint8_t TURN = 45;  // the time of a packet and of its acknowledgement
 const uint8_t SOON = 24;
 const uint8_t RESERVE_QUIET = 18;
 const uint8_t SPREAD_MASK = 7;
+const uint8_t DOUBTFUL_SPREAD_MASK = 127;
 const uint8_t ANSWER_SPREAD_MASK = 3;
 
 const uint16_t LATE_MILLIS = 1500;
-const uint8_t ANSWER_AGAIN_MILLIS = 200;
+const uint16_t ANSWER_AGAIN_MILLIS = 200;
 const uint8_t MOST_ANSWERS = 4;
 const uint8_t ANSWER_REPEATS = 2;
 
@@ -146,8 +148,10 @@ void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
   entry.age = 0;
   if (entry.reserve) {
     tell(trace::RELAY_RESERVE, entry);
-  } else {
+  } else if (entry.trusted || fromReserve) {
     wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)), trace::RELAY_DRAW);
+  } else {
+    wait(entry, COPY, DOUBTFUL_SLOTS, static_cast<uint8_t>(random_->next(DOUBTFUL_SPREAD_MASK)), trace::RELAY_DRAW);
   }
 }
 
@@ -158,9 +162,8 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
     return true;
   }
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  if (!entry.copied || !isIdle || placeOf(hops, entry.hops) == DOWNSTREAM || entry.age <= ANSWER_AGAIN_MILLIS) {
-    return true;
-  }
+  const uint16_t again = entry.copied ? ANSWER_AGAIN_MILLIS : LATE_MILLIS;
+  if (!isIdle || placeOf(hops, entry.hops) == DOWNSTREAM || entry.age <= again) return true;
   if (entry.answers >= MOST_ANSWERS) return false;
   wait(entry, ANSWER, AGAIN_SLOTS, spread(true), trace::RELAY_DRAW_ANSWER_AGAIN);
   return true;

@@ -55,7 +55,7 @@ POINT(RELAY_NEW, place, nonce)         // it takes a packet into this place, wha
 POINT(RELAY_ANEW, place, )             // one that it knows begins anew, as it comes so late
 POINT(RELAY_STEP_IN, place, )          // the same, from reserve
 POINT(RELAY_RESERVE, place, )          // it is in reserve, where quiet slots count from here
-POINT(RELAY_DRAW, place, slots)        // a copy waits for 8 quiet slots in a row
+POINT(RELAY_DRAW, place, slots)        // a copy waits for 8 quiet slots in a row, or 30
 POINT(RELAY_DRAW_AGAIN, place, slots)  // for 6, as its sender asks again
 POINT(RELAY_DRAW_REPEAT, place, slots) // for 2, as a copy has ended, and is to be followed by another one
 POINT(RELAY_COPY, place, hops)         // the radio takes the copy

@@ -10,6 +10,8 @@ final class RelayedPacket {
 
     private static final int TURN = 45;
     private static final int SPREAD = 8;
+    /** Of a packet whose pair's score is 1 or 2. */
+    private static final Draw DOUBTFUL = new Draw("RELAY_COPY", 30, 0, 16 * SPREAD, false);
     static final Map<String, Draw> DRAWS = Map.of(
             "RELAY_DRAW", new Draw("RELAY_COPY", 8, 0, SPREAD, false),
             "RELAY_DRAW_AGAIN", new Draw("RELAY_COPY", 6, 0, SPREAD, true),
@@ -75,7 +77,8 @@ final class RelayedPacket {
     }
 
     void draw(Point point) throws RefusedException {
-        Draw draw = DRAWS.get(point.name());
+        boolean isDoubtful = point.is("RELAY_DRAW") && !fromReserve && instance.get("repeated") == 1;
+        Draw draw = isDoubtful ? DOUBTFUL : DRAWS.get(point.name());
         int slots = point.operand("slots");
         int from = draw.from + (point.is("RELAY_DRAW") && fromReserve ? TURN : 0);
         boolean mayTurn = draw.turn && !(point.is("RELAY_DRAW_AGAIN") && instance.get("handed") == 1);

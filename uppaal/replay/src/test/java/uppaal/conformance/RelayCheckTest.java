@@ -10,7 +10,7 @@ class RelayCheckTest {
 
     private final Trace trace = new Trace(RelayCheck::new).point(0.5, "b", "RELAY_ON", "'on':1");
 
-    /** The packet has come, and its copy waits for 8 + so many slots from 1.25 s on. */
+    /** The packet has come, and its copy waits for 30 + so many slots from 1.25 s on. */
     private Trace waits(int slots) {
         trace.sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "");
         return trace.point(1.25, "b", "QUIET", "").point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0")
@@ -23,46 +23,46 @@ class RelayCheckTest {
     }
 
     private static Trace copied(Trace trace) {
-        double end = 1.3392 + Trace.airtime(UNICAST);
-        return copies(trace, 1.339).point(end + 0.001, "b", "QUIET", "").point(end + 0.001, "b", "RELAY_COPY_ENDED",
+        double end = 1.5152 + Trace.airtime(UNICAST);
+        return copies(trace, 1.515).point(end + 0.001, "b", "QUIET", "").point(end + 0.001, "b", "RELAY_COPY_ENDED",
                 "'place':7");
     }
 
     private static Trace answered(Trace trace, int doubt) {
-        return trace.sends(1.6, "c", ANSWER, "").hears(1.6, "b", ANSWER, "c", "").point(1.75, "b", "RELAY_ANSWERED",
+        return trace.sends(1.776, "c", ANSWER, "").hears(1.776, "b", ANSWER, "c", "").point(1.926, "b", "RELAY_ANSWERED",
                 "'place':7,'doubt':" + doubt);
     }
 
     @Test
     void copy_afterItsSlots_isAccepted() {
-        copies(waits(3), 1.339).isAccepted();
+        copies(waits(3), 1.515).isAccepted();
     }
 
     @Test
     void copy_early_isRefused() {
-        copies(waits(3), 1.33).isRefused("b declares RELAY_COPY too early; expected 1.338");
+        copies(waits(3), 1.506).isRefused("b declares RELAY_COPY too early; expected 1.514");
     }
 
     @Test
     void copy_late_isRefused() {
-        copies(waits(3), 1.36).isRefused("RELAY_COPY at its first run()");
+        copies(waits(3), 1.536).isRefused("RELAY_COPY at its first run()");
     }
 
     @Test
     void copy_otherHops_isRefused() {
-        waits(3).point(1.339, "b", "RELAY_COPY", "'place':7,'hops':2")
+        waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'hops':2")
                 .isRefused("; expected 1 hops, one more than it came with");
     }
 
     @Test
     void copy_otherBytes_isRefused() {
-        waits(3).point(1.339, "b", "RELAY_COPY", "'place':7,'hops':1")
-                .sends(1.3392, "b", UNICAST.replace("2be5", "2be4"), ",'hops':1").isRefused(", as it came");
+        waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'hops':1")
+                .sends(1.5152, "b", UNICAST.replace("2be5", "2be4"), ",'hops':1").isRefused(", as it came");
     }
 
     @Test
     void copy_twiceInDoubt_isRefused() {
-        copied(waits(3)).point(1.8, "b", "RELAY_COPY", "'place':7,'hops':1").isRefused("is Known; expected ");
+        copied(waits(3)).point(1.976, "b", "RELAY_COPY", "'place':7,'hops':1").isRefused("is Known; expected ");
     }
 
     @Test
@@ -78,7 +78,7 @@ class RelayCheckTest {
 
     @Test
     void draw_tooMany_isRefused() {
-        waits(8).isRefused("b declares RELAY_DRAW; expected 0 to 7 slots");
+        waits(128).isRefused("b declares RELAY_DRAW; expected 0 to 127 slots");
     }
 
     @Test
@@ -99,7 +99,7 @@ class RelayCheckTest {
 
     @Test
     void answered_soon_scoreIsNone() {
-        answered(copied(waits(3)), 0).point(1.75, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':2").isAccepted();
+        answered(copied(waits(3)), 0).point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':2").isAccepted();
     }
 
     @Test
@@ -114,16 +114,16 @@ class RelayCheckTest {
 
     @Test
     void answer_moreOften_isRefused() {
-        Trace answers = answered(copied(waits(3)), 0).point(1.75, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
-                .point(1.751, "b", "RELAY_ANSWER", "'place':7,'hops':1");
-        answers.sends(1.7512, "b", ANSWER, ",'hops':1").point(1.92, "b", "RELAY_ANSWER_ENDED", "'place':7")
-                .point(1.92, "b", "QUIET", "").point(1.99, "b", "RELAY_ANSWER", "'place':7,'hops':1")
+        Trace answers = answered(copied(waits(3)), 0).point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
+                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'hops':1");
+        answers.sends(1.9272, "b", ANSWER, ",'hops':1").point(2.096, "b", "RELAY_ANSWER_ENDED", "'place':7")
+                .point(2.096, "b", "QUIET", "").point(2.166, "b", "RELAY_ANSWER", "'place':7,'hops':1")
                 .isRefused("is Kept; expected ");
     }
 
     @Test
     void refuse_withCredit_isRefused() {
-        waits(3).point(1.339, "b", "RELAY_REFUSE", "'place':7")
+        waits(3).point(1.515, "b", "RELAY_REFUSE", "'place':7")
                 .isRefused("; expected RELAY_COPY of a packet of 240 ms");
     }
 }
