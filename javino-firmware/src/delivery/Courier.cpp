@@ -10,6 +10,7 @@
 namespace javinolib {
 
 static const uint8_t MAX_ATTEMPTS = 8;
+static const uint8_t MOST_PASSED = 32;
 static const uint8_t PATIENCE_MILLIS = 150;
 
 // How often this begins anew while a relay carries the message, 3 s in all; and where one may do so, 600 ms.
@@ -44,6 +45,7 @@ void Courier::run() {
     case IDLE:
     case READY: break;
     case CONTENDING:
+      if (config::PARTNERS > 1 && current().attempt != 0 && isUnicast() && passes()) break;
       acknowledger_->noteCarrier(deferred_);
       if (backoff_.isOver(medium_->quietSlots())) send();
       break;
@@ -70,8 +72,44 @@ void Courier::exchange(uint8_t place) {
   messages_[place] = first;
 }
 
+// Takes up a new message before those that wait or contend for a further attempt, unless one has let many pass. It takes the
+// place of a multicast only where no other is free.
+bool Courier::passes() {
+  uint8_t free = config::PARTNERS;
+  uint8_t underWay = 0;
+  for (uint8_t place = 0; place < config::PARTNERS; place++) {
+    const Message &message = messages_[place];
+    if (message.phase != IDLE) {
+      if (message.passed == MOST_PASSED) return false;
+      underWay++;
+    } else if (free == config::PARTNERS ||
+               (messages_[free].slot != KeyStore::NO_SLOT && message.slot == KeyStore::NO_SLOT)) {
+      free = place;
+    }
+  }
+  if (free == config::PARTNERS || underWay == outbox_.count()) return false;
+  exchange(free);
+  if (!takeUp()) {
+    exchange(free);
+    return false;
+  }
+  for (uint8_t place = 1; place < config::PARTNERS; place++) {
+    Message &message = messages_[place];
+    if (message.phase == IDLE) continue;
+    if (message.phase == CONTENDING) {
+      trace::tell(trace::TURN, message.number);
+      trace::tell(trace::PASSED);
+    }
+    message.phase = READY;
+    message.passed++;
+  }
+  contend();
+  return true;
+}
+
 // Gives each place its turn, one after the other: to go on with its message, or to take one up.
 void Courier::nextTurn() {
+  if (config::PARTNERS > 1 && passes()) return;
   for (uint8_t left = config::PARTNERS; left != 0; left--) {
     if (config::PARTNERS > 1) {
       turn_ = static_cast<uint8_t>(turn_ + 1 < config::PARTNERS ? turn_ + 1 : 1);
@@ -105,8 +143,8 @@ bool Courier::begin(bool again) {
 }
 
 // Takes up a message whose destination has none under way: rather one to a device that had none lately, as those may be
-// absent that had; of these the oldest. What can no longer be sealed ends at once: its key was deleted meanwhile, or no nonce
-// is left.
+// absent that had; of these the oldest. The last place is for devices that answer, and for many. What can no longer be sealed
+// ends at once: its key was deleted meanwhile, or no nonce is left.
 bool Courier::takeUp() {
   Message &message = current();
   ByteQueue::Record taken = {nullptr, 0};
@@ -128,18 +166,22 @@ bool Courier::takeUp() {
   message.slot = KeyStore::NO_SLOT;
   message.refused = false;
   message.resealed = false;
+  if (config::PARTNERS > 1) message.passed = 0;
   return begin(false);
 }
 
 // When a message to this destination is to be taken up. None to many waits for its turn, since it keeps it.
 Courier::Turn Courier::turnOf(const Address &destination) const {
   Turn turn = FIRST;
+  if (config::PARTNERS == 1 || !destination.isDevice()) return turn;
+  uint8_t free = 0;
   for (const Message &message : messages_) {
-    if (config::PARTNERS == 1 || message.destination != destination || !destination.isDevice()) continue;
+    if (message.phase == IDLE) free++;
+    if (message.destination != destination) continue;
     if (message.phase != IDLE) return AFTER_ITS_LAST;
     turn = AFTER_OTHERS;
   }
-  return turn;
+  return free == 1 && !partners_.has(state_->keys.current(destination), ANSWERS) ? AFTER_ITS_LAST : turn;
 }
 
 // Seals the frame in its place in the outbox, under a new nonce.
@@ -197,14 +239,16 @@ Trailer Courier::trailer() const {
   const Message &message = current();
   if (!config::LARGE || !isUnicast()) return Trailer::NONE;
   const bool again = (message.sent & onAir_) != 0;
-  if (parity_.has(message.slot) || (again && understands_.has(message.slot))) return Trailer::PARITY;
+  if (partners_.has(message.slot, ASKS_PARITY) || (again && partners_.has(message.slot, KNOWS_PARITY))) {
+    return Trailer::PARITY;
+  }
   return again ? Trailer::MARK : Trailer::NONE;
 }
 
 void Courier::noteParity(const Proof::Claim &claim) {
   if (!config::LARGE || claim.type == Proof::STALE) return;
-  parity_.set(current().slot, claim.asksParity);
-  if (claim.asksParity) understands_.set(current().slot, true);
+  partners_.set(current().slot, claim.asksParity, ASKS_PARITY);
+  if (claim.asksParity) partners_.set(current().slot, true, KNOWS_PARITY);
 }
 
 void Courier::send() {
@@ -276,6 +320,7 @@ void Courier::attemptFailed() {
 
 void Courier::finish(Outcome outcome) {
   Message &message = current();
+  partners_.set(message.slot, outcome == Outcome::DELIVERED, ANSWERS);
   if (outcome != Outcome::SENT) message.slot = KeyStore::NO_SLOT;
   if (isUnicast()) {
     state_->count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
@@ -297,8 +342,7 @@ void Courier::keysChanged() {
   }
   for (uint8_t slot = 0; config::LARGE && slot < KeyStore::PLACES; slot++) {
     if (!state_->keys.isFree(slot)) continue;
-    parity_.set(slot, false);
-    understands_.set(slot, false);
+    for (uint8_t flag = 0; flag < PARTNER_FLAGS; flag++) partners_.set(slot, false, flag);
   }
 }
 

@@ -23,7 +23,7 @@ namespace javinolib {
 /// unicast and tries again, until its outcome is known (SPEC 7).
 ///
 /// Some are under way at once, each to another device, or one of them to many. They take turns: one is on the air, or has
-/// its answer awaited, until its attempt has come to nothing. So who is absent holds up nobody else.
+/// its answer awaited, until its attempt has come to nothing. New ones go first. So who is absent holds up nobody else.
 class Courier {
  public:
   Courier(MediumAccess &medium, Acknowledger &acknowledger, BoardState &state)
@@ -82,6 +82,7 @@ class Courier {
     bool resealed;    // or was
     bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
     uint8_t guesses;  // damaged answers that were not the expected one
+    uint8_t passed;   // new messages that went before its further attempts
     uint32_t sentAt;  // when it was first sent, in ms
     uint8_t slot;     // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
     Address destination;
@@ -89,11 +90,15 @@ class Courier {
     uint8_t nonce[NONCE_LENGTH];
   };
 
+  // Of a key's partner: whether it has asked for parity in its last answer, or in any; whether it has acknowledged the last
+  // message to it.
+  enum PartnerFlag : uint8_t { ASKS_PARITY, KNOWS_PARITY, ANSWERS, PARTNER_FLAGS };
   enum Turn : uint8_t { AFTER_ITS_LAST, AFTER_OTHERS, FIRST };
 
   Message &current() { return messages_[0]; }
   const Message &current() const { return messages_[0]; }
   JAVINO_NOINLINE void exchange(uint8_t place);
+  bool passes();
   JAVINO_NOINLINE void nextTurn();
   bool takeUp();
   Turn turnOf(const Address &destination) const;
@@ -145,8 +150,7 @@ class Courier {
   uint8_t rounds_;               // how often they begin anew before
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
 
-  KeyFlags parity_;       // whether the partner has asked for parity in its last answer
-  KeyFlags understands_;  // or in any
+  KeyFlags<PARTNER_FLAGS> partners_;
   uint8_t nextId_ JAVINO_ZEROED;
   uint8_t turn_ JAVINO_ZEROED;  // the place of the message that had the last turn but one
 

@@ -22,6 +22,7 @@ POINT(TURN, number, )                  // those that follow are of this one; als
 POINT(TAKE_UP, key, )                  // it is sealed, unless a broadcast, and waits for its turn
 POINT(RESEAL, key, )                   // the same anew, after STALE_HEARD
 POINT(CONTEND, slots, )                // an attempt waits for 6 quiet slots in a row and so many further ones
+POINT(PASSED, , )                      // a new message goes before it: it waits for its turn again
 POINT(SEND, pending, )                 // the radio takes the first of these fragments of an attempt (bit k for fragment k), or the whole
 POINT(PART_SENT, , )                   // a fragment has left the air: the next one waits for a quiet slot
 POINT(AWAIT, rounds, )                 // an attempt has left the air: its answer has 150 ms of quiet air, and so many times more

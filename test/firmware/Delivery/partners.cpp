@@ -138,6 +138,10 @@ TEST_F(Partners, a_record_that_is_not_the_first_leaves_the_others_as_they_were) 
 }
 
 TEST_F(Partners, four_are_under_way_and_a_fifth_has_the_place_of_the_one_that_ends_first) {
+  for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD", "SUEE"}) {
+    transmit(to);
+    acknowledge(next());
+  }
   for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD", "SUEE"}) transmit(to);
   std::vector<Bytes> round;
   for (int i = 0; i < 4; i++) round.push_back(next());
@@ -148,15 +152,87 @@ TEST_F(Partners, four_are_under_way_and_a_fifth_has_the_place_of_the_one_that_en
   EXPECT_EQ((std::set<std::string>{"SUAA", "SUBB", "SUDD", "SUEE"}), after);
 }
 
-TEST_F(Partners, a_fifth_waits_for_one_message_of_four_who_are_absent_not_for_all_of_theirs) {
+TEST_F(Partners, a_new_message_goes_before_those_that_wait_for_a_further_attempt) {
+  transmit("SUAA");
+  transmit("SUBB");
+  EXPECT_EQ("SUAA", nextTo());
+  EXPECT_EQ("SUBB", textOf(board.nextSent()).substr(0, 4));
+  transmit("SUCC");
+  board.finishSending();
+  EXPECT_EQ("SUCC", nextTo());
+  EXPECT_EQ("SUAA", nextTo());
+  EXPECT_EQ("SUBB", nextTo());
+}
+
+TEST_F(Partners, a_new_message_takes_the_turn_from_one_that_contends_for_a_further_attempt) {
+  for (int times = 0; times < 20; times++) {
+    transmit("SUAA");
+    for (int attempt = 1; attempt <= 4; attempt++) EXPECT_EQ("SUAA", nextTo());
+    board.pass(600);
+    if (board.radio.sending()) continue;
+    transmit("SUBB");
+    board.pass(1);
+    EXPECT_TRUE(board.radio.sending());
+    const Bytes packet = next();
+    EXPECT_EQ("SUBB", textOf(packet).substr(0, 4));
+    acknowledge(packet);
+    for (int attempt = 5; attempt <= 8; attempt++) EXPECT_EQ("SUAA", nextTo());
+    board.passSending(1000);
+    return;
+  }
+  FAIL();
+}
+
+TEST_F(Partners, a_multicast_keeps_its_turn_though_a_new_message_comes) {
+  transmit("//SU");
+  EXPECT_EQ("//SU", nextTo());
+  transmit("SUBB");
+  EXPECT_EQ("//SU", nextTo());
+  EXPECT_EQ("SUBB", nextTo());
+}
+
+TEST_F(Partners, when_32_new_messages_have_gone_before_the_same_one_places_take_turns) {
+  transmit("SUAA");
+  EXPECT_EQ("SUAA", nextTo());
+  transmit("SUBB");
+  std::string turns;
+  while (turns.size() < 32 + 8) {
+    const Bytes packet = next();
+    turns += textOf(packet).at(2);
+    if (turns.back() == 'A') continue;
+    transmit("SUBB");
+    acknowledge(packet);
+    outcomes();
+  }
+  EXPECT_EQ(std::string(32, 'B'), turns.substr(0, 32));
+  EXPECT_GE(std::count(turns.begin(), turns.end(), 'A'), 2) << turns;
+}
+
+TEST_F(Partners, the_last_free_place_is_for_one_that_acknowledged_its_last_message) {
+  transmit("SUEE");
+  acknowledge(next());
+  outcomes();
+  for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD"}) transmit(to);
+  for (const char *to : {"SUAA", "SUBB", "SUCC", "SUAA", "SUBB", "SUCC"}) EXPECT_EQ(to, nextTo());
+  transmit("SUEE");
+  std::map<std::string, int> sent;
+  while (outcomes().empty()) sent[nextTo()]++;
+  EXPECT_EQ(0, sent["SUDD"]);
+  EXPECT_GE(sent["SUEE"], 5);
+}
+
+TEST_F(Partners, the_last_free_place_is_for_many_too) {
+  for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD", "//SU"}) transmit(to);
+  for (const char *to : {"SUAA", "SUBB", "SUCC", "//SU", "//SU", "SUAA"}) EXPECT_EQ(to, nextTo());
+}
+
+TEST_F(Partners, another_waits_for_one_message_of_those_who_are_absent_not_for_all_of_theirs) {
   for (int i = 0; i < 3; i++) {
-    for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD"}) transmit(to, "x");
+    for (const char *to : {"SUAA", "SUBB", "SUCC"}) transmit(to, "x");
   }
   transmit("SUEE", "x");
-  for (int attempt = 0; attempt < 8 * 4; attempt++) EXPECT_NE("SUEE", nextTo());
-  std::set<std::string> after;
-  for (int i = 0; i < 4; i++) after.insert(nextTo());
-  EXPECT_EQ(1u, after.count("SUEE"));
+  for (int attempt = 0; attempt < 3 * 7 + 1; attempt++) EXPECT_NE("SUEE", nextTo());
+  EXPECT_EQ("SUEE", nextTo());
 }
 
 TEST_F(Partners, what_goes_to_many_keeps_its_order_and_waits_for_no_absent_device) {

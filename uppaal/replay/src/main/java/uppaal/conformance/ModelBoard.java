@@ -19,7 +19,7 @@ final class ModelBoard {
     private static final int QUESTION = 6;
     /** RADIO_ANSWERS_DROPPED of SPEC 4.5. */
     private static final int ANSWERS_DROPPED = 30;
-    private static final Set<String> OF_SENDERS = Set.of("TAKE_UP", "RESEAL", "CONTEND", "SEND_PART", "SEND",
+    private static final Set<String> OF_SENDERS = Set.of("TAKE_UP", "RESEAL", "CONTEND", "PASSED", "SEND_PART", "SEND",
             "PART_SENT",
             "AWAIT", "COPIED", "ATTEMPT_FAILED", "FRAGMENTS_KNOWN", "FRAGMENTS_NEW", "STALE_HEARD", "SENT", "DELIVERED",
             "UNDELIVERED");
@@ -160,7 +160,7 @@ final class ModelBoard {
         }
         switch (point.name()) {
             case "SEND", "SEND_PART" -> busy(point);
-            case "ATTEMPT_FAILED", "STALE_HEARD" -> turn = turn == number ? NONE : turn;
+            case "PASSED", "ATTEMPT_FAILED", "STALE_HEARD" -> turn = turn == number ? NONE : turn;
             case "SENT", "DELIVERED", "UNDELIVERED" -> {
                 turn = turn == number ? NONE : turn;
                 sending.remove(number);
