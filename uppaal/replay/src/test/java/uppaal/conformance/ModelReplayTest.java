@@ -125,7 +125,7 @@ class ModelReplayTest {
             "rounds=0      | rounds=3                            | expected rounds 0",
             "1.110 SEND    | 1.002 SEND                          | too early",
             "1.110 SEND    | 0.940 SEND                          | expected quiet air",
-            "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=2   | by 1.0",
+            "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=2   | after 1.014",
             "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=8   | expected at most 7 slots",
             "1.451 DELIVERED | 1.451 DELIVERED;1.452 SEND pending=1 | expected TAKE_UP first",
             "1.451 DELIVERED | 1.451 SENT       | declares SENT, but its Sender",
