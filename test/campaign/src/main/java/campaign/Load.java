@@ -213,6 +213,8 @@ final class Load implements Campaign {
             aim(rows, report, Case.ring(20, load), "delivered of the worst board", Row::worst, 0.95);
             aim(rows, report, Case.ring(40, load), "delivered", row -> Row.share(row.sum()), 0.98);
         }
+        aim(rows, report, Case.hidden(HALF), "delivered", row -> Row.share(row.sum()), 0.95);
+        aim(rows, report, Case.hidden(HIGH), "delivered", row -> Row.share(row.sum()), 0.85);
         aim(rows, report, Case.ring(20, FULL), "of the air used", Row::meanUsed, 0.65);
     }
 
