@@ -101,7 +101,7 @@ class Acknowledger {
   bool deferred_ JAVINO_ZEROED;  // it has been counted as deferred
   bool added_ JAVINO_ZEROED;     // an entry, since then
   uint8_t heard_;                // the place of the key of what came last
-  KeyFlags<1> asking_;             // for parity
+  KeyFlags<1> asking_;           // for parity
   Entry entries_[CAPACITY];      // the first is the oldest
 };
 

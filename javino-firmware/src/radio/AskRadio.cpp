@@ -97,7 +97,7 @@ void AskRadio::release() {
 // pieces would not steer the bit clock.
 void AskRadio::lookAtLine() {
   askhardware::InterruptLock lock;
-  if (decoder_->inPacket()) hear(askhardware::now(), bitTicks_ / 4);
+  if (decoder_->inPacket()) hear(askhardware::now(), bitTicks_);
 }
 
 void AskRadio::count(config::Count &counter) {

@@ -29,7 +29,8 @@ class RelayCheckTest {
     }
 
     private static Trace answered(Trace trace, int doubt) {
-        return trace.sends(1.776, "c", ANSWER, "").hears(1.776, "b", ANSWER, "c", "").point(1.926, "b", "RELAY_ANSWERED",
+        return trace.sends(1.776, "c", ANSWER, "").hears(1.776, "b", ANSWER, "c", "").point(1.926, "b",
+                "RELAY_ANSWERED",
                 "'place':7,'doubt':" + doubt);
     }
 
