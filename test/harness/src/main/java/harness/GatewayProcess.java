@@ -127,7 +127,7 @@ public final class GatewayProcess implements AutoCloseable {
         // By its handle: the other way would drop what it has yet to say.
         process.toHandle().destroy();
         ended();
-        String last = lines.stream().filter(line -> line.contains("{\"heard\"")).findFirst()
+        String last = lines.stream().filter(line -> line.contains("\"heard\":")).findFirst()
                 .orElseThrow(() -> new AssertionError("no counters in " + lines));
         return new Gson().fromJson(last.substring(last.indexOf('{')), new TypeToken<Map<String, Long>>() {}.getType());
     }
