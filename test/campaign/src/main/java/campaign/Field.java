@@ -47,9 +47,9 @@ final class Field implements AutoCloseable {
             this(sketch, Collections.nCopies(boards, Map.of()));
         }
 
-        /** Whether their trace is not replayed: they run a firmware without carrier sense, or relay. */
+        /** Whether their trace is not replayed: they run a firmware without carrier sense. */
         boolean isOther() {
-            return sketch.equals("DeafStation") || !relays.isEmpty();
+            return sketch.equals("DeafStation");
         }
     }
 
