@@ -74,6 +74,8 @@ class RadioExchangeTest {
         police.send("SUPP", "tell;help");
         police.send("SUPP", "tell;help");
 
+        // The trace may be read later than the outcome.
+        emulator.await("two packets", 2, event -> event.is("rf-tx", "police"));
         List<TraceEvent> sent = emulator.sentBy("police");
         assertEquals(2, sent.size());
         assertFalse(
