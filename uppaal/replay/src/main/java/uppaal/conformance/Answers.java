@@ -21,6 +21,8 @@ final class Answers {
     /** When the first became the first, and whether it was put off. */
     private double begun;
     private boolean isPutOff;
+    /** The quiet slots that the first waits for; the same ones if it is sent twice. */
+    private int quiet;
     /** Two with a floor under a group's key may be for one sender or for two: their order is not known. */
     private boolean isVague;
 
@@ -95,14 +97,15 @@ final class Answers {
     /** Another one is the first. */
     private void begin(Point point, boolean isAnother) {
         if (isAnother) {
-            slots = owed.isEmpty() ? Timer.NONE : wait(point, 1);
+            quiet = 1;
+            slots = owed.isEmpty() ? Timer.NONE : wait(point);
             begun = point.seconds();
             isPutOff = false;
         }
     }
 
-    private Timer wait(Point point, int first) {
-        return isVague ? Timer.NONE : air.slots(point, first, 0, "ANSWER with key " + owed.get(0).key());
+    private Timer wait(Point point) {
+        return isVague ? Timer.NONE : air.slots(point, quiet, 0, "ANSWER with key " + owed.get(0).key());
     }
 
     void putOff(Point point) throws RefusedException {
@@ -115,7 +118,8 @@ final class Answers {
         point.require(drawn >= LEAST_PUT_OFF_SLOTS && drawn <= MOST_PUT_OFF_SLOTS, LEAST_PUT_OFF_SLOTS + " to " +
                 MOST_PUT_OFF_SLOTS + " slots");
         isPutOff = true;
-        slots = wait(point, drawn);
+        quiet = drawn;
+        slots = wait(point);
         Instance first = owed.get(0).instance;
         if (!first.isAt("Pending")) {
             first.take(point, point.name(), Map.of());
@@ -134,7 +138,7 @@ final class Answers {
             int place = owed.indexOf(first);
             owed.remove(place);
             add(point, first.point, place);
-            slots = wait(point, 1);
+            slots = wait(point);
         } else {
             remove(point, answer -> answer == first);
         }

@@ -113,6 +113,8 @@ class ModelReplayTest {
         assertEquals(Optional.empty(), refusal(UNICAST));
         assertEquals(Optional.empty(), refusal(RECEIVED));
         assertEquals(Optional.empty(), refusal(FRAGMENTS));
+        assertEquals(Optional.empty(), refusal(RECEIVED.replace("0.700 PUT_OFF", "0.700 OWE_TWICE\n0.700 PUT_OFF")
+                + "0.824 ANSWER key=1\n0.825 BUSY\n0.900 QUIET\n"));
     }
 
     @ParameterizedTest
