@@ -13,7 +13,7 @@ POINT(COUNT, counter, )                // a counter of SPEC 4.5 grows: why a pac
 // What is stored.
 POINT(MEMORY, kept, )                  // a boot: 1 where RAM still has the nonces that were taken, 0 where only the floors count
 POINT(EPOCH_STORED, low, )             // of the boot epoch, whose last byte is this, both copies are in EEPROM
-POINT(KEY_STORED, key, )               // a session key is in RAM
+POINT(KEY_STORED, key, )               // a key is in EEPROM, or a session key in RAM
 POINT(KEY_DELETED, key, )
 POINT(FLOOR_STORED, key, place)        // both copies of a floor, in this place of the ring, are in EEPROM
 
