@@ -1,8 +1,5 @@
 package uppaal.conformance;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -47,8 +44,7 @@ class HostCheckTest {
             "TWO; police UNDELIVERED number=0; police boots 000002; police asks SUPP one; police UNDELIVERED number=0",
     })
     void genuine_isAccepted(String script) {
-        String verdict = verdict(script);
-        assertTrue(verdict.contains("accepted"), verdict);
+        TestTrace.assertAccepted(verdict(script));
     }
 
     @ParameterizedTest
@@ -99,8 +95,6 @@ class HostCheckTest {
                     + " | confirms that message 0 is taken; e",
     })
     void wrong_isRefusedByName(String script, String why) {
-        String verdict = verdict(script);
-        assertTrue(verdict.contains("refused at event ") && verdict.contains(why), verdict);
-        assertEquals(1, verdict.lines().count());
+        TestTrace.assertRefused(verdict(script), why);
     }
 }

@@ -1,5 +1,8 @@
 package uppaal.conformance;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.nio.charset.StandardCharsets;
@@ -239,6 +242,15 @@ final class TestTrace {
 
     private static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    static void assertAccepted(String verdict) {
+        assertTrue(verdict.contains("accepted"), verdict);
+    }
+
+    static void assertRefused(String verdict, String why) {
+        assertTrue(verdict.contains("refused at event ") && verdict.contains(why), verdict);
+        assertEquals(1, verdict.lines().count());
     }
 
     String verdict(Function<Header, Check> check) {
