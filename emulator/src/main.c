@@ -27,7 +27,8 @@ static void interrupt(int signal) {
 }
 
 static void catch_signals(void) {
-  struct sigaction action = {.sa_handler = interrupt};
+  // A write that a signal breaks off would lose a line: where nobody reads the trace, it waits on.
+  struct sigaction action = {.sa_handler = interrupt, .sa_flags = SA_RESTART};
   sigaction(SIGINT, &action, NULL);
   sigaction(SIGTERM, &action, NULL);
   sigaction(SIGHUP, &action, NULL);

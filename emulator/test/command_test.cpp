@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <memory>
 #include <sstream>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -20,13 +21,14 @@ struct Outcome {
   std::string out, err;
 };
 
-pid_t start(const Scratch &scratch, std::vector<std::string> arguments) {
+// With its output in a file, unless a descriptor for it is given.
+pid_t start(const Scratch &scratch, std::vector<std::string> arguments, int out = -1) {
   pid_t child = fork();
   if (child != 0) return child;
   std::vector<char *> argv = {const_cast<char *>(EMULATOR)};
   for (std::string &argument : arguments) argv.push_back(&argument[0]);
   argv.push_back(nullptr);
-  int out = open(scratch.path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (out < 0) out = open(scratch.path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   int err = open(scratch.path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(out, 1);
   dup2(err, 2);
@@ -309,6 +311,29 @@ TEST(Command, a_damaged_record_is_refused_in_one_line_and_never_crashes) {
   }
   EXPECT_EQ(run(scratch, {"s.json", "--replay", "none"}).err,
             "javino-emulator: --replay none: No such file or directory\n");
+}
+
+TEST(Command, a_signal_while_its_trace_is_not_read_loses_none_of_it) {
+  Scratch scratch;
+  write_scenario(scratch, "blink", R"(,"watch":[{"pin":13,"name":"led"}])");
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  pid_t child = start(scratch, {"s.json", "--speed", "max", "--trace", "-"}, ends[1]);
+  close(ends[1]);
+  for (int waiting = 0, before = 0; waiting == 0 || waiting != before; usleep(100000)) {
+    before = waiting;
+    ASSERT_EQ(ioctl(ends[0], FIONREAD, &waiting), 0);
+  }
+  kill(child, SIGTERM);
+  usleep(100000);
+  std::string trace;
+  char part[4096];
+  for (ssize_t length; (length = read(ends[0], part, sizeof part)) > 0;) trace.append(part, length);
+  close(ends[0]);
+  Outcome outcome = finish(scratch, child);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(trace.find("\"counters\""), std::string::npos);
+  EXPECT_EQ(trace.back(), '\n');
 }
 
 TEST(Command, a_signal_ends_it_cleanly) {
