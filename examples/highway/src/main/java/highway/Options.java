@@ -196,9 +196,9 @@ final class Options {
         return List.of("/usr/sbin/mosquitto", "-c", configuration.toString());
     }
 
-    /** {@code javino gateway}: joins a cell, by the board of that name. */
+    /** {@code javino gateway}: joins a cell, by the board of that name. Nobody has heard the group's members yet. */
     List<String> gatewayCommand(String cell, int brokerPort) {
-        return javino("gateway", "--port", "ports/" + cell, "--cell", cell, "--broker",
+        return javino("gateway", "--port", "ports/" + cell, "--cell", cell, "--group", "SU", "--broker",
                 "mqtt://127.0.0.1:" + brokerPort);
     }
 

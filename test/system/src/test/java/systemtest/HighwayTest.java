@@ -106,6 +106,15 @@ class HighwayTest {
 
     @Test
     @Tag("verify")
+    void cellsThatGatewaysJoin_showAllBehaviours() throws Exception {
+        Run run = launch(EMULATOR, "--cells=2");
+
+        run.assertAllObserved();
+        run.assertNothingLeft();
+    }
+
+    @Test
+    @Tag("verify")
     void inspector_travelsToTheBusAndBackMeanwhile() throws Exception {
         Run run = launch(EMULATOR, "--inspector");
 
