@@ -50,7 +50,7 @@ class Renewal : public testing::Test {
     for (const std::string &address : addresses(station)) {
       const Bytes body = bytesOf(address) + (command == 'N' ? address == "//SU" ? OTHER_KEY : NEW_KEY : Bytes());
       for (int tries = 0;; tries++) {
-        ASSERT_LT(tries, 20000);
+        ASSERT_LT(tries, 60000);
         stations[station]->board.use();
         const Status status = stations[station]->board.request(command, body).status;
         if (status == Status::OK) break;
