@@ -89,8 +89,8 @@ static const uint8_t DAMAGED_COPIES = JAVINO_BY_PROFILE(6, 0);
 /// Acknowledgements that wait for the air. 13 bytes each.
 static const uint8_t ACKNOWLEDGEMENTS = JAVINO_BY_PROFILE(6, 3);
 
-/// Origins whose last broadcast is remembered, so that a repeat of it is known (SPEC 7.2). 10 bytes each.
-static const uint8_t BROADCAST_ORIGINS = JAVINO_BY_PROFILE(4, 2);
+/// The last broadcasts of all origins, so that repeats of them are known (SPEC 7.2). 6 bytes each.
+static const uint8_t RECENT_BROADCASTS = JAVINO_BY_PROFILE(8, 3);
 
 /// Origins, counted once for each key, whose last nonce is remembered. Each key of a pair has its own place; groups share the
 /// others. 12 bytes each.

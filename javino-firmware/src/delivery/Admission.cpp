@@ -31,7 +31,7 @@ bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint
 }
 
 bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint16_t age) {
-  if (broadcasts_.isRepeat(frame.origin, bytes, length, clock::millis(), age)) {
+  if (broadcasts_.isRepeat(bytes, length, clock::millis(), age)) {
     state_->count(Counter::RADIO_REPEATS);
     return true;
   }

@@ -36,10 +36,10 @@ void Broadcaster::run() {
   backoff_.listen(medium_.quietSlots());
   Received with;
   while (const uint8_t *packet = medium_.receive(with)) {
-    if (with.hops != 0 || (medium_.mender() && medium_.mender()->isDoubtful())) {
+    if (medium_.mender() && medium_.mender()->isDoubtful()) {
       countUp(ignored_);
     } else {
-      hear(packet, with.length);
+      hear(packet, with);
     }
     medium_.release();
   }
@@ -50,9 +50,9 @@ void Broadcaster::run() {
   trace::tell(trace::SENT);  // once: nothing more is told of it
 }
 
-void Broadcaster::hear(const uint8_t *packet, uint8_t length) {
+void Broadcaster::hear(const uint8_t *packet, const Received &with) {
   Frame frame;
-  if (Frame::parse(packet, length, frame) != FrameError::NONE || !isNew(frame, packet, length)) {
+  if (Frame::parse(packet, with.length, frame) != FrameError::NONE || !isNew(frame, packet, with)) {
     countUp(ignored_);
     return;
   }
@@ -64,11 +64,11 @@ void Broadcaster::hear(const uint8_t *packet, uint8_t length) {
   hearer_(reinterpret_cast<const char *>(from), text);
 }
 
-bool Broadcaster::isNew(const Frame &frame, const uint8_t *packet, uint8_t length) {
+bool Broadcaster::isNew(const Frame &frame, const uint8_t *packet, const Received &with) {
   if (frame.length > MAX_TEXT || !frame.destination.isBroadcast() || !frame.origin.isDevice() ||
       frame.origin == address_)
     return false;
-  return !heard_.isRepeat(frame.origin, packet, length, clock::millis(), medium_.airtimeMillis(length));
+  return !heard_.isRepeat(packet, with.length, clock::millis(), medium_.begunMillis(with));
 }
 
 }  // namespace javinolib

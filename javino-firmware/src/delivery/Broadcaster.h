@@ -54,8 +54,8 @@ class Broadcaster {
   uint32_t ignored() const { return ignored_; }
 
  private:
-  void hear(const uint8_t *packet, uint8_t length);
-  bool isNew(const Frame &frame, const uint8_t *packet, uint8_t length);
+  void hear(const uint8_t *packet, const Received &with);
+  bool isNew(const Frame &frame, const uint8_t *packet, const Received &with);
 
   MediumAccess medium_;
   Backoff backoff_;

@@ -29,6 +29,7 @@ const uint8_t SOON = 24;
 const uint8_t RESERVE_QUIET = 18;
 const uint8_t SPREAD_MASK = 7;
 const uint8_t DOUBTFUL_SPREAD_MASK = 127;
+const uint8_t TO_MANY_SPREAD_MASK = 31;
 const uint8_t ANSWER_SPREAD_MASK = 3;
 
 const uint16_t LATE_MILLIS = 1500;
@@ -75,10 +76,13 @@ void Forwarding::tell(trace::Point point, const Entry &entry, uint8_t second) {
 void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
   if (!isOn()) return;
   passTime();
-  if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
+  const Address::Class to = frame.destination.classOf();
+  if (to == Address::ACKNOWLEDGEMENT) {
     answerHeard(frame, packet, length, hops);
-  } else if (frame.destination.isDevice()) {
-    packetHeard(packet, length, hops);
+  } else if (to == Address::BROADCAST || to == Address::MULTICAST) {
+    packetHeard(packet, length, hops, true);
+  } else if (to == Address::DEVICE && length >= HEAD_LENGTH) {
+    packetHeard(packet, length, hops, false);
   }
 }
 
@@ -106,20 +110,19 @@ Forwarding::Entry *Forwarding::place() {
   return oldest;
 }
 
-void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops) {
-  if (length < HEAD_LENGTH) return;
+void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops, bool toMany) {
   Crc16 crc;
   crc.add(packet, length);
   Entry *entry = find(packet, length, crc.value());
-  if (entry && heardAgain(*entry, hops)) return;
+  if ((entry && heardAgain(*entry, hops)) || (toMany && hops != 0)) return;
   const bool late = entry;
   if (entry) {
     entry->length = 0;
     tell(trace::RELAY_FORGET, *entry);
   }
   const uint16_t pair = Doubts::pairOf(packet);
-  const bool trusted = memory_->doubts.of(pair) == Doubts::NONE;
-  const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(MOST / 2);
+  const bool trusted = !toMany && memory_->doubts.of(pair) == Doubts::NONE;
+  const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(toMany ? MOST / 4 : MOST / 2);
   entry = credit_ < least ? nullptr : place();
   if (!entry) {
     counters_->count(Counter::RELAY_REFUSED);
@@ -129,14 +132,15 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
   entry->length = length;
   entry->crc = crc.value();
   entry->pair = pair;
+  entry->toMany = toMany;
   entry->late = late;
   memcpy(entry->bytes, packet, length);
-  tell(trace::RELAY_NEW, *entry, packet[HEAD_LENGTH - 1]);
+  tell(trace::RELAY_NEW, *entry, entry->bytes[HEAD_LENGTH - 1]);
   begin(*entry, hops, false);
 }
 
 void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
-  const uint8_t doubt = memory_->doubts.of(entry.pair);
+  const uint8_t doubt = entry.toMany ? Doubts::FIRST : memory_->doubts.of(entry.pair);
   entry.hops = oneMore(hops);
   entry.trusted = doubt == Doubts::NONE;
   entry.fromReserve = fromReserve;
@@ -150,6 +154,8 @@ void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
     tell(trace::RELAY_RESERVE, entry);
   } else if (entry.trusted || fromReserve) {
     wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)), trace::RELAY_DRAW);
+  } else if (entry.toMany) {
+    wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>(random_->next(TO_MANY_SPREAD_MASK)), trace::RELAY_DRAW);
   } else {
     wait(entry, COPY, DOUBTFUL_SLOTS, static_cast<uint8_t>(random_->next(DOUBTFUL_SPREAD_MASK)), trace::RELAY_DRAW);
   }
@@ -172,7 +178,8 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
 void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   const Place from = placeOf(hops, entry.hops);
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  if (isIdle && !entry.reserve && entry.age > LATE_MILLIS) {
+  const bool isLate = entry.toMany ? hops == 0 && entry.age > medium_->mostCopyMillis() / 2 : entry.age > LATE_MILLIS;
+  if (isIdle && !entry.reserve && isLate) {
     entry.late = true;
     tell(trace::RELAY_ANEW, entry);
     begin(entry, hops, false);
@@ -195,7 +202,8 @@ void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
       tell(trace::RELAY_RESERVE, entry);
     }
     entry.quiet = 0;
-  } else if (hops == 0 && entry.hops == FROM_SENDER && !entry.sending && (entry.copied || entry.due == NOTHING)) {
+  } else if (hops == 0 && entry.hops == FROM_SENDER && !entry.toMany && !entry.sending &&
+             (entry.copied || entry.due == NOTHING)) {
     wait(entry, COPY, AGAIN_SLOTS, spread(!entry.handedOn), trace::RELAY_DRAW_AGAIN);
   }
 }
@@ -309,7 +317,7 @@ void Forwarding::send(Entry &entry) {
     counters_->count(Counter::RELAY_ANSWERS);
   } else {
     const uint16_t cost = costOf(entry.length);
-    if (credit_ < cost) {
+    if (credit_ < cost || (entry.toMany && entry.age > medium_->mostCopyMillis())) {
       entry.due = NOTHING;
       tell(trace::RELAY_REFUSE, entry);
       counters_->count(Counter::RELAY_REFUSED);

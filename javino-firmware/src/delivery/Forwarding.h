@@ -45,8 +45,8 @@ class Doubts {
   Entry entries_[CAPACITY];  // the one that was changed last is the first
 };
 
-/// What a relay does (SPEC 7.5): it copies unicasts that nobody seems to answer, and carries their acknowledgements back. It
-/// has no key, and looks at addresses and nonces only.
+/// What a relay does (SPEC 7.5): it copies unicasts that nobody seems to answer, and carries their acknowledgements back;
+/// broadcasts and multicasts it copies once. It has no key, and looks at addresses and nonces only.
 class Forwarding {
  public:
   struct Memory;
@@ -96,6 +96,7 @@ class Forwarding {
     uint8_t answers;  // copies of it since the packet was new or late
     uint8_t quiet;    // slots since the end of our last copy, or since what is in reserve was heard
     bool sending;     // a copy is on the air
+    bool toMany;      // a broadcast or multicast
     bool reserve;
     bool fromReserve;
     bool trusted;   // there was no doubt when it began
@@ -116,7 +117,7 @@ class Forwarding {
   static Place placeOf(uint8_t hops, uint8_t own);
   Entry *find(const uint8_t *packet, uint8_t length, uint16_t crc);
   Entry *place();
-  void packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops);
+  void packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops, bool toMany);
   bool heardAgain(Entry &entry, uint8_t hops);
   void copyHeard(Entry &entry, uint8_t hops);
   void begin(Entry &entry, uint8_t hops, bool fromReserve);

@@ -56,6 +56,16 @@ class MediumAccess {
   /// Whether the radio can tell others the hops behind a packet.
   bool canRelay() { return radio_.sentHops() != nullptr; }
 
+  /// How long a relay's copy of a broadcast or multicast may begin behind its end (SPEC 7.5).
+  uint16_t mostCopyMillis() const { return static_cast<uint16_t>(COPY_SLOTS * slotMillis_); }
+
+  /// How long ago the sender of a packet that comes in may have begun it, whether this is a copy or not.
+  uint16_t begunMillis(const Received &with) const {
+    uint16_t millis = airtimeMillis(with.length);
+    if (with.hops != 0) millis = static_cast<uint16_t>(millis + mostCopyMillis());
+    return millis;
+  }
+
   /// The oldest packet that the radio holds; it belongs to the caller until release().
   /// @param with set where one waits
   /// @return null where none waits
@@ -81,6 +91,8 @@ class MediumAccess {
   uint8_t pieceLength() const { return pieceLength_; }
 
  private:
+  static const uint16_t COPY_SLOTS = 256;
+
   Radio &radio_;
   uint8_t slotMillis_;
   uint8_t pieceLength_;  // set by begin()

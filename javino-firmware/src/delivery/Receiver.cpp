@@ -8,10 +8,10 @@ void Receiver::run() {
   const Mender *const mender = medium_->mender();
   Received with;
   while (uint8_t *packet = medium_->receive(with)) {
-    doubt_ = with.hops != 0 ? COPY : mender && mender->isDoubtful() ? MENDED : NONE;
+    doubtful_ = mender && mender->isDoubtful();
     acknowledger_->heard(KeyStore::NO_SLOT);
     overheard_->add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, with.length);
-    accept(packet, with.length, with.hops);
+    accept(packet, with);
     if (config::LARGE && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
         acknowledger_->askForParity();
@@ -55,51 +55,50 @@ void Receiver::open(bool open) {
   if (!open) pieces_.clear();
 }
 
-void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
+void Receiver::accept(uint8_t *packet, const Received &with) {
   Frame frame;
-  if (Frame::parse(packet, length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
+  if (Frame::parse(packet, with.length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
     admission_->drop(Counter::RADIO_BAD_FRAMES);
     return;
   }
   if (config::LARGE && !admission_->isOwn(frame) && !admission_->isFor(frame.destination)) {
-    forwarding_.heard(frame, packet, length, hops);
+    forwarding_.heard(frame, packet, with.length, with.hops);
   }
   const Address::Class to = frame.destination.classOf();
   if (to == Address::ACKNOWLEDGEMENT) {
     if (courier_->acknowledged(frame)) return;
     admission_->drop(Counter::RADIO_NOT_FOR_US);
-    if (config::LARGE && hops == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
+    if (config::LARGE && with.hops == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
     return;
   }
-  if (to == Address::DEVICE) courier_->copied(packet, length);
+  if (to == Address::DEVICE) courier_->copied(packet, with.length);
   if (!open_) {
     admission_->drop(Counter::RADIO_BLOCKED);
   } else {
-    accept(frame, packet, length);
+    accept(frame, packet, with);
   }
 }
 
 static bool isWord(const Frame &frame) { return frame.length != 0 && (frame.message[0] & 0xC0) == 0x80; }
 
-// Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said. No broadcast comes as a
-// relay's copy, and so no word does.
-bool Receiver::mayBeDoubtful(const Frame &frame) const { return config::LARGE && doubt_ == MENDED && isWord(frame); }
+// Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said.
+bool Receiver::mayBeDoubtful(const Frame &frame) const { return config::LARGE && isWord(frame); }
 
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
 // is right, if there is a doubt.
-void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
-  const uint16_t age = medium_->airtimeMillis(length);
+void Receiver::accept(const Frame &frame, uint8_t *packet, const Received &with) {
+  const uint16_t age = medium_->begunMillis(with);
   if (frame.destination.classOf() == Address::PIECE) {
     if (admission_->isOwn(frame)) {
       admission_->drop(Counter::RADIO_OWN);
     } else {
-      if (pieces_.accept(frame, medium_->pieceLength(), age, doubt_ != NONE)) keep();
+      if (pieces_.accept(frame, medium_->pieceLength(), age, doubtful_)) keep();
     }
-  } else if (doubt_ != NONE && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
+  } else if (doubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
     admission_->drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_->isForUs(frame)) {
     if (frame.destination.isDevice()) keep();
-    if (!admission_->accept(frame, packet, length, age) && frame.destination.isDevice()) forget();
+    if (!admission_->accept(frame, packet, with.length, age) && frame.destination.isDevice()) forget();
   }
 }
 

@@ -42,10 +42,8 @@ class Receiver {
   void open(bool open);
 
  private:
-  enum Doubt : uint8_t { NONE, MENDED, COPY };
-
-  void accept(uint8_t *packet, uint8_t length, uint8_t hops);
-  void accept(const Frame &frame, uint8_t *packet, uint8_t length);
+  void accept(uint8_t *packet, const Received &with);
+  void accept(const Frame &frame, uint8_t *packet, const Received &with);
   bool mayBeDoubtful(const Frame &frame) const;
   void keep();
   void forget();
@@ -56,7 +54,7 @@ class Receiver {
   Part<Acknowledger> acknowledger_;
   Part<Overheard> overheard_;
   bool open_ JAVINO_ZEROED;
-  Doubt doubt_ JAVINO_ZEROED;  // whether the packet that is looked at is the one sent
+  bool doubtful_ JAVINO_ZEROED;  // whether the packet that is looked at is the one sent
   PiecesTaken<config::LARGE>::Type pieces_;
   BoardsForwarding forwarding_;
 };

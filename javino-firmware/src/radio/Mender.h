@@ -57,12 +57,12 @@ class Mender {
   Trailer lastTrailer() const { return lastTrailer_; }
   void setLastTrailer(Trailer trailer) { lastTrailer_ = trailer; }
 
-  /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
-  /// leaves no doubt. But a copy does: relays copy nothing that has neither.
+  /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol leaves no
+  /// doubt.
 #if JAVINO_LARGE
-  bool isDoubtful() const { return hops_ != 0 || doubtful_; }
+  bool isDoubtful() const { return doubtful_; }
 #else
-  bool isDoubtful() const { return hops_ != 0; }
+  bool isDoubtful() const { return false; }
 #endif
 
   /// Keeps the packet that is whole, as long as there is room: a damaged copy that comes later is taken for it.

@@ -52,7 +52,7 @@ POINT(ANSWER, key, )                   // the radio takes the first that is owed
 // A packet and its relay (relay.xml), which has it in one of its 4 places, each with a number of its own. A copy waits for some
 // quiet slots in a row, and for those drawn.
 POINT(RELAY_ON, on, )                  // 1: it begins to relay
-POINT(RELAY_NEW, place, nonce)         // it takes a packet into this place, whatever was there
+POINT(RELAY_NEW, place, nonce)         // it takes a packet into this place, whatever was there; its 16th byte, or 0
 POINT(RELAY_ANEW, place, )             // one that it knows begins anew, as it comes so late
 POINT(RELAY_STEP_IN, place, )          // the same, from reserve
 POINT(RELAY_RESERVE, place, )          // it is in reserve, where quiet slots count from here

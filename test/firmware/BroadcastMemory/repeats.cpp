@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-using javinolib::Address;
 using javinolib::BroadcastMemory;
 
 namespace {
@@ -15,9 +14,7 @@ class BroadcastMemoryTest : public ::testing::Test {
   bool isRepeat(uint32_t begun) { return isRepeat(begun, begun + AIRTIME); }
 
   bool isRepeat(uint32_t begun, uint32_t ended) {
-    Address roma;
-    Address::parse(HELP + 4, roma);
-    return memory_.isRepeat(roma, HELP, sizeof HELP - 1, ended, static_cast<uint16_t>(ended - begun));
+    return memory_.isRepeat(HELP, sizeof HELP - 1, ended, static_cast<uint16_t>(ended - begun));
   }
 
   BroadcastMemory memory_;

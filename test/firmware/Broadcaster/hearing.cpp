@@ -24,8 +24,9 @@ class HearingTest : public testing::Test {
   }
 
   // A packet ends now.
-  void arrive(const std::string &packet) {
-    radio.arrive(bytesOf(packet));
+  void arrive(const std::string &packet, uint8_t hops = 0) {
+    radio.mends = hops != 0;
+    radio.arrive(bytesOf(packet), {}, javinolib::Trailer::NONE, hops);
     broadcaster.run();
   }
 
@@ -76,6 +77,18 @@ TEST_F(HearingTest, tells_a_repeat_once_and_what_is_said_again_twice) {
   arrive("////ROMABItell;help");
   EXPECT_EQ(2u, heard.size());
   EXPECT_EQ(1u, broadcaster.ignored());
+}
+
+// 256 slots of 8 ms behind the 400 ms.
+TEST_F(HearingTest, tells_what_a_relay_copies_once) {
+  clock.millis = 1000;
+  arrive("////ROMABItell;help", 1);
+  clock.millis = 3448;
+  arrive("////ROMABItell;help", 1);
+  EXPECT_EQ(1u, heard.size());
+  clock.millis += 3000;
+  arrive("////ROMABItell;help", 1);
+  EXPECT_EQ(2u, heard.size());
 }
 
 TEST_F(HearingTest, frees_the_radio_where_nobody_listens) {

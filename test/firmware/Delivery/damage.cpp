@@ -337,14 +337,3 @@ TEST_F(DamagedMessages, a_word_of_hosts_is_taken_even_where_there_is_a_doubt) {
   EXPECT_EQ(1u, board.messages().size());
   EXPECT_EQ(0u, board.counter(Counter::RADIO_DOUBTFUL));
 }
-
-TEST_F(DamagedMessages, a_word_of_hosts_that_comes_as_a_copy_is_dropped_as_other_broadcasts_are) {
-  board.radio.arrive(plain("////", "SUPP",
-                           "\x88"
-                           "ROMA" +
-                               std::string(60, 'x')),
-                     {}, Trailer::NONE, 1);
-  board.pass(1);
-  EXPECT_TRUE(board.messages().empty());
-  EXPECT_EQ(1u, board.counter(Counter::RADIO_DOUBTFUL));
-}

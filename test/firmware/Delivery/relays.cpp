@@ -184,12 +184,60 @@ TEST(Relays, are_needed_by_none_who_hear_each_other) {
   EXPECT_EQ(0u, line.counter(1, Counter::RADIO_SENT));
 }
 
-TEST(Relays, carry_broadcasts_to_nobody) {
-  Line line(2);
-  ASSERT_TRUE(line.first().send("////", "tell;help"));
-  line.air.pass(5000);
-  EXPECT_TRUE(line.last().received.empty());
-  EXPECT_EQ(std::vector<std::string>{"tell;help"}, line.stations[1]->received);
+TEST(Relays, carry_broadcasts_and_multicasts_one_hop_and_to_nobody_twice) {
+  for (const char *to : {"////", "//SU"}) {
+    for (uint32_t seed = 1; seed <= 10; seed++) {
+      Line line(3, seed);
+      for (auto &station : line.stations) station->setKey("//SU", KEY);
+      for (const char *content : {"tell;help", "tell;me"}) {
+        ASSERT_TRUE(line.first().send(to, content));
+        line.air.pass(5000);
+      }
+      const std::vector<std::string> both = {"tell;help", "tell;me"};
+      EXPECT_EQ(both, line.stations[1]->received) << to;
+      EXPECT_EQ(both, line.stations[2]->received) << to;
+      EXPECT_TRUE(line.last().received.empty()) << to;
+      EXPECT_EQ(2u, line.counter(1, Counter::RELAY_COPIES)) << to;
+      EXPECT_EQ(0u, line.counter(2, Counter::RELAY_COPIES)) << to;
+    }
+  }
+}
+
+// A copy of the first may come behind the second.
+TEST(Relays, have_no_broadcast_delivered_twice_of_several_in_a_row) {
+  size_t late = 0;
+  for (uint32_t seed = 1; seed <= 20; seed++) {
+    Line line(3, seed);
+    line.air.inRange = nullptr;
+    std::vector<Bytes> packets;
+    line.air.onPacket = [&](const Bytes &packet) { packets.push_back(packet); };
+    std::vector<std::string> all;
+    for (int i = 0; i < 5; i++) {
+      all.push_back("tell;n(" + std::to_string(i) + ")");
+      ASSERT_TRUE(line.first().send("////", all.back()));
+    }
+    line.air.pass(10000);
+    EXPECT_EQ(all, line.last().received) << "who hears the sender, too";
+    for (size_t i = 1; i < packets.size(); i++) {
+      const auto now = packets.begin() + static_cast<long>(i);
+      late += *now != packets[i - 1] && std::find(packets.begin(), now, *now) != now;
+    }
+  }
+  EXPECT_GT(late, 10u) << "copies behind other broadcasts";
+}
+
+// Who hears both the sender and a relay, or two relays, has it once; what is said again later, twice.
+TEST(Relays, that_all_hear_each_other_copy_a_broadcast_once_and_have_it_delivered_once) {
+  for (uint32_t seed = 1; seed <= 20; seed++) {
+    Line line(3, seed);
+    line.air.inRange = nullptr;
+    for (size_t said = 1; said <= 2; said++) {
+      ASSERT_TRUE(line.first().send("////", "tell;help"));
+      line.air.pass(5000);
+      EXPECT_EQ(said, line.last().received.size());
+      EXPECT_EQ(said, line.stations[1]->received.size());
+    }
+  }
 }
 
 TEST(Relays, are_waited_for_by_a_sender_that_hears_a_copy) {

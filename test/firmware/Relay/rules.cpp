@@ -113,8 +113,8 @@ TEST_F(RelayTest, neither_copies_nor_carries_back_what_is_answered_at_once) {
   }
 }
 
-TEST_F(RelayTest, copies_nothing_but_unicasts) {
-  for (const char *to : {"////", "//SU", "+FAA", "+AAA"}) {
+TEST_F(RelayTest, copies_no_fragments_and_nothing_odd) {
+  for (const char *to : {"+FAA", "+AAA"}) {
     hear(unicast(1, to));
     EXPECT_FALSE(sends(3000)) << to;
   }
@@ -122,6 +122,62 @@ TEST_F(RelayTest, copies_nothing_but_unicasts) {
   hear(bytesOf("SUPOROMAAQab"));  // no nonce
   hear(answer(9));
   EXPECT_FALSE(sends(3000));
+}
+
+TEST_F(RelayTest, copies_what_is_for_many_once_however_often_it_comes) {
+  for (const Bytes &packet : {unicast(1, "//SU"), bytesOf("////ROMAAIx")}) {
+    hear(packet);
+    EXPECT_FALSE(sends(8 * SLOT - 1));
+    EXPECT_TRUE(sends(33 * SLOT));
+    EXPECT_EQ(packet, radio.sent.back());
+    EXPECT_EQ(1, radio.behind.back());
+    hear(packet);
+    hear(packet, 1);
+    EXPECT_FALSE(sends(3000));
+  }
+  EXPECT_EQ(2u, relay.copies());
+}
+
+TEST_F(RelayTest, leaves_what_is_for_many_to_a_peer) {
+  for (uint8_t hops : {1, 2}) {
+    hear(unicast(hops, "////"));
+    hear(unicast(hops, "////"), 1);
+    EXPECT_FALSE(sends(3000));
+  }
+}
+
+TEST_F(RelayTest, copies_no_copy_of_what_is_for_many) {
+  for (uint8_t hops : {1, 2}) {
+    hear(unicast(hops, "////"), hops);
+    EXPECT_FALSE(sends(3000));
+    hear(unicast(hops, "////"), hops);
+    EXPECT_FALSE(sends(3000)) << "nor late";
+  }
+}
+
+// Its receivers would take it for another one.
+TEST_F(RelayTest, copies_what_is_for_many_soon_or_not_at_all) {
+  hear(unicast(1, "////"));
+  radio.heard = true;
+  pass(256 * SLOT);
+  radio.heard = false;
+  EXPECT_FALSE(sends(3000));
+  EXPECT_EQ(1u, relay.refused());
+  hear(unicast(2, "////"));
+  radio.heard = true;
+  pass(200 * SLOT);
+  radio.heard = false;
+  EXPECT_TRUE(sends(3000));
+}
+
+TEST_F(RelayTest, keeps_a_quarter_of_its_air_for_those_whose_messages_arrive) {
+  const uint32_t cost = radio.airtimeMillis(38);
+  for (uint8_t i = 0; i < 50; i++) hear(unicast(i, "////")), sends(50 * SLOT);
+  const uint32_t spent = relay.copies() * cost;
+  EXPECT_GE(spent, 3000 - cost);
+  EXPECT_LE(spent, 3000 + cost + 50 * (cost + 50 * SLOT) / 10);
+  hear(unicast(51));
+  EXPECT_FALSE(sends(LONGEST));
 }
 
 TEST_F(RelayTest, keeps_silent_where_a_peer_or_somebody_downstream_was_quicker) {

@@ -20,7 +20,7 @@ static_assert(config::TRANSMIT_BYTES == 640, "");
 static_assert(config::PARTNERS == 4, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
-static_assert(config::BROADCAST_ORIGINS == 4, "");
+static_assert(config::RECENT_BROADCASTS == 8, "");
 static_assert(config::OVERHEARD_BYTES == 168, "");
 static_assert(config::RADIO_PACKETS == 2, "");
 static_assert(config::ACKNOWLEDGEMENTS == 6, "");

@@ -20,7 +20,7 @@ static_assert(config::TRANSMIT_BYTES == 97, "");
 static_assert(config::PARTNERS == 1, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
-static_assert(config::BROADCAST_ORIGINS == 2, "");
+static_assert(config::RECENT_BROADCASTS == 3, "");
 static_assert(config::OVERHEARD_BYTES == 0, "");
 static_assert(config::RADIO_PACKETS == 2, "");
 static_assert(config::ACKNOWLEDGEMENTS == 3, "");

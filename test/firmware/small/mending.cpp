@@ -110,7 +110,7 @@ TEST_F(SmallMender, takes_and_mends_copies_of_relays) {
     bits = bitsOf(PAYLOAD, hops);
     ASSERT_TRUE(mends(bits));
     EXPECT_EQ(hops, mender.hops());
-    EXPECT_EQ(hops != 0, mender.isDoubtful());
+    EXPECT_FALSE(mender.isDoubtful());
     for (size_t i = 2 * linecode::BITS_PER_SYMBOL; i < bits.size(); i++) {
       bits[i].flip();
       ASSERT_TRUE(mends(bits)) << i;

@@ -111,7 +111,8 @@ final class Router {
         }
         Frame frame = read.get();
         FrameHistory.Sighting sighting = frameHistory.remember(packet);
-        boolean echo = sighting.isEcho(now);
+        boolean echo = sighting.isEcho(now)
+                || frame.destination().equals(Address.BROADCAST) && sighting.mayBeCopy(now);
         sighting.onAir(now);
         if (echo) {
             counters.count(GatewayCounter.ECHOES);

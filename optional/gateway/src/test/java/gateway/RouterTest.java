@@ -174,6 +174,15 @@ class RouterTest extends RouterFixture {
     }
 
     @Test
+    void broadcast_thatARelayCopies_isPublishedOnce() {
+        Bytes frame = Frames.of("////", "ROMA", Bytes.ofText("tell;me"));
+        assertEquals(List.of("BROADCAST all 1"), publishes(frame));
+        assertEquals(List.of(), publishes(frame));
+        now += 4000;
+        assertEquals(List.of("BROADCAST all 2"), publishes(frame));
+    }
+
+    @Test
     void broadcast_isRelayedIfTheUserWantsIt() {
         Bytes frame = Frames.of("////", "ROMA", Bytes.ofText("tell;help"));
         assertFalse(relays(Whom.BROADCAST, frame));

@@ -111,6 +111,29 @@ class RelayTest {
         assertEquals("0", hops(emulator.sentBy("relay3").get(0)));
     }
 
+    /** Who hears the relay only has it once, as does who hears its sender, too. */
+    @Test
+    void whatIsForMany_overARelay_comesOnce() throws Exception {
+        emulator = new Emulator.Scenario().board("from", "Station", at(0)).board("relay1", "Relay", at(1))
+                .board("near", "Station", at(1)).board("to", "Station", at(2)).start(folder);
+        greet();
+        Map<String, byte[]> key = Map.of("//SU", TestKeys.GROUP);
+        sender.as("ROMA", key);
+        receiver.as("SUPO", key);
+        Host near = Host.of(emulator, "near").as("SUHO", key);
+        relays.add(near);
+        for (String to : List.of("////", "//SU", "////")) {
+            String content = "tell;n(" + emulator.sentBy("from").size() + ")";
+            sender.send(to, content);
+            assertEquals(content, receiver.message().content().toString());
+            assertEquals(content, near.message().content().toString());
+        }
+        double now = emulator.sentBy("relay1").get(2).seconds();
+        emulator.await("some time without another copy", event -> event.seconds() > now + 1.5);
+        assertTrue(receiver.messages().isEmpty() && near.messages().isEmpty());
+        assertEquals(List.of("1", "1", "1"), emulator.sentBy("relay1").stream().map(RelayTest::hops).toList());
+    }
+
     @Test
     @Tag("verify")
     void unicast_byARelayOnAnUno_isDelivered() throws Exception {

@@ -104,7 +104,7 @@ final class AirCheck implements Check {
         int hops = isRelays ? declared.operand("hops") : 0;
         boolean isExpected = switch (declared.name()) {
             case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
-            case "RELAY_COPY" -> payload.kind() == Payload.Kind.UNICAST;
+            case "RELAY_COPY" -> RelayedPacket.isCopied(payload);
             default -> payload.isAcknowledgement();
         };
         require(isExpected && packet.hops() == hops, packet.board() + " sends " + packet + " with " + packet.hops() +

@@ -21,7 +21,7 @@ final class Relay {
     private static final double MOST_CREDIT = 4000;
     private static final double SHARE = 0.1;
     private static final int MILLIS = 1000;
-    private static final int LATE_MILLIS = 1500;
+    static final int LATE_MILLIS = 1500;
     private static final int AGAIN_MILLIS = 200;
     private static final String RULE = "rule[1]";
 
@@ -135,7 +135,8 @@ final class Relay {
     }
 
     private Map<String, Integer> externals(Point point, RelayedPacket place, RelayCheck.Heard packet) {
-        double millis = (point.seconds() - place.happened) * MILLIS / air.second();
+        double late = place.lateSeconds() * MILLIS;
+        double millis = (point.seconds() - place.happened) * MILLIS / air.second() + LATE_MILLIS - late;
         double error = 2 * PhysicalLimits.MILLIS_STEP_SECONDS * MILLIS;
         int at = Math.abs(millis - LATE_MILLIS) <= error ? LATE_MILLIS
                 : Math.abs(millis - AGAIN_MILLIS) <= error ? AGAIN_MILLIS : (int) millis;
@@ -147,8 +148,8 @@ final class Relay {
     }
 
     private void begin(Point point, int number) throws RefusedException {
-        RelayCheck.Heard packet = came(point, null, payload -> payload.kind() == Payload.Kind.UNICAST
-                && payload.hasNonce() && (payload.lastBits() & 0xFF) == point.operand("nonce")
+        RelayCheck.Heard packet = came(point, null, payload -> RelayedPacket.isCopied(payload)
+                && RelayedPacket.mark(payload) == point.operand("nonce")
                 && !payload.destination().equals(id) && !payload.origin().equals(id));
         RelayedPacket old = places.get(number);
         point.require(old == null || old.due == Timer.NONE && !old.sends,
@@ -156,9 +157,10 @@ final class Relay {
         RelayedPacket place = new RelayedPacket(packet.payload(), model.instance(packet.payload().origin() + " to "
                 + packet.payload().destination()), air);
         places.put(number, place);
+        point.require(!place.isToMany() || packet.hops() == 0, "no copy of a copy");
         Map<String, Integer> set = externals(point, place, packet);
         boolean isTrusted = set.get("doubt") == 0;
-        double least = isTrusted ? cost(place.packet) : MOST_CREDIT / 2;
+        double least = place.isToMany() ? MOST_CREDIT / 4 : isTrusted ? cost(place.packet) : MOST_CREDIT / 2;
         point.require(creditMost >= least, (int) least + " ms of credit or more, not " + (int) creditMost);
         set.put("late", isAnew ? 1 : 0);
         isAnew = false;
@@ -208,10 +210,10 @@ final class Relay {
         place.due.checkNotLate(point);
         int cost = cost(place.packet);
         boolean isRefused = point.is("RELAY_REFUSE");
-        point.require(isRefused ? creditLeast < cost : creditMost >= cost,
+        boolean mayBeRefused = creditLeast < cost || place.isLate(point, -1);
+        point.require(isRefused ? mayBeRefused : creditMost >= cost && !place.isLate(point, 1),
                 "RELAY_" + (isRefused ? "COPY" : "REFUSE") + " of a packet of " + cost + " ms, with a credit of "
-                        + (int) creditLeast + " to " +
-                        (int) creditMost);
+                        + (int) creditLeast + " to " + (int) creditMost);
         place.instance.set("spent", isRefused ? model.constant("CREDIT") : 0);
         place.instance.take(point);
         place.due = Timer.NONE;

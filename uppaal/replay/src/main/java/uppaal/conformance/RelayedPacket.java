@@ -12,6 +12,11 @@ final class RelayedPacket {
     private static final int SPREAD = 8;
     /** Of a packet whose pair's score is 1 or 2. */
     private static final Draw DOUBTFUL = new Draw("RELAY_COPY", 30, 0, 16 * SPREAD, false);
+    private static final Draw TO_MANY = new Draw("RELAY_COPY", 8, 0, 4 * SPREAD, false);
+    /** Slots after which a copy for many is not sent any more, and those after which another one is. */
+    private static final int MOST_SLOTS = 256;
+    private static final int AGAIN_SLOTS = 128;
+    private static final int MARK_AT = 15;
     static final Map<String, Draw> DRAWS = Map.of(
             "RELAY_DRAW", new Draw("RELAY_COPY", 8, 0, SPREAD, false),
             "RELAY_DRAW_AGAIN", new Draw("RELAY_COPY", 6, 0, SPREAD, true),
@@ -41,6 +46,35 @@ final class RelayedPacket {
         this.packet = packet;
         this.instance = instance;
         this.air = air;
+    }
+
+    /** Whether relays copy such packets. */
+    static boolean isCopied(Payload packet) {
+        return switch (packet.kind()) {
+            case UNICAST -> packet.hasNonce();
+            case MULTICAST, BROADCAST -> true;
+            default -> false;
+        };
+    }
+
+    /** What RELAY_NEW tells of it. */
+    static int mark(Payload packet) {
+        return packet.bytes().length() > MARK_AT ? packet.bytes().at(MARK_AT) : 0;
+    }
+
+    boolean isToMany() {
+        return packet.kind() != Payload.Kind.UNICAST;
+    }
+
+    /** From when on it begins anew where it comes again. */
+    double lateSeconds() {
+        return isToMany() && air.isTimed() ? AGAIN_SLOTS * air.slot() / air.second() : Relay.LATE_MILLIS / 1e3;
+    }
+
+    /** Whether a copy for many comes too late, by so many steps of the clock at least. */
+    boolean isLate(Point point, int steps) {
+        return isToMany() && air.isTimed() && point.seconds() - happened > MOST_SLOTS * air.slot()
+                + 2 * steps * PhysicalLimits.MILLIS_STEP_SECONDS * air.second();
     }
 
     void restartQuiet(Point point) {
@@ -78,7 +112,8 @@ final class RelayedPacket {
 
     void draw(Point point) throws RefusedException {
         boolean isDoubtful = point.is("RELAY_DRAW") && !fromReserve && instance.get("repeated") == 1;
-        Draw draw = isDoubtful ? DOUBTFUL : DRAWS.get(point.name());
+        Draw draw = isDoubtful ? isToMany() ? TO_MANY : DOUBTFUL : DRAWS.get(point.name());
+        point.require(!isToMany() || point.is("RELAY_DRAW"), "one copy of what is for many");
         int slots = point.operand("slots");
         int from = draw.from + (point.is("RELAY_DRAW") && fromReserve ? TURN : 0);
         boolean mayTurn = draw.turn && !(point.is("RELAY_DRAW_AGAIN") && instance.get("handed") == 1);
