@@ -22,6 +22,7 @@ const uint8_t DOUBTFUL_SLOTS = 30;  // in which an answer would have come
 const uint8_t AGAIN_SLOTS = 6;
 const uint8_t REPEAT_SLOTS = 2;
 const uint8_t ANSWER_SLOTS = 1;
+const uint8_t TO_MANY_SLOTS = 1;  // before its sender goes on
 const uint8_t REPEAT_WAIT = 20;
 const uint8_t ANSWER_REPEAT_WAIT = 14;
 const uint8_t TURN = 45;  // the time of a packet and of its acknowledgement
@@ -29,7 +30,6 @@ const uint8_t SOON = 24;
 const uint8_t RESERVE_QUIET = 18;
 const uint8_t SPREAD_MASK = 7;
 const uint8_t DOUBTFUL_SPREAD_MASK = 127;
-const uint8_t TO_MANY_SPREAD_MASK = 31;
 const uint8_t ANSWER_SPREAD_MASK = 3;
 
 const uint16_t LATE_MILLIS = 1500;
@@ -122,8 +122,8 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
   }
   const uint16_t pair = Doubts::pairOf(packet);
   const bool trusted = !toMany && memory_->doubts.of(pair) == Doubts::NONE;
-  const uint16_t least = trusted ? costOf(length) : static_cast<uint16_t>(toMany ? MOST / 4 : MOST / 2);
-  entry = credit_ < least ? nullptr : place();
+  const uint16_t least = trusted || toMany ? costOf(length) : static_cast<uint16_t>(MOST / 2);
+  entry = credits_[toMany] < least ? nullptr : place();
   if (!entry) {
     counters_->count(Counter::RELAY_REFUSED);
     return;
@@ -155,7 +155,7 @@ void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
   } else if (entry.trusted || fromReserve) {
     wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)), trace::RELAY_DRAW);
   } else if (entry.toMany) {
-    wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>(random_->next(TO_MANY_SPREAD_MASK)), trace::RELAY_DRAW);
+    wait(entry, COPY, TO_MANY_SLOTS, spread(false), trace::RELAY_DRAW);
   } else {
     wait(entry, COPY, DOUBTFUL_SLOTS, static_cast<uint8_t>(random_->next(DOUBTFUL_SPREAD_MASK)), trace::RELAY_DRAW);
   }
@@ -240,7 +240,7 @@ void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length
   entry.answerHops = oneMore(hops);
   entry.answerLength = length;
   memcpy(entry.bytes + HEAD_LENGTH, packet, length);
-  add(credit_, entry.spent);
+  add(credits_[0], entry.spent);
   entry.spent = 0;
   if (direct && entry.copied && entry.quiet < SOON) entry.prompt = true;
   if (!entry.copied) {
@@ -276,7 +276,7 @@ void Forwarding::passTime() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const uint16_t passed = static_cast<uint16_t>(now - lookedAt_);
   lookedAt_ = now;
-  add(credit_, passed);
+  for (uint16_t &credit : credits_) add(credit, passed);
   for (Entry &entry : memory_->entries) add(entry.age, passed);
   const uint8_t slots = medium_->quietSlots();
   if (slots < slots_ && slots < MediumAccess::CIRCLE) slots_ = 0;
@@ -317,14 +317,15 @@ void Forwarding::send(Entry &entry) {
     counters_->count(Counter::RELAY_ANSWERS);
   } else {
     const uint16_t cost = costOf(entry.length);
-    if (credit_ < cost || (entry.toMany && entry.age > medium_->mostCopyMillis())) {
+    uint16_t &credit = credits_[entry.toMany];
+    if (credit < cost || (entry.toMany && entry.age > medium_->mostCopyMillis())) {
       entry.due = NOTHING;
       tell(trace::RELAY_REFUSE, entry);
       counters_->count(Counter::RELAY_REFUSED);
       return;
     }
     if (!medium_->sendCopy(entry.bytes, entry.length, entry.hops)) return;
-    credit_ = static_cast<uint16_t>(credit_ - cost);
+    credit = static_cast<uint16_t>(credit - cost);
     add(entry.spent, cost);
     entry.copied = true;
     tell(trace::RELAY_COPY, entry, entry.hops);

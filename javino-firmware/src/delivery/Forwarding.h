@@ -52,7 +52,7 @@ class Forwarding {
   struct Memory;
 
   Forwarding(MediumAccess &medium, Random &random, Counters &counters)
-      : medium_(medium), random_(random), counters_(counters), credit_(MOST) {}
+      : medium_(medium), random_(random), counters_(counters), credits_{MOST, MOST} {}
 
   /// Begins to relay, or ends that.
   /// @param memory for all that a relay knows, cleared; null where it ends
@@ -96,7 +96,7 @@ class Forwarding {
     uint8_t answers;  // copies of it since the packet was new or late
     uint8_t quiet;    // slots since the end of our last copy, or since what is in reserve was heard
     bool sending;     // a copy is on the air
-    bool toMany;      // a broadcast or multicast
+    uint8_t toMany;   // 1: a broadcast or multicast
     bool reserve;
     bool fromReserve;
     bool trusted;   // there was no doubt when it began
@@ -137,7 +137,7 @@ class Forwarding {
   Part<Counters> counters_;
   Memory *memory_ JAVINO_ZEROED;
   uint8_t slots_ JAVINO_ZEROED;  // quiet slots that were counted
-  uint16_t credit_;              // that may still be spent
+  uint16_t credits_[2];          // that may still be spent, for unicasts and for many
   uint16_t lookedAt_ JAVINO_ZEROED;
 };
 

@@ -37,6 +37,13 @@ TEST_F(BroadcastMemoryTest, the_same_again_while_the_first_still_came_in_fragmen
   EXPECT_TRUE(isRepeat(2000, 12500));
 }
 
+// A relay may copy the first behind the second (SPEC 7.5).
+TEST_F(BroadcastMemoryTest, the_same_again_behind_others_is_a_repeat) {
+  EXPECT_FALSE(isRepeat(1000));
+  for (const uint8_t other : {0, 1}) EXPECT_FALSE(memory_.isRepeat(&other, 1, 1200, 156));
+  EXPECT_TRUE(isRepeat(1300));
+}
+
 TEST_F(BroadcastMemoryTest, the_clock_runs_over_between_the_two) {
   EXPECT_FALSE(isRepeat(0xFFFFFFFF - AIRTIME));
   EXPECT_TRUE(isRepeat(200));

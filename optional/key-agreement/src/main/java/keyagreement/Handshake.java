@@ -32,7 +32,7 @@ final class Handshake {
     /** After a message for others, at least, and again as a random part: their next one comes sooner. */
     private static final int OTHERS_MILLIS = 600;
     /** From one fragment of message 2 to the next one, and where it is clear that one is lost. */
-    private static final int NEXT_MILLIS = 700;
+    private static final int NEXT_MILLIS = 900;
     private static final int SOON_MILLIS = 100;
     /** How often message 1 or a fragment of message 2 is asked for: for a message that waits, of an agent's or not. */
     private static final int TRIES = 5;

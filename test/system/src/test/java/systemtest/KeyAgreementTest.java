@@ -128,6 +128,22 @@ class KeyAgreementTest {
         }
     }
 
+    @Test
+    @Tag("verify")
+    void agents_betweenWhomARelayIs_talk() throws Exception {
+        authority.enroll("SUPO", identities);
+        emulator.command(Map.of("do", "move", "board", "bus", "position", List.of(-90, 0)));
+        emulator.command(Map.of("do", "move", "board", "police", "position", List.of(90, 0)));
+        try (Host relay = Host.of(emulator, "twin")) {
+            Host.get(relay.board.relaying(true));
+            try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(1)")) {
+                bus.await("delivered 1");
+                police.await("certified ROMA says 1");
+                bus.await("SUPO welcomes me 1");
+            }
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({"revoked", "expired", "no_answer"})
     @Tag("verify")

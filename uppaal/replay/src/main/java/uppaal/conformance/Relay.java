@@ -31,8 +31,8 @@ final class Relay {
     private final DeclaredAir air;
     private final Map<Integer, RelayedPacket> places = new HashMap<>();
     private final Map<String, Integer> scores = new LinkedHashMap<>();
-    private double creditLeast = MOST_CREDIT;
-    private double creditMost = MOST_CREDIT;
+    /** For unicasts, and for many. */
+    private final Credit[] credits;
     private double filled;
     private final String id;
     /** The point that must follow in the same run, and of which place; nothing where none must. */
@@ -47,6 +47,7 @@ final class Relay {
         this.id = id;
         this.heard = heard;
         air = new DeclaredAir(header, board);
+        credits = new Credit[] {new Credit(), new Credit()};
     }
 
     /** The automaton with the firmware's times, in milliseconds. */
@@ -83,12 +84,24 @@ final class Relay {
     private void fill(Point point) {
         double more = (point.seconds() - filled) * SHARE * MILLIS;
         filled = point.seconds();
-        creditLeast = Math.min(MOST_CREDIT, creditLeast + more / air.second() - SHARE);
-        creditMost = Math.min(MOST_CREDIT, creditMost + more / air.second() + SHARE);
-        if (!air.isTimed()) {
-            creditLeast = 0;
-            creditMost = MOST_CREDIT;
+        for (Credit credit : credits) {
+            credit.add(more / air.second(), SHARE);
         }
+    }
+
+    /** What a relay may still spend: at least and at most. */
+    private final class Credit {
+        private double least = air.isTimed() ? MOST_CREDIT : 0;
+        private double most = MOST_CREDIT;
+
+        void add(double more, double error) {
+            least = air.isTimed() ? Math.min(MOST_CREDIT, least + more - error) : 0;
+            most = air.isTimed() ? Math.min(MOST_CREDIT, most + more + error) : MOST_CREDIT;
+        }
+    }
+
+    private Credit credit(RelayedPacket place) {
+        return credits[place.isToMany() ? 1 : 0];
     }
 
     private void relay(Point point, int number) throws RefusedException {
@@ -160,8 +173,9 @@ final class Relay {
         point.require(!place.isToMany() || packet.hops() == 0, "no copy of a copy");
         Map<String, Integer> set = externals(point, place, packet);
         boolean isTrusted = set.get("doubt") == 0;
-        double least = place.isToMany() ? MOST_CREDIT / 4 : isTrusted ? cost(place.packet) : MOST_CREDIT / 2;
-        point.require(creditMost >= least, (int) least + " ms of credit or more, not " + (int) creditMost);
+        double least = isTrusted || place.isToMany() ? cost(place.packet) : MOST_CREDIT / 2;
+        double credit = credit(place).most;
+        point.require(credit >= least, (int) least + " ms of credit or more, not " + (int) credit);
         set.put("late", isAnew ? 1 : 0);
         isAnew = false;
         place.instance.take(point, point.name(), set);
@@ -210,17 +224,17 @@ final class Relay {
         place.due.checkNotLate(point);
         int cost = cost(place.packet);
         boolean isRefused = point.is("RELAY_REFUSE");
-        boolean mayBeRefused = creditLeast < cost || place.isLate(point, -1);
-        point.require(isRefused ? mayBeRefused : creditMost >= cost && !place.isLate(point, 1),
+        Credit credit = credit(place);
+        boolean mayBeRefused = credit.least < cost || place.isLate(point, -1);
+        point.require(isRefused ? mayBeRefused : credit.most >= cost && !place.isLate(point, 1),
                 "RELAY_" + (isRefused ? "COPY" : "REFUSE") + " of a packet of " + cost + " ms, with a credit of "
-                        + (int) creditLeast + " to " + (int) creditMost);
+                        + (int) credit.least + " to " + (int) credit.most);
         place.instance.set("spent", isRefused ? model.constant("CREDIT") : 0);
         place.instance.take(point);
         place.due = Timer.NONE;
         if (!isRefused) {
             checkHops(point, place.instance.get("own"));
-            creditLeast -= cost;
-            creditMost -= cost;
+            credit.add(-cost, 0);
             place.spent += cost;
             place.sends = true;
             copies = point;
@@ -265,8 +279,7 @@ final class Relay {
         if (scores.size() > SCORES) {
             scores.remove(scores.keySet().iterator().next());
         }
-        creditLeast = Math.min(MOST_CREDIT, creditLeast + place.spent);
-        creditMost = Math.min(MOST_CREDIT, creditMost + place.spent);
+        credits[0].add(place.spent, 0);
         place.spent = 0;
         if (place.instance.isAt("Carrying")) {
             next = "RELAY_DRAW_ANSWER";

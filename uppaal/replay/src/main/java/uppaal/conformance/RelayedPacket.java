@@ -12,7 +12,7 @@ final class RelayedPacket {
     private static final int SPREAD = 8;
     /** Of a packet whose pair's score is 1 or 2. */
     private static final Draw DOUBTFUL = new Draw("RELAY_COPY", 30, 0, 16 * SPREAD, false);
-    private static final Draw TO_MANY = new Draw("RELAY_COPY", 8, 0, 4 * SPREAD, false);
+    private static final Draw TO_MANY = new Draw("RELAY_COPY", 1, 0, SPREAD, false);
     /** Slots after which a copy for many is not sent any more, and those after which another one is. */
     private static final int MOST_SLOTS = 256;
     private static final int AGAIN_SLOTS = 128;
