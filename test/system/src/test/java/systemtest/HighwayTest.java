@@ -341,7 +341,9 @@ class HighwayTest {
                 Files.copy(file, copy);
             }
         }
-        String scenario = Files.readString(HIGHWAY.resolve("highway.json"));
-        Files.writeString(folder.resolve("highway.json"), scenario.replace("../..", ROOT.toString()));
+        for (String name : List.of("highway.json", "two-cells.json")) {
+            String scenario = Files.readString(HIGHWAY.resolve(name));
+            Files.writeString(folder.resolve(name), scenario.replace("../..", ROOT.toString()));
+        }
     }
 }
