@@ -31,7 +31,7 @@ TEST(Copies, areTakenAndTellTheirHops) {
     EXPECT_EQ(decoder.payload, vector.payload);
     EXPECT_EQ(decoder.mender.hops(), vector.hops);
     EXPECT_FALSE(decoder.mender.hasMended());
-    EXPECT_TRUE(decoder.mender.isDoubtful());
+    EXPECT_FALSE(decoder.mender.isDoubtful());
   }
 }
 
