@@ -28,9 +28,6 @@ final class FrameHistory {
         /** So long, at most, a sender lets pass between two attempts: its time-outs count quiet air only. */
         private static final long ATTEMPTS_MILLIS = 60_000;
 
-        /** 400 ms, 256 slots, and a packet's time on the air. */
-        private static final long COPY_MILLIS = 3000;
-
         private static final long NEVER = Long.MIN_VALUE / 2;
 
         private final Map<String, Integer> arrivals = new HashMap<>();
@@ -65,9 +62,9 @@ final class FrameHistory {
             return false;
         }
 
-        /** Whether it is a broadcast's copy by a relay, as boards take it (SPEC 7.2), or may be. */
+        /** Whether a broadcast may be a relay's copy, as its origin has just sent it here. */
         boolean mayBeCopy(long now) {
-            return now - lastAttempt < COPY_MILLIS;
+            return now - lastAttempt < ROUND_MILLIS;
         }
 
         /** Its origin has sent it here once more: for the n-th time, which is told. */
