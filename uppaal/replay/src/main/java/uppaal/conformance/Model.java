@@ -82,7 +82,7 @@ final class Model {
     /** All edges that boards declare, as {@link #covered} names them. */
     Set<String> edges() {
         Set<String> edges = new TreeSet<>();
-        automaton.transitions().stream().filter(edge -> !edge.points().isEmpty()).map(this::name).forEach(edges::add);
+        automaton.transitions().stream().filter(Model::isOfBoards).map(this::name).forEach(edges::add);
         return edges;
     }
 
@@ -92,7 +92,12 @@ final class Model {
     }
 
     void cover(List<Transition> path) {
-        path.stream().filter(edge -> !edge.points().isEmpty()).map(this::name).forEach(covered::add);
+        path.stream().filter(Model::isOfBoards).map(this::name).forEach(covered::add);
+    }
+
+    /** Whether a board declares it by a point; what a host does has a name in small letters. */
+    private static boolean isOfBoards(Transition edge) {
+        return edge.points().stream().anyMatch(point -> Character.isUpperCase(point.charAt(0)));
     }
 
     private String name(Transition edge) {
