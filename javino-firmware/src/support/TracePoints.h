@@ -52,6 +52,7 @@ POINT(ANSWER, key, )                   // the radio takes the first that is owed
 // A packet and its relay (relay.xml), which has it in one of its 4 places, each with a number of its own. A copy waits for some
 // quiet slots in a row, and for those drawn.
 POINT(RELAY_ON, on, )                  // 1: it begins to relay
+POINT(RELAY_DISTANCE, place, distance) // one for a device is new: 1 more than its distance modulo 4, or 0 if that is unknown
 POINT(RELAY_NEW, place, nonce)         // it takes a packet into this place, whatever was there; its 16th byte, or 0
 POINT(RELAY_ANEW, place, )             // one that it knows begins anew, as it comes so late
 POINT(RELAY_STEP_IN, place, )          // the same, from reserve

@@ -13,6 +13,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * One line of the emulator's trace (emulator/README.md), or an event of the same form. Where a field is missing or is
@@ -143,9 +144,14 @@ public final class TraceEvent {
         }
     }
 
-    /** Of a packet: the relays behind it, modulo 3; a sender's own packet has none. */
+    /** Of a packet: the relays behind it, modulo 4; a sender's own packet has none. */
     public int hops() {
         return has("hops") ? number("hops") : 0;
+    }
+
+    /** Of a packet: the distance that it tells, modulo 4 (SPEC 7.5). */
+    public OptionalInt distance() {
+        return has("distance") ? OptionalInt.of(number("distance")) : OptionalInt.empty();
     }
 
     public List<String> texts(String field) {
