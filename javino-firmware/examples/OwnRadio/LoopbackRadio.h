@@ -35,7 +35,7 @@ class LoopbackRadio : public javinolib::Radio {
   uint8_t *receive(javinolib::Received &with) override {
     if (length_ != 0 && !sending()) finish();
     with.length = receivedLength_;
-    with.hops = 0;
+    with.path = 0;
     return receivedLength_ == 0 ? nullptr : received_;
   }
 

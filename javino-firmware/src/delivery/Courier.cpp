@@ -251,6 +251,17 @@ void Courier::noteParity(const Proof::Claim &claim) {
   if (claim.asksParity) partners_.set(current().slot, true, KNOWS_PARITY);
 }
 
+inline bool Courier::sendWhole(const ByteQueue::Record &record, Trailer trailer) {
+  const uint8_t length = static_cast<uint8_t>(record.length);
+#if JAVINO_LARGE
+  if (distances_ && current().sent == 0) {
+    const uint8_t distance = distances_->to(Distances::numberOf(record.bytes));
+    return medium_->sendCopy(record.bytes, length, static_cast<uint8_t>(HOPS_MODULUS * distance), trailer);
+  }
+#endif
+  return medium_->send(record.bytes, length, trailer);
+}
+
 void Courier::send() {
   Message &message = current();
   const ByteQueue::Record record = frame();
@@ -264,7 +275,7 @@ void Courier::send() {
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
   const bool taken =
       message.count == 1
-          ? medium_->send(record.bytes, static_cast<uint8_t>(record.length), trailer)
+          ? sendWhole(record, trailer)
           : medium_->send(piece,
                           pieces::cut(record.bytes, record.length, message.id, digit, medium_->pieceLength(), piece),
                           trailer);

@@ -11,6 +11,7 @@
 #include "../support/Trace.h"
 #include "Acknowledger.h"
 #include "Backoff.h"
+#include "Distances.h"
 #include "KeyFlags.h"
 #include "MediumAccess.h"
 #include "Outbox.h"
@@ -33,6 +34,11 @@ class Courier {
   void begin() { nextId_ = static_cast<uint8_t>(state_->random->next(0x3F)); }
 
   Outbox &outbox() { return outbox_; }
+
+#if JAVINO_LARGE
+  /// Its board begins to relay, or ends that: what is sent first tells a distance that is known.
+  void relay(const Distances *distances) { distances_ = distances; }
+#endif
 
   /// Whether a message is under way that is sealed with the key in this place.
   bool isUnderWay(uint8_t slot) const;
@@ -132,6 +138,7 @@ class Courier {
   bool isExpected(Proof::Type type, const RadioPacket &lost);
   bool isBorne(const Proof::Claim &claim, const RadioPacket &lost) const;
   Trailer trailer() const;
+  bool sendWhole(const ByteQueue::Record &record, Trailer trailer);
   void noteParity(const Proof::Claim &claim);
   bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
   bool onAnswer(Proof::Type type, const uint8_t *body);
@@ -150,6 +157,9 @@ class Courier {
   uint8_t rounds_;               // how often they begin anew before
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
 
+#if JAVINO_LARGE
+  const Distances *distances_ JAVINO_ZEROED;
+#endif
   KeyFlags<PARTNER_FLAGS> partners_;
   uint8_t nextId_ JAVINO_ZEROED;
   uint8_t turn_ JAVINO_ZEROED;  // the place of the message that had the last turn but one

@@ -7,11 +7,6 @@
 
 namespace javinolib {
 
-const uint8_t Doubts::NONE;
-const uint8_t Doubts::FIRST;
-const uint8_t Doubts::AFTER_RESERVE;
-const uint8_t Doubts::MOST;
-
 namespace {
 
 const uint8_t FROM_SENDER = 1;  // hops of a copy of what its sender itself has sent
@@ -29,6 +24,7 @@ const uint8_t TURN = 45;  // the time of a packet and of its acknowledgement
 const uint8_t SOON = 24;
 const uint8_t RESERVE_QUIET = 18;
 const uint8_t SPREAD_MASK = 7;
+const uint8_t NEW_SPREAD_MASK = 15;
 const uint8_t DOUBTFUL_SPREAD_MASK = 127;
 const uint8_t ANSWER_SPREAD_MASK = 3;
 
@@ -39,56 +35,36 @@ const uint8_t ANSWER_REPEATS = 2;
 
 uint8_t oneMore(uint8_t hops) { return static_cast<uint8_t>((hops + 1) % HOPS_MODULUS); }
 
+// The parts of a path (SPEC 6): the hops behind a packet, and one more than the distance that it tells, 0 where it tells none.
+uint8_t hopsIn(uint8_t path) { return static_cast<uint8_t>(path % HOPS_MODULUS); }
+uint8_t distanceIn(uint8_t path) { return static_cast<uint8_t>(path / HOPS_MODULUS); }
+uint8_t pathOf(uint8_t hops, uint8_t distance) { return static_cast<uint8_t>(hops + HOPS_MODULUS * distance); }
+
 }  // namespace
-
-uint16_t Doubts::pairOf(const uint8_t *frame) {
-  Crc16 destination, origin;
-  destination.add(frame, Address::TEXT_LENGTH);
-  origin.add(frame + Address::TEXT_LENGTH, Address::TEXT_LENGTH);
-  return static_cast<uint16_t>(static_cast<uint32_t>(destination.value()) * origin.value());
-}
-
-uint8_t Doubts::find(uint16_t pair) const {
-  uint8_t i = 0;
-  while (i < count_ && entries_[i].pair != pair) i++;
-  return i;
-}
-
-uint8_t Doubts::of(uint16_t pair) const {
-  const uint8_t i = find(pair);
-  return i < count_ ? entries_[i].doubt : FIRST;
-}
-
-void Doubts::set(uint16_t pair, uint8_t doubt) {
-  uint8_t i = find(pair);
-  if (i == count_) {
-    if (count_ < CAPACITY) count_++;
-    i = static_cast<uint8_t>(count_ - 1);
-  }
-  memmove(entries_ + 1, entries_, i * sizeof(Entry));
-  entries_[0] = {pair, doubt};
-}
 
 void Forwarding::tell(trace::Point point, const Entry &entry, uint8_t second) {
   trace::tell(point, static_cast<uint8_t>(reinterpret_cast<uintptr_t>(&entry)), second);
 }
 
-void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
+void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t path, bool isForUs) {
   if (!isOn()) return;
+  memory_->distances.heard(Distances::numberOf(packet + Address::TEXT_LENGTH), hopsIn(path));
+  if (isForUs) return;
   passTime();
   const Address::Class to = frame.destination.classOf();
   if (to == Address::ACKNOWLEDGEMENT) {
-    answerHeard(frame, packet, length, hops);
+    answerHeard(frame, packet, length, path);
   } else if (to == Address::BROADCAST || to == Address::MULTICAST) {
-    packetHeard(packet, length, hops, true);
+    packetHeard(packet, length, path, true);
   } else if (to == Address::DEVICE && length >= HEAD_LENGTH) {
-    packetHeard(packet, length, hops, false);
+    packetHeard(packet, length, path, false);
   }
 }
 
 // Where a packet comes from, beside a copy of ours.
 Forwarding::Place Forwarding::placeOf(uint8_t hops, uint8_t own) {
-  return static_cast<Place>((hops + HOPS_MODULUS - own) % HOPS_MODULUS);
+  if (hops == own) return PEER;
+  return oneMore(hops) == own ? UPSTREAM : DOWNSTREAM;
 }
 
 Forwarding::Entry *Forwarding::find(const uint8_t *packet, uint8_t length, uint16_t crc) {
@@ -110,7 +86,8 @@ Forwarding::Entry *Forwarding::place() {
   return oldest;
 }
 
-void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops, bool toMany) {
+void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t path, bool toMany) {
+  const uint8_t hops = hopsIn(path);
   Crc16 crc;
   crc.add(packet, length);
   Entry *entry = find(packet, length, crc.value());
@@ -120,8 +97,8 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
     entry->length = 0;
     tell(trace::RELAY_FORGET, *entry);
   }
-  const uint16_t pair = Doubts::pairOf(packet);
-  const bool trusted = !toMany && memory_->doubts.of(pair) == Doubts::NONE;
+  const uint16_t to = Distances::numberOf(packet);
+  const bool trusted = !toMany && memory_->distances.scoreOf(to) == Distances::NONE;
   const uint16_t least = trusted || toMany ? costOf(length) : static_cast<uint16_t>(MOST / 2);
   entry = credits_[toMany] < least ? nullptr : place();
   if (!entry) {
@@ -131,20 +108,27 @@ void Forwarding::packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops
   *entry = Entry();
   entry->length = length;
   entry->crc = crc.value();
-  entry->pair = pair;
+  entry->to = to;
   entry->toMany = toMany;
   entry->late = late;
   memcpy(entry->bytes, packet, length);
+  bool isAway = false;
+  if (!late && !toMany) {
+    entry->distance = memory_->distances.to(to);
+    const uint8_t told = distanceIn(path);
+    isAway = told != 0 && (entry->distance == 0 || oneMore(entry->distance) != hopsIn(told));
+    tell(trace::RELAY_DISTANCE, *entry, entry->distance);
+  }
   tell(trace::RELAY_NEW, *entry, entry->bytes[HEAD_LENGTH - 1]);
-  begin(*entry, hops, false);
+  begin(*entry, hops, false, isAway);
 }
 
-void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
-  const uint8_t doubt = entry.toMany ? Doubts::FIRST : memory_->doubts.of(entry.pair);
+void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve, bool isAway) {
+  const uint8_t score = entry.toMany ? Distances::FIRST : memory_->distances.scoreOf(entry.to);
   entry.hops = oneMore(hops);
-  entry.trusted = doubt == Doubts::NONE;
+  entry.trusted = score == Distances::NONE;
   entry.fromReserve = fromReserve;
-  entry.reserve = doubt == Doubts::MOST && !fromReserve;
+  entry.reserve = !fromReserve && (isAway || score == Distances::MOST);
   entry.repeated = !entry.trusted || fromReserve;
   entry.handedOn = entry.prompt = entry.answered = entry.answerHandedOn = false;
   entry.answers = 0;
@@ -152,13 +136,18 @@ void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
   entry.age = 0;
   if (entry.reserve) {
     tell(trace::RELAY_RESERVE, entry);
-  } else if (entry.trusted || fromReserve) {
-    wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)), trace::RELAY_DRAW);
-  } else if (entry.toMany) {
-    wait(entry, COPY, TO_MANY_SLOTS, spread(false), trace::RELAY_DRAW);
-  } else {
-    wait(entry, COPY, DOUBTFUL_SLOTS, static_cast<uint8_t>(random_->next(DOUBTFUL_SPREAD_MASK)), trace::RELAY_DRAW);
+    return;
   }
+  uint8_t first = DOUBTFUL_SLOTS;
+  uint8_t mask = DOUBTFUL_SPREAD_MASK;
+  if (entry.toMany) {
+    first = TO_MANY_SLOTS;
+    mask = SPREAD_MASK;
+  } else if (entry.trusted || fromReserve || entry.distance != 0) {
+    first = NEW_SLOTS;
+    mask = NEW_SPREAD_MASK;
+  }
+  wait(entry, COPY, first, static_cast<uint8_t>(random_->next(mask) + (fromReserve ? TURN : 0)), trace::RELAY_DRAW);
 }
 
 // Returns false where the packet is to begin anew: what was its acknowledgement may have been forged.
@@ -175,12 +164,18 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
   return true;
 }
 
+// Who is in reserve as others are nearer may be needed when the packet comes so late.
+bool Forwarding::isInReserveForScore(const Entry &entry) const {
+  return entry.reserve && memory_->distances.scoreOf(entry.to) == Distances::MOST;
+}
+
 void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   const Place from = placeOf(hops, entry.hops);
   const bool isIdle = entry.due == NOTHING && !entry.sending;
   const bool isLate = entry.toMany ? hops == 0 && entry.age > medium_->mostCopyMillis() / 2 : entry.age > LATE_MILLIS;
-  if (isIdle && !entry.reserve && isLate) {
+  if (isIdle && isLate && !isInReserveForScore(entry) && (!entry.copied || from == UPSTREAM)) {
     entry.late = true;
+    entry.distance = 0;
     tell(trace::RELAY_ANEW, entry);
     begin(entry, hops, false);
   } else if (from == DOWNSTREAM) {
@@ -208,7 +203,8 @@ void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   }
 }
 
-void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
+void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t path) {
+  const uint8_t told = distanceIn(path);
   if (frame.length != PROOF_LENGTH && length != MAX_ANSWER) return;
   for (Entry &entry : memory_->entries) {
     if (entry.length == 0) continue;
@@ -218,11 +214,11 @@ void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t 
     const uint16_t bits = static_cast<uint16_t>((nonceEnd[0] << 8 | nonceEnd[1]) & 0xFFF);
     if (kept.destination != frame.origin || frame.destination.member() != bits) continue;
     if (!entry.answered) {
-      firstAnswer(entry, packet, length, hops);
-    } else {
-      const Place from = placeOf(hops, entry.answerHops);
-      if (from == DOWNSTREAM) entry.answerHandedOn = true;
-      if (from != UPSTREAM) {
+      firstAnswer(entry, packet, length, path);
+    } else if (told != 0) {
+      const Place from = placeOf(hopsIn(told - 1), entry.hops);
+      if (from == UPSTREAM) entry.answerHandedOn = true;
+      if (from != DOWNSTREAM) {
         entry.due = NOTHING;
         tell(from == PEER ? trace::RELAY_ANSWER_PEER : trace::RELAY_ANSWER_GONE_ON, entry);
       }
@@ -231,28 +227,28 @@ void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t 
   }
 }
 
-void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops) {
-  const uint8_t doubt = memory_->doubts.of(entry.pair);
-  const bool direct = hops == 0;
+void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t path) {
+  const uint8_t score = memory_->distances.scoreOf(entry.to);
+  const uint8_t told = distanceIn(path);
+  const bool direct = told == 0;
   entry.due = NOTHING;
   entry.reserve = false;
   entry.answered = true;
-  entry.answerHops = oneMore(hops);
+  entry.answerHops = oneMore(hopsIn(path));
   entry.answerLength = length;
   memcpy(entry.bytes + HEAD_LENGTH, packet, length);
   add(credits_[0], entry.spent);
   entry.spent = 0;
   if (direct && entry.copied && entry.quiet < SOON) entry.prompt = true;
   if (!entry.copied) {
-    memory_->doubts.set(entry.pair, static_cast<uint8_t>(doubt == Doubts::MOST ? doubt : doubt + 1));
+    memory_->distances.setScore(entry.to, static_cast<uint8_t>(score == Distances::MOST ? score : score + 1));
   } else if (entry.prompt) {
-    memory_->doubts.set(entry.pair, entry.fromReserve ? Doubts::AFTER_RESERVE : Doubts::NONE);
+    memory_->distances.setScore(entry.to, entry.fromReserve ? Distances::AFTER_RESERVE : Distances::NONE);
   } else if (direct) {
-    memory_->doubts.set(entry.pair, Doubts::MOST);
+    memory_->distances.setScore(entry.to, Distances::MOST);
   }
-  tell(trace::RELAY_ANSWERED, entry, memory_->doubts.of(entry.pair));
-  if (!entry.copied) return;
-  if (entry.handedOn || entry.prompt || (!direct && (doubt == Doubts::NONE || entry.late))) {
+  tell(trace::RELAY_ANSWERED, entry, memory_->distances.scoreOf(entry.to));
+  if (entry.copied && (direct ? entry.prompt : placeOf(hopsIn(told - 1), entry.hops) == DOWNSTREAM)) {
     wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_->next(ANSWER_SPREAD_MASK)),
          trace::RELAY_DRAW_ANSWER);
   }
@@ -311,9 +307,10 @@ void Forwarding::run() {
 
 void Forwarding::send(Entry &entry) {
   if (entry.due == ANSWER) {
-    if (!medium_->sendCopy(entry.bytes + HEAD_LENGTH, entry.answerLength, entry.answerHops)) return;
+    const uint8_t path = pathOf(entry.answerHops, static_cast<uint8_t>(entry.hops + 1));
+    if (!medium_->sendCopy(entry.bytes + HEAD_LENGTH, entry.answerLength, path)) return;
     entry.answers++;
-    tell(trace::RELAY_ANSWER, entry, entry.answerHops);
+    tell(trace::RELAY_ANSWER, entry, path);
     counters_->count(Counter::RELAY_ANSWERS);
   } else {
     const uint16_t cost = costOf(entry.length);
@@ -324,11 +321,12 @@ void Forwarding::send(Entry &entry) {
       counters_->count(Counter::RELAY_REFUSED);
       return;
     }
-    if (!medium_->sendCopy(entry.bytes, entry.length, entry.hops)) return;
+    const uint8_t path = pathOf(entry.hops, entry.distance);
+    if (!medium_->sendCopy(entry.bytes, entry.length, path)) return;
     credit = static_cast<uint16_t>(credit - cost);
     add(entry.spent, cost);
     entry.copied = true;
-    tell(trace::RELAY_COPY, entry, entry.hops);
+    tell(trace::RELAY_COPY, entry, path);
     counters_->count(Counter::RELAY_COPIES);
   }
   entry.due = NOTHING;

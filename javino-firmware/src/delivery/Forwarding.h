@@ -12,38 +12,10 @@
 #include "../support/Random.h"
 #include "../support/Trace.h"
 #include "../support/Zeroed.h"
+#include "Distances.h"
 #include "MediumAccess.h"
 
 namespace javinolib {
-
-/// How far a relay's copies are needed between two addresses, whichever of them sends (SPEC 7.5): 0 where they have brought
-/// a message on, 3 where they have not. The pairs that were longest unchanged are forgotten. Zeros are no pairs.
-class Doubts {
- public:
-  static const uint8_t NONE = 0;
-  static const uint8_t FIRST = 1;
-  static const uint8_t AFTER_RESERVE = 2;
-  static const uint8_t MOST = 3;
-
-  /// The pair of a frame's addresses in either direction, by a number that most other pairs do not have.
-  static uint16_t pairOf(const uint8_t *frame);
-
-  uint8_t of(uint16_t pair) const;
-  void set(uint16_t pair, uint8_t doubt);
-
- private:
-  static const uint8_t CAPACITY = 32;
-
-  struct Entry {
-    uint16_t pair;
-    uint8_t doubt;
-  };
-
-  uint8_t find(uint16_t pair) const;
-
-  uint8_t count_;
-  Entry entries_[CAPACITY];  // the one that was changed last is the first
-};
 
 /// What a relay does (SPEC 7.5): it copies unicasts that nobody seems to answer, and carries their acknowledgements back;
 /// broadcasts and multicasts it copies once. It has no key, and looks at addresses and nonces only.
@@ -63,10 +35,11 @@ class Forwarding {
 
   bool isOn() const { return memory_ != nullptr; }
 
-  /// Looks at a packet from the air that is neither from nor for this board.
+  /// Looks at a packet from the air that is not from this board.
   /// @param packet all of the frame
-  /// @param hops behind it, modulo 3
-  void heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
+  /// @param path as SPEC 6 has it, 0…19
+  /// @param isForUs whether this board is its destination, so that it is not copied
+  void heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t path, bool isForUs = false);
 
   /// Sends what is due; to be called each time the medium was looked at.
   JAVINO_NOINLINE void run();
@@ -91,6 +64,7 @@ class Forwarding {
     uint8_t first;       // quiet slots in a row that it waits for
     uint8_t left;        // further ones
     uint8_t hops;        // of our copy
+    uint8_t distance;    // of its destination plus 1, 0 where that is unknown or of no use
     uint8_t answerHops;  // of our copy of its acknowledgement
     uint8_t answerLength;
     uint8_t answers;  // copies of it since the packet was new or late
@@ -99,7 +73,7 @@ class Forwarding {
     uint8_t toMany;   // 1: a broadcast or multicast
     bool reserve;
     bool fromReserve;
-    bool trusted;   // there was no doubt when it began
+    bool trusted;   // its score was 0 when it began
     bool repeated;  // or need not be
     bool copied;
     bool late;
@@ -108,7 +82,7 @@ class Forwarding {
     bool answered;
     bool answerHandedOn;
     uint16_t crc;  // of the packet
-    uint16_t pair;
+    uint16_t to;   // its destination's number
     uint16_t spent;                    // of the credit
     uint16_t age;                      // milliseconds since something happened to it
     uint8_t bytes[MAX_RADIO_PAYLOAD];  // the packet; once it is answered its head, and behind that the acknowledgement
@@ -117,12 +91,13 @@ class Forwarding {
   static Place placeOf(uint8_t hops, uint8_t own);
   Entry *find(const uint8_t *packet, uint8_t length, uint16_t crc);
   Entry *place();
-  void packetHeard(const uint8_t *packet, uint8_t length, uint8_t hops, bool toMany);
+  void packetHeard(const uint8_t *packet, uint8_t length, uint8_t path, bool toMany);
   bool heardAgain(Entry &entry, uint8_t hops);
   void copyHeard(Entry &entry, uint8_t hops);
-  void begin(Entry &entry, uint8_t hops, bool fromReserve);
-  void answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
-  void firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops);
+  void begin(Entry &entry, uint8_t hops, bool fromReserve, bool isAway = false);
+  bool isInReserveForScore(const Entry &entry) const;
+  void answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t path);
+  void firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t path);
   void wait(Entry &entry, Due due, uint8_t first, uint8_t left, trace::Point point);
   JAVINO_NOINLINE static void tell(trace::Point point, const Entry &entry, uint8_t second = 0);
   uint8_t spread(bool turn);
@@ -142,7 +117,7 @@ class Forwarding {
 };
 
 struct Forwarding::Memory {
-  Doubts doubts;
+  Distances distances;
   Entry entries[CAPACITY];
 };
 
@@ -155,7 +130,7 @@ class NoForwarding {
 
   void relay(Memory *) {}
   bool isOn() const { return false; }
-  void heard(const Frame &, const uint8_t *, uint8_t, uint8_t) {}
+  void heard(const Frame &, const uint8_t *, uint8_t, uint8_t, bool) {}
   void run() {}
 };
 

@@ -44,11 +44,11 @@ bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer)
   return true;
 }
 
-bool MediumAccess::sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops) {
-  uint8_t &behind = *radio_.sentHops();
-  behind = hops;
-  const bool sent = send(payload, length);
-  behind = 0;
+bool MediumAccess::sendCopy(const uint8_t *payload, uint8_t length, uint8_t path, Trailer trailer) {
+  uint8_t &told = *radio_.sentPath();
+  told = path;
+  const bool sent = send(payload, length, trailer);
+  told = 0;
   return sent;
 }
 

@@ -48,13 +48,13 @@ class MediumAccess {
   /// @return false where the radio did not take it
   bool send(const uint8_t *payload, uint8_t length, Trailer trailer = Trailer::NONE);
 
-  /// Starts to send a copy of another board's packet.
-  /// @param hops behind it, modulo 3
+  /// Starts to send a relay's packet.
+  /// @param path as SPEC 6 has it, 0…19
   /// @return false where the radio did not take it
-  bool sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops);
+  bool sendCopy(const uint8_t *payload, uint8_t length, uint8_t path, Trailer trailer = Trailer::NONE);
 
-  /// Whether the radio can tell others the hops behind a packet.
-  bool canRelay() { return radio_.sentHops() != nullptr; }
+  /// Whether the radio can tell others the path of a packet.
+  bool canRelay() { return radio_.sentPath() != nullptr; }
 
   /// How long a relay's copy of a broadcast or multicast may begin behind its end (SPEC 7.5).
   uint16_t mostCopyMillis() const { return static_cast<uint16_t>(COPY_SLOTS * slotMillis_); }
@@ -62,7 +62,7 @@ class MediumAccess {
   /// How long ago the sender of a packet that comes in may have begun it, whether this is a copy or not.
   uint16_t begunMillis(const Received &with) const {
     uint16_t millis = airtimeMillis(with.length);
-    if (with.hops != 0) millis = static_cast<uint16_t>(millis + mostCopyMillis());
+    if (with.path != 0) millis = static_cast<uint16_t>(millis + mostCopyMillis());
     return millis;
   }
 

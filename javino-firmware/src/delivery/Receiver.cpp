@@ -46,7 +46,11 @@ void Receiver::forget() {
 }
 
 void Receiver::relay(bool on) {
-  forwarding_.relay(on ? pieces_.lend() : nullptr);
+  BoardsForwarding::Memory *memory = on ? pieces_.lend() : nullptr;
+  forwarding_.relay(memory);
+#if JAVINO_LARGE
+  courier_->relay(memory ? &memory->distances : nullptr);
+#endif
   if (!on) pieces_.takeBack();
 }
 
@@ -61,14 +65,14 @@ void Receiver::accept(uint8_t *packet, const Received &with) {
     admission_->drop(Counter::RADIO_BAD_FRAMES);
     return;
   }
-  if (config::LARGE && !admission_->isOwn(frame) && !admission_->isFor(frame.destination)) {
-    forwarding_.heard(frame, packet, with.length, with.hops);
+  if (config::LARGE && !admission_->isOwn(frame)) {
+    forwarding_.heard(frame, packet, with.length, with.path, admission_->isFor(frame.destination));
   }
   const Address::Class to = frame.destination.classOf();
   if (to == Address::ACKNOWLEDGEMENT) {
     if (courier_->acknowledged(frame)) return;
     admission_->drop(Counter::RADIO_NOT_FOR_US);
-    if (config::LARGE && with.hops == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
+    if (config::LARGE && with.path == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
     return;
   }
   if (to == Address::DEVICE) courier_->copied(packet, with.length);

@@ -14,7 +14,7 @@ void Relay::run() {
   while (const uint8_t *packet = medium_->receive(with)) {
     Frame frame;
     if (Frame::parse(packet, with.length, frame) == FrameError::NONE && frame.origin.isDevice()) {
-      forwarding_.heard(frame, packet, with.length, with.hops);
+      forwarding_.heard(frame, packet, with.length, with.path);
     }
     medium_->release();
   }

@@ -49,7 +49,7 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   }
   // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
   if (!packet) return false;
-  encoder_->start(payload, length, follower_, packet->room, hops_);
+  encoder_->start(payload, length, follower_, packet->room, path_);
   askhardware::InterruptLock lock;
   sending_ = true;
   encoder_->next();  // the first bit is a 0, as is the silence now
@@ -81,7 +81,7 @@ uint8_t *AskRadio::receive(Received &with) {
   RadioPacket *packet = decoder_->queue().oldest();
   if (!packet) return nullptr;
   if (mender_->step(*packet) != Mender::WHOLE) return nullptr;
-  with.hops = mender_->hops();
+  with.path = mender_->path();
   with.length = packet->payloadLength();
   return packet->payload();
 }

@@ -44,7 +44,7 @@ class AskRadio : public Radio {
   uint8_t *receive(Received &with) override;
   void release() override;
   Mender *mender() override { return mender_.operator->(); }
-  uint8_t *sentHops() override { return &hops_; }
+  uint8_t *sentPath() override { return &path_; }
 #if JAVINO_LARGE
   void follow(Trailer trailer) override { follower_ = trailer; }
 #endif
@@ -89,7 +89,7 @@ class AskRadio : public Radio {
   OwnPart<BitClock> bitClock_;
   OwnPart<RadioEncoder> encoder_;
   Trailer follower_ JAVINO_ZEROED;  // what follows the packets that are sent
-  uint8_t hops_ JAVINO_ZEROED;      // behind these
+  uint8_t path_ JAVINO_ZEROED;      // behind these
   OwnPart<RadioDecoder> decoder_;
   OwnPart<Mender> mender_;
 };

@@ -18,9 +18,9 @@ Mender::Progress Mender::step(RadioPacket &packet) {
 }
 
 // Whether a CRC is right.
-inline bool Mender::note(uint16_t hops) {
-  if (hops >= RadioPacket::NO_HOPS) return false;
-  hops_ = static_cast<uint8_t>(hops);
+inline bool Mender::note(uint16_t path) {
+  if (path >= RadioPacket::NO_PATH) return false;
+  path_ = static_cast<uint8_t>(path);
   return true;
 }
 
@@ -94,7 +94,7 @@ Mender::Progress Mender::look(RadioPacket &packet) {
   isOther_ = false;
   mended_ = false;
   doubtful_ = false;
-  if (note(packet.hops())) {
+  if (note(packet.path())) {
     packet.makeBytes(packet.count());
     return WHOLE;
   }
@@ -120,7 +120,7 @@ Mender::Progress Mender::compare(RadioPacket &packet) {
     trailer_ = trailerOf(packet, copy.room[0]);
     memcpy(packet.room, copy.room, sizeof packet.room);
     packet.areBytes = true;
-    note(packet.hopsOfBytes());
+    note(packet.pathOfBytes());
     return WHOLE;
   }
   return choose(linecode::MIN_COUNT);
@@ -267,7 +267,7 @@ bool Mender::tryChoices() {
   uint8_t found = 0;
   uint16_t crc = crc_.value();
   for (uint8_t left = choices_; left != 0; left--) {
-    if (note(RadioPacket::hopsOf(crc))) {
+    if (note(RadioPacket::pathOf(crc))) {
       found++;
       memcpy(right, tried, sizeof right);
     }
@@ -343,7 +343,7 @@ void Mender::erase(uint8_t byte) { parity_.erase(byte); }
 Mender::Progress Mender::correct(RadioPacket &packet) {
   const reedsolomon::Progress progress = parity_.step();
   if (progress == reedsolomon::Progress::PENDING) return PENDING;
-  if (progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && note(packet.hopsOfBytes())) {
+  if (progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && note(packet.pathOfBytes())) {
     return WHOLE;
   }
   if (!isSaved_ || !copy()) return LOST;
@@ -412,13 +412,13 @@ Mender::Progress Mender::work(RadioPacket &packet) {
     wrong = symbol;
   }
   packet.makeBytes(count);
-  const uint16_t hops = packet.hopsOfBytes();
-  if (place == 0) return note(hops) ? WHOLE : LOST;
+  const uint16_t path = packet.pathOfBytes();
+  if (place == 0) return note(path) ? WHOLE : LOST;
   uint8_t *const byte = packet.room + place / 2;
   for (uint8_t nibble = 0; nibble < 16; nibble++) {
     if (linecode::onesOf(linecode::symbolOf(nibble) ^ wrong) != 1) continue;
     const uint8_t change = placed(static_cast<uint8_t>(nibble ^ 0x0F), place);
-    if (!note(hops ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))) continue;
+    if (!note(path ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))) continue;
     if (mended_) return LOST;
     mended_ = true;
     *byte ^= change;

@@ -47,8 +47,8 @@ class Mender {
   /// Whether the packet that is whole was damaged.
   bool hasMended() const { return mended_; }
 
-  /// How many hops lie behind the packet that is whole, modulo 3 (SPEC 6).
-  uint8_t hops() const { return hops_; }
+  /// The path of the packet that is whole (SPEC 6).
+  uint8_t path() const { return path_; }
 
   /// What came behind the packet that is whole, if it was damaged.
   Trailer trailer() const { return trailer_; }
@@ -77,7 +77,7 @@ class Mender {
   static const uint8_t MOST_UNDECIDED = 6;
 
   Progress work(RadioPacket &packet);
-  bool note(uint16_t hops);
+  bool note(uint16_t path);
 
 #if JAVINO_LARGE
   enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, WRITING, CORRECTING };
@@ -129,7 +129,7 @@ class Mender {
   Progress progress_ JAVINO_ZEROED;
   Trailer trailer_ JAVINO_ZEROED;
   Trailer lastTrailer_ JAVINO_ZEROED;
-  uint8_t hops_ JAVINO_ZEROED;
+  uint8_t path_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
 };
 

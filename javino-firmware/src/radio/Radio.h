@@ -14,8 +14,9 @@ static const uint8_t MAX_RADIO_PAYLOAD = 77;
 /// its frame and the nonce.
 static const uint8_t MIN_RADIO_PAYLOAD = 26;
 
-/// Packets tell how many hops lie behind them modulo this (SPEC 7.5).
-static const uint8_t HOPS_MODULUS = 3;
+/// Packets tell hops and distances modulo this (SPEC 7.5), in a path (SPEC 6) below PATHS.
+static const uint8_t HOPS_MODULUS = 4;
+static const uint8_t PATHS = HOPS_MODULUS * (1 + HOPS_MODULUS);
 
 class Mender;
 
@@ -39,7 +40,7 @@ struct RadioCounters {
 /// What came with a payload.
 struct Received {
   uint8_t length;  ///< of the payload, 1…longestPayload()
-  uint8_t hops;    ///< behind the packet, modulo HOPS_MODULUS; 0 where the driver cannot tell that (SPEC 7.5)
+  uint8_t path;    ///< of the packet (SPEC 6), less than PATHS; 0 where the driver cannot tell that
 };
 
 /// A half-duplex packet radio: it sends and receives payloads. Only the driver knows how, and how fast. No function
@@ -65,9 +66,9 @@ class Radio {
   virtual void follow(Trailer) {}
 #endif
 
-  /// @return where to say how many hops lie behind the packets that are sent from now on, modulo HOPS_MODULUS, at first none; null
-  /// if the driver cannot tell that to other boards: then the board is no relay.
-  virtual uint8_t *sentHops() { return nullptr; }
+  /// @return where to say the path of the packets that are sent from now on, less than PATHS, at first 0; null if the driver
+  /// cannot tell that to other boards: then the board is no relay.
+  virtual uint8_t *sentPath() { return nullptr; }
 
   /// @return what knows how the packet that receive() returned has come, and which packets were lost; null where the driver
   /// gives intact ones only.

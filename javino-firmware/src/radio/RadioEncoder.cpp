@@ -10,7 +10,7 @@
 
 namespace javinolib {
 
-bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet, uint8_t hops) {
+bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet, uint8_t path) {
   if (length == 0 || length > MAX_RADIO_PAYLOAD) return false;
   const uint8_t count = static_cast<uint8_t>(length + linecode::PACKET_OVERHEAD);
   packet_ = packet;
@@ -19,7 +19,7 @@ bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer
 
   Crc16 crc;
   crc.add(packet, length + 1);
-  const uint16_t sent = static_cast<uint16_t>(crc.value() ^ hops * RadioPacket::CRC_OF_HOP);
+  const uint16_t sent = static_cast<uint16_t>(crc.value() ^ RadioPacket::crcOf(path));
   packet[length + 1] = static_cast<uint8_t>(sent);
   packet[length + 2] = static_cast<uint8_t>(sent >> 8);
 

@@ -16,9 +16,9 @@ class RadioEncoder {
   /// @param length 1…77
   /// @param trailer what follows; on a small board nothing does
   /// @param packet room for the packet, 80 bytes and those of a trailer, lent until the last bit
-  /// @param hops behind it, 0…2
+  /// @param path 0…19 (SPEC 6)
   /// @return false, and nothing changes, where the length is out of range.
-  bool start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet, uint8_t hops = 0);
+  bool start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet, uint8_t path = 0);
 
   /// The bits of a packet without trailer: 84 + 12 n for n bytes of payload.
   static uint16_t bitsOf(uint8_t length) {

@@ -6,8 +6,7 @@ namespace javinolib {
 
 const uint8_t RadioPacket::NO_COUNT;
 const uint16_t RadioPacket::CRC_OF_INTACT;
-const uint16_t RadioPacket::CRC_OF_HOP;
-const uint8_t RadioPacket::NO_HOPS;
+const uint8_t RadioPacket::NO_PATH;
 
 namespace {
 
@@ -39,17 +38,17 @@ uint8_t RadioPacket::count() const {
   return count >= linecode::MIN_COUNT && count <= linecode::MAX_COUNT ? static_cast<uint8_t>(count) : NO_COUNT;
 }
 
-uint16_t RadioPacket::hops() const {
+uint16_t RadioPacket::path() const {
   const uint8_t bytes = count();
-  if (bytes == NO_COUNT || 2 * bytes > symbols) return NO_HOPS;
+  if (bytes == NO_COUNT || 2 * bytes > symbols) return NO_PATH;
   Crc16 crc;
   for (uint8_t i = 0; i < bytes; i++) {
     const uint16_t next = byte(i);
-    if (next >= NO_BYTE) return NO_HOPS;
+    if (next >= NO_BYTE) return NO_PATH;
     const uint8_t known = static_cast<uint8_t>(next);
     crc.add(&known, 1);
   }
-  return hopsOf(crc.value());
+  return pathOf(crc.value());
 }
 
 // Three bytes of symbols make two bytes: none is overwritten before it was read.
@@ -58,10 +57,10 @@ void RadioPacket::makeBytes(uint8_t length) {
   areBytes = true;
 }
 
-uint16_t RadioPacket::hopsOfBytes() const {
+uint16_t RadioPacket::pathOfBytes() const {
   Crc16 crc;
   crc.add(room, room[0]);
-  return hopsOf(crc.value());
+  return pathOf(crc.value());
 }
 
 uint16_t RadioPacket::wrongBits(uint8_t first, const uint8_t *bytes, uint8_t length) const {

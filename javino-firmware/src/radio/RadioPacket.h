@@ -22,13 +22,13 @@ struct RadioPacket {
   /// The CRC of anything with its own CRC behind it, low byte first (the complement of X-25's residue 0xF0B8).
   static const uint16_t CRC_OF_INTACT = 0x0F47;
 
-  /// What the CRC in the packet is XORed with for each hop behind it; the CRC of the whole packet then differs by the number
-  /// of hops from that above.
-  static const uint16_t CRC_OF_HOP = 0x0811;
-  static const uint8_t NO_HOPS = 3;
+  static const uint8_t NO_PATH = PATHS;
 
-  /// The hops behind a packet, modulo 3, where this is the CRC of all its bytes; NO_HOPS or more where that is wrong.
-  static uint16_t hopsOf(uint16_t crc) { return crc ^ CRC_OF_INTACT; }
+  /// What the CRC in a packet of this path is XORed with: the CRC of the whole packet then differs by the path from that above.
+  static uint16_t crcOf(uint8_t path) { return static_cast<uint16_t>(path ^ path << 4 ^ path << 11); }
+
+  /// The path of a packet where this is the CRC of all its bytes; NO_PATH or more where that is wrong.
+  static uint16_t pathOf(uint16_t crc) { return crc ^ CRC_OF_INTACT; }
 
   uint8_t symbols JAVINO_ZEROED;     ///< that have come, 0…MAX_SYMBOLS; of bytes that are known, two each
   bool areBytes JAVINO_ZEROED;       ///< room has the bytes; else six bits of each symbol, the first one lowest
@@ -41,8 +41,8 @@ struct RadioPacket {
   /// The count, 4…80, if both of its symbols are in the table; NO_COUNT else. At least two symbols have come.
   uint8_t count() const;
 
-  /// The hops behind the packet, modulo 3; NO_HOPS or more where a symbol is not in the table or the CRC is wrong.
-  uint16_t hops() const;
+  /// The path of the packet; NO_PATH or more where a symbol is not in the table or the CRC is wrong.
+  uint16_t path() const;
 
   /// Bytes, once they are known: of so many as the count says, and perhaps of more.
   uint8_t *bytes() { return room; }
@@ -60,8 +60,8 @@ struct RadioPacket {
   /// Puts so many bytes, as readByte() tells them, in the place of their symbols.
   void makeBytes(uint8_t length);
 
-  /// As hops(), where room has the bytes.
-  uint16_t hopsOfBytes() const;
+  /// As path(), where room has the bytes.
+  uint16_t pathOfBytes() const;
 
   /// By how many bits the symbols from `first` on differ from those of these bytes.
   /// @return 65535 where fewer have come

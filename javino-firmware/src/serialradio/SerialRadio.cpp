@@ -12,7 +12,7 @@ const uint8_t SerialRadio::ROOM;
 
 namespace {
 
-// 0x00, COBS, hops, CRC and 0x00 around a payload.
+// 0x00, COBS, path, CRC and 0x00 around a payload.
 const uint8_t OVERHEAD = 6;
 
 // A packet whose next byte does not come within this time has lost its end.
@@ -45,7 +45,7 @@ bool SerialRadio::begin() {
 
 bool SerialRadio::send(const uint8_t *payload, uint8_t length) {
   if (sending_ || isBusy() || length == 0 || length > longestPayload() || port_.availableForWrite() <= 0) return false;
-  out_[0] = sentHops_;
+  out_[0] = sentPath_;
   memcpy(out_ + 1, payload, length);
   encoder_.start(out_, static_cast<uint16_t>(1 + length));
   port_.write(static_cast<uint8_t>(0));
@@ -72,7 +72,7 @@ uint8_t *SerialRadio::receive(Received &with) {
   read();
   if (!waits_) return nullptr;
   with.length = static_cast<uint8_t>(decoder_.frameLength());
-  with.hops = decoder_.sequence();
+  with.path = decoder_.sequence();
   return in_ + 1;
 }
 
@@ -103,7 +103,7 @@ void SerialRadio::take(uint8_t byte) {
   heardAt_ = now();
   const PacketEvent event = decoder_.add(byte);
   if (event == PacketEvent::NONE) return;
-  waits_ = event == PacketEvent::PACKET && decoder_.sequence() < HOPS_MODULUS;
+  waits_ = event == PacketEvent::PACKET && decoder_.sequence() < PATHS;
   if (waits_) {
     countUp(counters_.received);
   } else {

@@ -31,7 +31,7 @@ class SerialRadio : public Radio {
   uint8_t slotMillis() const override { return flashByte(&module_.slotMillis); }
   uint8_t *receive(Received &with) override;
   void release() override { waits_ = false; }
-  uint8_t *sentHops() override { return &sentHops_; }
+  uint8_t *sentPath() override { return &sentPath_; }
   void counters(RadioCounters &into) const override { into = counters_; }
   bool idle() const override;
 
@@ -62,7 +62,7 @@ class SerialRadio : public Radio {
   uint16_t airtime_ JAVINO_ZEROED;    // of the packet that is sent, in ms
   uint16_t sentAt_ JAVINO_ZEROED;
   uint16_t heardAt_ JAVINO_ZEROED;
-  uint8_t sentHops_ JAVINO_ZEROED;
+  uint8_t sentPath_ JAVINO_ZEROED;
   PacketEncoder encoder_;
   PacketDecoder decoder_;
   RadioCounters counters_ JAVINO_ZEROED;

@@ -177,6 +177,27 @@ TEST(Relays, cannot_be_boards_whose_radio_tells_no_hops) {
   EXPECT_EQ(Status::UNKNOWN_COMMAND, relaying(board, true).status);
 }
 
+// Path 12 is no hop behind, and two ahead.
+TEST(Relays, tell_how_far_their_own_message_goes_when_it_is_sent_first) {
+  for (bool relays : {true, false}) {
+    TestBoard board;
+    board.start("SUPP");
+    board.setKey("SUHO", KEY);
+    board.start();
+    board.radio.mends = true;
+    relaying(board, relays);
+    board.radio.arrive(plain("SUPP", "SUHO", "tell;x"), {}, javinolib::Trailer::NONE, 1);
+    board.pass(1000);
+    board.radio.behind.clear();
+    board.transmit("SUHO", "SUPP", "tell;x");
+    board.passSending(3000);
+    const uint8_t path = relays ? 12 : 0;
+    ASSERT_GE(board.radio.behind.size(), 2u);
+    EXPECT_EQ(path, board.radio.behind[0]);
+    EXPECT_EQ(0, board.radio.behind[1]) << "who is nearer does not bring it on";
+  }
+}
+
 TEST(Relays, are_needed_by_none_who_hear_each_other) {
   Line line(2);
   line.air.inRange = nullptr;
@@ -230,7 +251,7 @@ TEST(Relays, are_waited_for_by_a_sender_that_hears_a_copy) {
   EXPECT_EQ(Station::DELIVERED, line.first().ended["tell;help"]);
 }
 
-// It sends changed bytes, acknowledgements that it has made up, hops that are not so, and all of that again.
+// It sends changed bytes, acknowledgements that it has made up, paths that are not so, and all of that again.
 TEST(Relays, that_lie_have_nothing_delivered_twice_or_wrongly) {
   for (uint32_t seed = 1; seed <= 20; seed++) {
     Line line(2, seed);
@@ -258,7 +279,7 @@ TEST(Relays, that_lie_have_nothing_delivered_twice_or_wrongly) {
           break;
         default: break;
       }
-      line.air.inject(packet, static_cast<uint8_t>(random.number(3)));
+      line.air.inject(packet, static_cast<uint8_t>(random.number(20)));
     }
     line.air.onPacket = nullptr;
     EXPECT_TRUE(line.air.settle(300000));

@@ -10,8 +10,12 @@ using javinolib::Relay;
 
 namespace {
 
+// SPEC 6.
+uint8_t pathOf(uint8_t hops, uint8_t distance) { return static_cast<uint8_t>(hops + 4 + 4 * distance); }
+
 const uint32_t SLOT = 8;
 const uint32_t LONGEST = 158 * SLOT;  // until a first copy that may not be needed
+const uint32_t LONGEST_NEW = 24 * SLOT;  // and of one that is
 
 // A sealed frame of 16 bytes of content, as far as a relay can tell.
 Bytes unicast(uint8_t number, const std::string &to = "SUPO", const std::string &from = "ROMA") {
@@ -45,11 +49,11 @@ class RelayTest : public testing::Test {
   }
 
   // Another board's packet takes its time on the air.
-  void hear(const Bytes &packet, uint8_t hops = 0) {
+  void hear(const Bytes &packet, uint8_t path = 0) {
     radio.heard = true;
     pass(radio.airtimeMillis(static_cast<uint8_t>(packet.size())));
     radio.heard = false;
-    radio.arrive(packet, {}, javinolib::Trailer::NONE, hops);
+    radio.arrive(packet, {}, javinolib::Trailer::NONE, path);
     pass(1);
   }
 
@@ -62,6 +66,9 @@ class RelayTest : public testing::Test {
     pass(1);
     return true;
   }
+
+  // A packet that no relay copies, from the receiver of the others.
+  void hearReceiver(uint8_t hops) { hear(unicast(0, "+FAA", "SUPO"), hops); }
 
   // A message that this relay carries there and whose acknowledgement it carries back.
   void carry(uint8_t number) {
@@ -82,14 +89,14 @@ class RelayTest : public testing::Test {
 }  // namespace
 
 TEST_F(RelayTest, copies_a_unicast_that_nobody_answers_byte_by_byte_with_one_hop_more) {
-  for (uint8_t hops = 0; hops < 3; hops++) {
+  for (uint8_t hops = 0; hops < 4; hops++) {
     const Bytes packet = unicast(hops);
     hear(packet, hops);
     EXPECT_TRUE(sends(LONGEST));
     EXPECT_EQ(packet, radio.sent.back());
-    EXPECT_EQ((hops + 1) % 3, radio.behind.back());
+    EXPECT_EQ((hops + 1) % 4, radio.behind.back());
   }
-  EXPECT_EQ(3u, relay.copies());
+  EXPECT_EQ(4u, relay.copies());
 }
 
 TEST_F(RelayTest, waits_for_an_answer_at_first_and_for_eight_slots_where_it_is_needed) {
@@ -196,12 +203,70 @@ TEST_F(RelayTest, carries_the_acknowledgement_of_what_it_copied) {
   hear(answer(1));
   EXPECT_TRUE(sends(5 * SLOT));
   EXPECT_EQ(answer(1), radio.sent.back());
-  EXPECT_EQ(1, radio.behind.back());
+  EXPECT_EQ(pathOf(1, 2), radio.behind.back());
   EXPECT_EQ(1u, relay.answers());
   // The sender was not heard itself: twice more, unless it is heard farther on.
   EXPECT_TRUE(sends(30 * SLOT));
-  hear(answer(1), 2);
+  hear(answer(1), pathOf(2, 1));
   EXPECT_FALSE(sends(3000));
+}
+
+TEST_F(RelayTest, carries_an_acknowledgement_from_downstream_alone) {
+  const uint8_t own = 2;
+  for (uint8_t its = 0; its < 4; its++) {
+    hear(unicast(its, "SUPO", "RO" + digitsOf(its)), 1);
+    ASSERT_TRUE(sends(LONGEST));
+    pass(30 * SLOT);
+    hear(answer(its), pathOf(1, its));
+    EXPECT_EQ((its - own) % 4 == 1 || (own - its) % 4 == 2, sends(5 * SLOT)) << int(its);
+    pass(3000);
+  }
+}
+
+TEST_F(RelayTest, leaves_a_packet_to_those_who_are_nearer) {
+  hear(unicast(1), pathOf(0, 2));
+  EXPECT_FALSE(sends(3000)) << "it does not know how far that is";
+  hearReceiver(1);
+  for (uint8_t told = 0; told < 4; told++) {
+    hear(unicast(static_cast<uint8_t>(2 + told), "SUPO", "RO" + digitsOf(told)), pathOf(0, told));
+    EXPECT_EQ(told == 3, sends(LONGEST_NEW)) << int(told);
+    pass(3000);
+  }
+}
+
+TEST_F(RelayTest, copies_soon_and_tells_the_distance_where_it_knows_that) {
+  for (uint8_t hops = 0; hops < 4; hops++) {
+    for (int i = 0; i < 4; i++) hearReceiver(hops);
+    hear(unicast(hops));
+    EXPECT_FALSE(sends(8 * SLOT - 1));
+    ASSERT_TRUE(sends(16 * SLOT + 1));
+    EXPECT_EQ(pathOf(1, (hops + 1) % 4), radio.behind.back());
+    pass(3000);
+  }
+}
+
+TEST_F(RelayTest, takes_a_greater_distance_at_the_fourth_time_and_a_smaller_one_at_once) {
+  const std::vector<std::vector<uint8_t>> heard = {{0}, {1}, {1}, {1, 0}, {2}, {1}, {2}, {0}, {1, 1, 1}, {2}};
+  const std::vector<uint8_t> distances = {1, 1, 1, 1, 1, 1, 1, 1, 1, 3};
+  for (uint8_t i = 0; i < heard.size(); i++) {
+    for (uint8_t hops : heard[i]) hearReceiver(hops);
+    hear(unicast(i, "SUPO", "RO" + digitsOf(i)));
+    ASSERT_TRUE(sends(LONGEST_NEW));
+    EXPECT_EQ(pathOf(1, distances[i]), radio.behind.back()) << int(i);
+    pass(10000);
+  }
+  hearReceiver(1);
+  hear(unicast(20));
+  ASSERT_TRUE(sends(LONGEST_NEW));
+  EXPECT_EQ(pathOf(1, 2), radio.behind.back());
+}
+
+TEST_F(RelayTest, begins_late_with_what_others_who_are_nearer_have_not_brought_on) {
+  hear(unicast(1), pathOf(0, 2));
+  pass(1600);
+  hear(unicast(1));
+  ASSERT_TRUE(sends(LONGEST));
+  EXPECT_EQ(1, radio.behind.back()) << "late: it tells no distance";
 }
 
 TEST_F(RelayTest, carries_no_acknowledgement_of_another_packet) {
@@ -238,9 +303,13 @@ TEST_F(RelayTest, begins_anew_with_what_is_heard_again_late) {
   hear(unicast(1), 1);
   EXPECT_FALSE(sends(1300));
   pass(500);
-  hear(unicast(1), 2);
+  for (uint8_t path : {2, 3}) {
+    hear(unicast(1), path);
+    EXPECT_FALSE(sends(3000)) << "a copy of its own copy, or beside it";
+  }
+  hear(unicast(1), 1);
   EXPECT_TRUE(sends(LONGEST));
-  EXPECT_EQ(0, radio.behind.back());
+  EXPECT_EQ(2, radio.behind.back());
 }
 
 TEST_F(RelayTest, gives_the_acknowledgement_again_and_after_four_times_the_packet) {
@@ -327,13 +396,13 @@ TEST_F(RelayTest, bears_random_packets) {
     Bytes packet = random.number(3) == 0 ? answer(static_cast<uint8_t>(random.number(8)))
                                          : unicast(static_cast<uint8_t>(random.number(8)));
     if (random.number(4) == 0) packet = random.bytes(1 + random.number(77));
-    if (!radio.sending()) radio.arrive(packet, {}, javinolib::Trailer::NONE, static_cast<uint8_t>(random.number(3)));
+    if (!radio.sending()) radio.arrive(packet, {}, javinolib::Trailer::NONE, static_cast<uint8_t>(random.number(20)));
     pass(random.number(300));
   }
   for (const Bytes &packet : radio.sent) EXPECT_TRUE(packet.size() == 40 || packet.size() == 18);
 }
 
-TEST(RelayRadio, must_tell_hops) {
+TEST(RelayRadio, must_tell_paths) {
   FakeClock clock;
   FakeRadio radio;
   EXPECT_FALSE(Relay(radio).begin());

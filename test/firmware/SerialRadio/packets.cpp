@@ -61,7 +61,7 @@ const Bytes FRAME = reference::frame("////", "CAFE", bytesOf("tell;help"));
 TEST_F(SerialRadioPackets, gives_its_module_all_valid_vectors) {
   for (const Vector &vector : vectors("modules.json", "valid")) {
     SCOPED_TRACE(vector.toString());
-    *radio.sentHops() = static_cast<uint8_t>(vector.number("hops"));
+    *radio.sentPath() = static_cast<uint8_t>(vector.number("path"));
     for (size_t atOnce : {1, 7, 63}) EXPECT_EQ(vector.text("sent"), toHex(sent(vector.bytes("payload"), atOnce)));
   }
 }
@@ -71,7 +71,7 @@ TEST_F(SerialRadioPackets, takes_all_valid_vectors_in_portions_of_each_size) {
     SCOPED_TRACE(vector.toString());
     for (size_t portion = 1; portion < FakeUart::ROOM; portion++) {
       ASSERT_EQ(std::vector<Bytes>{vector.bytes("payload")}, received(vector.bytes("sent"), portion));
-      ASSERT_EQ(vector.number("hops"), with.hops);
+      ASSERT_EQ(vector.number("path"), with.path);
     }
   }
   EXPECT_EQ(0u, counters().damaged);
@@ -128,11 +128,11 @@ TEST_F(SerialRadioPackets, keeps_the_next_packet_in_the_port_until_the_first_is_
   uart.arrive(packet + reference::packet(2, FRAME));
   EXPECT_EQ(FRAME, receive());
   EXPECT_EQ(FRAME, receive());
-  EXPECT_EQ(0, with.hops);
+  EXPECT_EQ(0, with.path);
   EXPECT_FALSE(radio.idle());
   radio.release();
   EXPECT_EQ(FRAME, receive());
-  EXPECT_EQ(2, with.hops);
+  EXPECT_EQ(2, with.path);
   radio.release();
   EXPECT_TRUE(radio.idle());
   EXPECT_EQ(2u, counters().received);

@@ -109,13 +109,13 @@ TEST_F(SmallMender, takes_and_mends_copies_of_relays) {
   for (uint8_t hops = 0; hops < 3; hops++) {
     bits = bitsOf(PAYLOAD, hops);
     ASSERT_TRUE(mends(bits));
-    EXPECT_EQ(hops, mender.hops());
+    EXPECT_EQ(hops, mender.path());
     EXPECT_FALSE(mender.isDoubtful());
     for (size_t i = 2 * linecode::BITS_PER_SYMBOL; i < bits.size(); i++) {
       bits[i].flip();
       ASSERT_TRUE(mends(bits)) << i;
       EXPECT_EQ(PAYLOAD, payload) << i;
-      EXPECT_EQ(hops, mender.hops()) << i;
+      EXPECT_EQ(hops, mender.path()) << i;
       bits[i].flip();
     }
   }

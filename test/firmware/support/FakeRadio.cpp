@@ -9,7 +9,7 @@ bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
   if (onAir_ || refuses) return false;
   sent.push_back(Bytes(payload, payload + length));
   trailers.push_back(trailer_);
-  behind.push_back(hops_);
+  behind.push_back(path_);
   onAir_ = true;
   return true;
 }
@@ -20,7 +20,7 @@ uint8_t *FakeRadio::receive(javinolib::Received &with) {
   if (in_.empty()) return nullptr;
   Arrived &first = in_.front();
   if (!mends) {
-    with.hops = 0;
+    with.path = 0;
     with.length = static_cast<uint8_t>(first.payload.size());
     return first.payload.data();
   }
@@ -30,7 +30,7 @@ uint8_t *FakeRadio::receive(javinolib::Received &with) {
     progress = mender_.step(first.packet);
   } while (progress == javinolib::Mender::PENDING);
   if (progress != javinolib::Mender::WHOLE) return nullptr;
-  with.hops = mender_.hops();
+  with.path = mender_.path();
   with.length = first.packet.payloadLength();
   return first.packet.payload();
 }

@@ -27,7 +27,7 @@ class FakeRadio : public javinolib::Radio {
 #if JAVINO_LARGE
   void follow(javinolib::Trailer trailer) override { trailer_ = trailer; }
 #endif
-  uint8_t *sentHops() override { return mends ? &hops_ : nullptr; }
+  uint8_t *sentPath() override { return mends ? &path_ : nullptr; }
   void counters(javinolib::RadioCounters &into) const override { into = counts; }
   bool idle() const override { return in_.empty(); }
 
@@ -65,6 +65,6 @@ class FakeRadio : public javinolib::Radio {
   std::deque<Arrived> in_;
   javinolib::Mender mender_;
   javinolib::Trailer trailer_ = javinolib::Trailer::NONE;
-  uint8_t hops_ = 0;
+  uint8_t path_ = 0;
   bool onAir_ = false;
 };

@@ -1,4 +1,4 @@
-// Copies that relays send: their CRC tells the hops behind them (SPEC 6).
+// Copies that relays send: their CRC tells the path behind them (SPEC 6).
 #include <gtest/gtest.h>
 
 #include "radio/RadioEncoder.h"
@@ -7,11 +7,11 @@
 
 namespace {
 
-Bits encode(const Bytes &payload, uint8_t hops) {
+Bits encode(const Bytes &payload, uint8_t path) {
   uint8_t packet[80];
   javinolib::RadioEncoder encoder;
   EXPECT_TRUE(
-      encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javinolib::Trailer::NONE, packet, hops));
+      encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javinolib::Trailer::NONE, packet, path));
   Bits bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   return bits;
@@ -20,7 +20,7 @@ Bits encode(const Bytes &payload, uint8_t hops) {
 }  // namespace
 
 TEST(Copies, areSentAsTheVectorsSay) {
-  for (const CopyVector &vector : copyVectors()) EXPECT_EQ(encode(vector.payload, vector.hops), vector.bits);
+  for (const CopyVector &vector : copyVectors()) EXPECT_EQ(encode(vector.payload, vector.path), vector.bits);
 }
 
 TEST(Copies, areTakenAndTellTheirHops) {
@@ -29,7 +29,7 @@ TEST(Copies, areTakenAndTellTheirHops) {
     decoder.addAll(vector.bits);
     ASSERT_EQ(decoder.take(), javinolib::Mender::WHOLE);
     EXPECT_EQ(decoder.payload, vector.payload);
-    EXPECT_EQ(decoder.mender.hops(), vector.hops);
+    EXPECT_EQ(decoder.mender.path(), vector.path);
     EXPECT_FALSE(decoder.mender.hasMended());
     EXPECT_FALSE(decoder.mender.isDoubtful());
   }
@@ -44,7 +44,7 @@ TEST(Copies, areMendedWhereverABitIsWrong) {
       decoder.addAll(bits);
       ASSERT_EQ(decoder.take(), javinolib::Mender::WHOLE) << "bit " << i;
       EXPECT_EQ(decoder.payload, vector.payload) << "bit " << i;
-      EXPECT_EQ(decoder.mender.hops(), vector.hops) << "bit " << i;
+      EXPECT_EQ(decoder.mender.path(), vector.path) << "bit " << i;
     }
   }
 }
@@ -67,7 +67,7 @@ TEST(Copies, areCombinedWithDamagedOnesOfOtherHops) {
     decoder.addAll(second);
     if (decoder.take() != javinolib::Mender::WHOLE) continue;
     EXPECT_EQ(decoder.payload, payload);
-    EXPECT_LE(decoder.mender.hops(), 1) << "those of either";
+    EXPECT_LE(decoder.mender.path(), 1) << "those of either";
     both++;
   }
   EXPECT_GT(both, alone);

@@ -39,8 +39,8 @@ TEST(Mender, doubtsWhatItMendsInTwoSymbols) {
   EXPECT_GT(whole, 1950);
 }
 
-// Of 2^16 CRCs three are right, one for each number of hops, for each of the up to four candidates: three packets of 20 000
-// are mended into wrong ones.
+// Of 2^16 CRCs twenty are right, one for each path, for each of the up to four candidates: 24 packets of 20 000 are mended into
+// wrong ones.
 TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
   std::mt19937 random(52);
   int mended = 0;
@@ -54,7 +54,7 @@ TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
     decoder.addAll(bits);
     if (decoder.take() == javinolib::Mender::WHOLE) mended++;
   }
-  EXPECT_LE(mended, 10);
+  EXPECT_LE(mended, 48);
 }
 
 // bench/native/mending.cpp does so with a million.
@@ -120,7 +120,7 @@ TEST(Mender, doesNotTakeAMessageForAnotherOfTheSameSender) {
       if (decoder.take() == javinolib::Mender::WHOLE && decoder.payload != payload) wrong++;
     }
   }
-  EXPECT_LE(wrong, 3);
+  EXPECT_LE(wrong, 6);
 }
 
 TEST(Mender, mendsByParity) {

@@ -73,7 +73,7 @@ TEST(RadioDecoder, losesNoPacketBehindAFalseStart) {
       decoder.endOfSignal();
       Bytes found;
       for (javinolib::RadioPacket each = decoder.take(); each.symbols != 0; each = decoder.take()) {
-        if (each.hops() >= javinolib::RadioPacket::NO_HOPS) continue;
+        if (each.path() >= javinolib::RadioPacket::NO_PATH) continue;
         each.makeBytes(each.count());
         found = Bytes(each.payload(), each.payload() + each.payloadLength());
       }

@@ -85,7 +85,7 @@ TEST(RadioDecoder, givesRandomBytesAsTheyAre) {
     if (packet.symbols == 0 || bytes[0] > bytes.size()) continue;
     queued++;
     const Bytes sent(bytes.begin(), bytes.begin() + bytes[0]);
-    EXPECT_EQ(packet.hops() == 0, sent == reference::packetOf(Bytes(sent.begin() + 1, sent.end() - 2)));
+    EXPECT_EQ(packet.path() == 0, sent == reference::packetOf(Bytes(sent.begin() + 1, sent.end() - 2)));
     packet.makeBytes(packet.count());
     EXPECT_EQ(Bytes(packet.bytes(), packet.bytes() + packet.bytes()[0]), sent);
   }

@@ -31,7 +31,7 @@ class Decoder {
   // Its payload, where its CRC is right without mending.
   Bytes takeIntact() {
     javinolib::RadioPacket packet = take();
-    if (packet.symbols == 0 || packet.hops() >= javinolib::RadioPacket::NO_HOPS) return Bytes();
+    if (packet.symbols == 0 || packet.path() >= javinolib::RadioPacket::NO_PATH) return Bytes();
     packet.makeBytes(packet.count());
     return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }

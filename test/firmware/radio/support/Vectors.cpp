@@ -89,7 +89,7 @@ std::vector<CopyVector> copyVectors() {
   const List list("radio.json", "copies");
   std::vector<CopyVector> vectors;
   for (size_t i = 0; i < list.size(); i++) {
-    vectors.push_back({list.bytes(i, "payload"), list.number(i, "hops"), list.bits(i)});
+    vectors.push_back({list.bytes(i, "payload"), list.number(i, "path"), list.bits(i)});
   }
   return vectors;
 }

@@ -18,7 +18,7 @@ struct InvalidRadioVector {
 
 struct CopyVector {
   Bytes payload;
-  uint8_t hops;
+  uint8_t path;
   Bits bits;
 };
 
