@@ -93,22 +93,30 @@ void command_change_radio(const command *c, radio_config *radio) {
   radio_change_read(radio, &root);
 }
 
+// What a packet tells modulo LINE_HOPS.
+static unsigned read_told(const json_node *send, const char *key, const char *what) {
+  json_node node = json_member(send, key);
+  json_int_t value = json_integer_value(node.value);
+  if (json_given(&node) && (!json_is_integer(node.value) || value < 0 || value >= LINE_HOPS))
+    json_fail(&node, "expected the %s, 0 to %d", what, LINE_HOPS - 1);
+  return (unsigned)value;
+}
+
 static void read_send(command *c, const json_node *node) {
-  static const char *const KEYS[] = {"do", "position", "payload", "flip", "hops", NULL};
+  static const char *const KEYS[] = {"do", "position", "payload", "flip", "hops", "distance", NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node position = json_member(node, "position");
   json_node payload = json_member(node, "payload");
   json_node flip = json_member(node, "flip");
-  json_node hops = json_member(node, "hops");
+  json_node distance = json_member(node, "distance");
   if (!json_given(&position)) json_expected(&position, "a position [x, y] in metres");
   position_read(&position, &c->packet.x_m, &c->packet.y_m);
   int length = hex_read(c->packet.payload, sizeof c->packet.payload, json_string_value(payload.value));
   c->packet.length = length < 0 ? 0 : (size_t)length;
   if (length <= 0) json_expected(&payload, "1 to 77 bytes in hexadecimal digits");
-  json_int_t behind = json_integer_value(hops.value);
-  if (json_given(&hops) && (!json_is_integer(hops.value) || behind < 0 || behind >= LINE_HOPS))
-    json_fail(&hops, "expected the number of hops behind the packet, 0 to %d", LINE_HOPS - 1);
-  c->packet.hops = (unsigned)behind;
+  c->packet.path = read_told(node, "hops", "number of hops behind the packet");
+  unsigned told = read_told(node, "distance", "distance that the packet tells");
+  if (json_given(&distance)) c->packet.path += LINE_HOPS * (1 + told);
   if (!json_given(&flip) || json_failed(node->reader)) return;
   json_int_t bits = (json_int_t)(8 * c->packet.length), bit = json_integer_value(flip.value);
   if (json_is_integer(flip.value) && bit >= 0 && bit < bits)

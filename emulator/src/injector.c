@@ -21,7 +21,7 @@ int injector_send(injector *s, const injector_packet *packet, cycles_t now) {
 }
 
 static void begin(injector *s) {
-  s->bit_count = line_encode(s->bits, s->queue[0].payload, s->queue[0].length, s->queue[0].hops);
+  s->bit_count = line_encode(s->bits, s->queue[0].payload, s->queue[0].length, s->queue[0].path);
   s->sent = 0;
   s->listener.begins(s->listener.context, &s->queue[0], s->next);
 }

@@ -16,7 +16,7 @@ typedef struct {
   double x_m, y_m;  // where it stands meanwhile
   uint8_t payload[LINE_MAX_PAYLOAD];
   size_t length;  // at least 1
-  unsigned hops;  // less than LINE_HOPS
+  unsigned path;  // less than LINE_PATHS
 } injector_packet;
 
 typedef struct {

@@ -21,8 +21,6 @@
 #define MAX_COUNT_OF_LESS_PARITY 48
 // Of the last symbols, what broke off there: of two boards may still find the right one, of three never (SPEC 6).
 #define MENDED_SYMBOLS 2
-// What the CRC is XORed with for each hop behind a packet.
-#define CRC_OF_HOP 0x0811u
 // So many bits behind a packet a receiver tells it. Silence is no trailer by its third bit; so its sender has told it
 // before, even where a receiver reads half a bit early.
 #define TELLING_BITS 4
@@ -57,13 +55,16 @@ static cycles_t bit_end(const line_decoder *decoder) {
   return (cycles_t)(decoder->next_sample + decoder->bit_cycles / 2);
 }
 
+// What the CRC is XORed with.
+static uint16_t crc_of_path(unsigned path) { return (uint16_t)(path ^ path << 4 ^ path << 11); }
+
 static void finish_packet(line_decoder *decoder) {
   size_t checked = decoder->byte_count - 2;
   uint16_t crc = (uint16_t)(decoder->bytes[checked] | decoder->bytes[checked + 1] << 8);
   uint16_t right = crc_x25(decoder->bytes, checked);
-  unsigned hops = 0;
-  while (hops < LINE_HOPS && crc != (right ^ hops * CRC_OF_HOP)) hops++;
-  if (hops == LINE_HOPS) {
+  unsigned path = 0;
+  while (path < LINE_PATHS && crc != (right ^ crc_of_path(path))) path++;
+  if (path == LINE_PATHS) {
     fail(decoder, LINE_BAD_CRC);
     return;
   }
@@ -72,7 +73,7 @@ static void finish_packet(line_decoder *decoder) {
   size_t length = checked - 1;
   decoder->packet = (line_packet){.payload = decoder->bytes + 1,
                                   .length = length,
-                                  .hops = hops,
+                                  .path = path,
                                   .trailer = LINE_NO_TRAILER,
                                   .bits = (unsigned)(LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * length),
                                   .start = decoder->start > 0 ? (cycles_t)decoder->start : 0,
@@ -208,13 +209,13 @@ static size_t put_symbol(uint8_t *bits, unsigned symbol) {
   return SYMBOL_BITS;
 }
 
-size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length, unsigned hops) {
+size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length, unsigned path) {
   uint8_t bytes[LINE_MAX_COUNT];
   size_t count = length + 3;
   size_t written = 0;
   bytes[0] = (uint8_t)count;
   memcpy(bytes + 1, payload, length);
-  uint16_t crc = (uint16_t)(crc_x25(bytes, count - 2) ^ hops * CRC_OF_HOP);
+  uint16_t crc = (uint16_t)(crc_x25(bytes, count - 2) ^ crc_of_path(path));
   bytes[count - 2] = (uint8_t)crc;
   bytes[count - 1] = (uint8_t)(crc >> 8);
   for (int i = 0; i < TRAINING_SYMBOLS; i++) written += put_symbol(bits + written, TRAINING_SYMBOL);

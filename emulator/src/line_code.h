@@ -20,8 +20,9 @@
 #define LINE_BITS_PER_BYTE 12
 #define LINE_MAX_BITS (LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * LINE_MAX_PAYLOAD)
 
-// Hops are told modulo this.
-#define LINE_HOPS 3
+// Hops and distances are told modulo this.
+#define LINE_HOPS 4
+#define LINE_PATHS (LINE_HOPS * (1 + LINE_HOPS))
 
 // What may follow a packet (SPEC 6.1).
 typedef enum { LINE_NO_TRAILER, LINE_MARK, LINE_PARITY } line_trailer;
@@ -31,7 +32,7 @@ typedef enum { LINE_BAD_SYMBOL, LINE_BAD_COUNT, LINE_BAD_CRC } line_error;
 typedef struct {
   const uint8_t *payload;
   size_t length;
-  unsigned hops;  // behind it, modulo 3: of a relay's copy
+  unsigned path;  // hops behind it, and 4 + 4 a more if it tells the distance a
   line_trailer trailer;
   unsigned bits;   // with the trailer's
   cycles_t start;  // first carrier of the training
@@ -79,9 +80,9 @@ void line_decoder_advance(line_decoder *decoder, cycles_t now);
 // Nothing comes any more: a whole packet ends here.
 void line_decoder_end(line_decoder *decoder);
 
-// Writes the bits, 0 or 1 each, with which 1 to LINE_MAX_PAYLOAD bytes are sent, with 0 to LINE_HOPS - 1 hops behind them.
+// Writes the bits, 0 or 1 each, with which 1 to LINE_MAX_PAYLOAD bytes are sent, with a path below LINE_PATHS.
 // Returns their number.
-size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length, unsigned hops);
+size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length, unsigned path);
 
 // What to call the trailer in the trace; NULL for none.
 const char *line_trailer_text(line_trailer trailer);

@@ -98,7 +98,7 @@ void serial_modules_power_off(serial_modules *s, size_t index) {
 
 int serial_modules_inject(serial_modules *s, const injector_packet *packet, cycles_t now) {
   serial_module *m = &s->modules[s->count - 1];
-  uint8_t bytes[MODULE_MAX_PACKET] = {0, (uint8_t)packet->hops};
+  uint8_t bytes[MODULE_MAX_PACKET] = {0, (uint8_t)packet->path};
   size_t length = packet->length + 2;
   if (m->waiting_count + length + 4 > kind(m)->buffer) return -1;
   memcpy(bytes + 2, packet->payload, packet->length);
@@ -181,8 +181,8 @@ static void tell_packet(serial_module *m) {
     size_t checked = (size_t)length - CRC_LENGTH;
     uint16_t crc = (uint16_t)(m->packet[checked] | m->packet[checked + 1] << 8);
     packet.payload = m->packet + 1;
-    packet.hops = m->packet[0];
-    if (crc == crc_x25(m->packet, checked) && packet.hops < LINE_HOPS) packet.length = checked - 1;
+    packet.path = m->packet[0];
+    if (crc == crc_x25(m->packet, checked) && packet.path < LINE_PATHS) packet.length = checked - 1;
   }
   sniffer_module_packet(m->owner->listener, m->index, &packet, m->packet_missed);
 }

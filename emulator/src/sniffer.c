@@ -45,7 +45,8 @@ static void write_packet(trace *t, const line_packet *packet, const char *radio)
     write_frame(t, &view);
   else
     trace_text(t, "kind", "no frame");
-  if (packet->hops != 0) trace_count(t, "hops", packet->hops);
+  if (packet->path % LINE_HOPS != 0) trace_count(t, "hops", packet->path % LINE_HOPS);
+  if (packet->path >= LINE_HOPS) trace_count(t, "distance", packet->path / LINE_HOPS - 1);
   if (packet->trailer != LINE_NO_TRAILER) trace_text(t, "trailer", line_trailer_text(packet->trailer));
   if (radio) trace_text(t, "radio", radio);
   trace_count(t, "bits", packet->bits);
@@ -65,7 +66,7 @@ static void expect(sniffer_station *station, size_t source, const line_packet *p
   expected->end = packet->end;
   expected->deadline = packet->end + RF_DELAY + (cycles_t)(ARRIVAL_BITS * s->bit_cycles);
   expected->length = packet->length;
-  expected->hops = packet->hops;
+  expected->path = packet->path;
   memcpy(expected->payload, packet->payload, packet->length);
   if (expected->deadline < s->next_deadline) s->next_deadline = expected->deadline;
 }
@@ -103,7 +104,7 @@ static void forget(sniffer_station *station, size_t index) {
 
 static int find_expected(const sniffer_station *station, const line_packet *packet) {
   for (size_t i = 0; i < station->expected_count; i++)
-    if (station->expected[i].length == packet->length && station->expected[i].hops == packet->hops &&
+    if (station->expected[i].length == packet->length && station->expected[i].path == packet->path &&
         memcmp(station->expected[i].payload, packet->payload, packet->length) == 0)
       return (int)i;
   return -1;

@@ -23,7 +23,7 @@ typedef struct {
   cycles_t deadline;
   uint8_t payload[LINE_MAX_PAYLOAD];
   size_t length;
-  unsigned hops;
+  unsigned path;
 } sniffer_expected;
 
 typedef struct {

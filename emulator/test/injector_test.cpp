@@ -34,17 +34,22 @@ TEST(Injector, a_bit_is_inverted_so_that_the_line_check_still_passes) {
   EXPECT_EQ(received[1].text("payload"), "ffff7f");
 }
 
-TEST(Injector, a_copy_tells_the_hops_behind_it) {
+TEST(Injector, a_copy_tells_the_hops_behind_it_and_a_distance) {
   Scratch scratch;
   Emulation run(scratch, HEARER);
-  EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":2})"), "");
+  EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":3})"), "");
   EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":0})"), "");
+  EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":3,"distance":3})"), "");
+  EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","distance":0})"), "");
   run.run_until(0.5);
   for (const char *event : {"rf-tx", "rf-rx"}) {
     auto told = run.events(event);
-    ASSERT_EQ(told.size(), 2u) << event;
-    EXPECT_EQ(told[0].number("hops"), 2) << event;
-    EXPECT_EQ(json_object_get(told[1].fields, "hops"), nullptr) << event;
+    ASSERT_EQ(told.size(), 4u) << event;
+    for (int i : {0, 2}) EXPECT_EQ(told[i].number("hops"), 3) << event;
+    for (int i : {1, 3}) EXPECT_EQ(json_object_get(told[i].fields, "hops"), nullptr) << event;
+    for (int i : {0, 1}) EXPECT_EQ(json_object_get(told[i].fields, "distance"), nullptr) << event;
+    EXPECT_EQ(told[2].number("distance"), 3) << event;
+    EXPECT_EQ(told[3].number("distance"), 0) << event;
   }
 }
 

@@ -18,7 +18,7 @@ struct Receiver {
   static void on_packet(void *context, const line_packet *packet) {
     auto *self = static_cast<Receiver *>(context);
     self->packets.emplace_back(packet->payload, packet->payload + packet->length);
-    self->hops = packet->hops;
+    self->path = packet->path;
     self->start = packet->start;
     self->end = packet->end;
   }
@@ -49,7 +49,7 @@ struct Receiver {
   line_decoder decoder;
   double bit_cycles;
   cycles_t now = 100000;
-  unsigned hops = 0;
+  unsigned path = 0;
   cycles_t start = 0, end = 0;
   std::vector<std::vector<uint8_t>> packets;
   std::vector<line_error> errors;
@@ -73,21 +73,21 @@ TEST(LineCode, decodes_every_packet_of_the_vectors) {
   json_decref(root);
 }
 
-TEST(LineCode, tells_the_hops_behind_every_copy_of_the_vectors_and_sends_them_so) {
+TEST(LineCode, tells_the_path_of_every_copy_of_the_vectors_and_sends_it_so) {
   json_t *root = load_vectors("radio.json");
   size_t index;
   json_t *vector;
   json_array_foreach(json_object_get(root, "copies"), index, vector) {
-    const auto hops = static_cast<unsigned>(json_integer_value(json_object_get(vector, "hops")));
+    const auto path = static_cast<unsigned>(json_integer_value(json_object_get(vector, "path")));
     const std::string bits = text_of(vector, "bits");
     const std::vector<uint8_t> payload = from_hex(text_of(vector, "payload"));
     Receiver receiver;
     receiver.send(bits);
     ASSERT_EQ(receiver.packets.size(), 1u) << index;
     EXPECT_EQ(receiver.packets[0], payload) << index;
-    EXPECT_EQ(receiver.hops, hops) << index;
+    EXPECT_EQ(receiver.path, path) << index;
     uint8_t encoded[LINE_MAX_BITS];
-    ASSERT_EQ(line_encode(encoded, payload.data(), payload.size(), hops), bits.size());
+    ASSERT_EQ(line_encode(encoded, payload.data(), payload.size(), path), bits.size());
     for (size_t i = 0; i < bits.size(); i++) EXPECT_EQ(encoded[i], bits[i] == '1') << index << ", bit " << i;
   }
   json_decref(root);

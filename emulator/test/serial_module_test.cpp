@@ -143,12 +143,13 @@ TEST(SerialModule, holds_its_aux_low_while_it_gives_what_it_received) {
 TEST(SerialModule, an_injected_packet_is_heard_in_range_of_where_it_stands) {
   Scratch scratch;
   Emulation run(scratch, modules(R"("module":"hc-12","range":20)"));
-  EXPECT_EQ(run.command(R"({"do":"send","position":[30,30],"payload":")" + HELLO + R"(","hops":1})"), "");
+  EXPECT_EQ(run.command(R"({"do":"send","position":[30,30],"payload":")" + HELLO + R"(","hops":1,"distance":2})"), "");
   run.run_until(0.1);
   auto sent = run.events("injector", "rf-tx");
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(sent[0].text("payload"), HELLO);
   EXPECT_EQ(sent[0].number("hops"), 1);
+  EXPECT_EQ(sent[0].number("distance"), 2);
   EXPECT_EQ(run.events("mirror", "rf-rx").size(), 1u);
   EXPECT_TRUE(run.events("sender", "rf-rx").empty());
 }

@@ -13,8 +13,8 @@ local E32_FRAGMENT_LENGTH = 42
 local NONCE_LENGTH, TAG_LENGTH, PROOF_LENGTH = 6, 8, 8
 local REVOCATION_LIST_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of one without serials, and of that its signature
 local LONGEST_COUNT = 80
-local CRC_OF_HOP = 0x0811  -- each hop, modulo 3, changes the CRC by it
-local HOPS_NOT_KNOWN = 255
+local HOPS = 4  -- hops and distances are told modulo it
+local LAST_PATH = HOPS + HOPS * HOPS - 1
 local FRAGMENTS_TIME = 5  -- seconds without a new fragment after which a message is forgotten
 local ANSWERABLE = 16  -- frames with the same last bits of their nonce among which an answer looks for its own
 
@@ -82,7 +82,8 @@ field(air, "way", "uint8", "Way", base.DEC, WAYS)
 field(air, "how", "uint8", "How it came", base.DEC, HOW)
 field(air, "reason", "string", "Reason")
 field(air, "trailer", "uint8", "Trailer", base.DEC, TRAILERS)
-field(air, "hops", "uint8", "Hops, modulo 3")
+field(air, "hops", "uint8", "Hops, modulo 4")
+field(air, "distance", "uint8", "Distance, modulo 4")
 field(air, "parts", "uint8", "Parts that are here", base.HEX)
 field(air, "count", "uint8", "Count")
 field(air, "payload", "bytes", "Payload")
@@ -919,7 +920,6 @@ show_frame = function(parent, range, pinfo, place, whole)
     complain(tree, e_error, range(0, 4), "radioReserved", frame.destination)
     line = "to a reserved address"
   elseif frame.class == "broadcast" then
-    if (this_packet(pinfo).hops or 0) ~= 0 then complain(tree, e_error, range(0, 4), "radioDoubtful", "no relay copies a broadcast") end
     line = show_message(tree, body, true)
   elseif frame.class == "acknowledgement" then
     line = show_acknowledgement(tree, range, pinfo, frame, place)
@@ -952,12 +952,12 @@ end
 
 local COUNT_HERE, CRC_HERE, TRAILER_HERE = 1, 2, 4
 
--- Shows count, payload, CRC and trailer, as far as they are here, and returns the payload's range, or nil; and the hops, if
--- count and CRC tell them.
+-- Shows count, payload, CRC and trailer, as far as they are here, and returns the payload's range, or nil; and the path, if
+-- count and CRC tell it.
 local function show_packet(tree, range, parts)
   local bytes = range and range:raw() or ""
   local start, stop = 0, #bytes  -- of the payload, from 0
-  local hops
+  local path
   if bit.band(parts, COUNT_HERE) ~= 0 then
     if #bytes == 0 then
       complain(tree, e_error, range, "radioDamaged", "no count")
@@ -989,16 +989,29 @@ local function show_packet(tree, range, parts)
       local item = tree:add_le(f["crc"], range(stop, 2))
       if start == 1 then
         local change = bit.bxor(told, crc16(bytes:sub(1, stop)))
-        for h = 0, 2 do hops = change == h * CRC_OF_HOP and h or hops end
-        item:add(f["crc.right"], range(stop, 2), hops ~= nil):set_generated()
-        if not hops then complain(item, e_error, range(stop, 2), "radioDamaged", "wrong CRC") end
+        for p = 0, LAST_PATH do path = change == bit.bxor(p, p * 16, p * 2048) and p or path end
+        item:add(f["crc.right"], range(stop, 2), path ~= nil):set_generated()
+        if not path then complain(item, e_error, range(stop, 2), "radioDamaged", "wrong CRC") end
       end
     end
   end
-  if start >= stop then return nil, hops end
+  if start >= stop then return nil, path end
   local payload = range(start, stop - start)
   tree:add(f["payload"], payload)
-  return payload, hops
+  return payload, path
+end
+
+-- Shows what a path tells, which is in this range or, without one, concluded; and returns what the list says of it.
+local function show_path(tree, path, range)
+  local line = ""
+  local function show(name, value)
+    local item = range and tree:add(f[name], range, value) or tree:add(f[name], value)
+    if not range then item:set_generated() end
+    if value > 0 or name == "distance" then line = line .. ", " .. name .. " " .. value end
+  end
+  show("hops", path % HOPS)
+  if path >= HOPS then show("distance", math.floor(path / HOPS) - 1) end
+  return line
 end
 
 -- Reads the beginning of a record: version, numbers, and then texts, each behind its length. Returns the numbers, the ranges
@@ -1026,13 +1039,13 @@ function air.dissector(tvb, pinfo, root)
     pinfo.cols.info = "no record of SPEC 10.1"
     return
   end
-  local way, how, _, hops, parts = table.unpack(numbers)
+  local way, how, _, path, parts = table.unpack(numbers)
   local board, reason = texts[1], texts[2]
   tree:add(f["record_version"], range(0, 1))
   tree:add(f["way"], range(1, 1))
   local came = tree:add(f["how"], range(2, 1))
   tree:add(f["trailer"], range(3, 1))
-  if hops ~= HOPS_NOT_KNOWN then tree:add(f["hops"], range(4, 1)) end
+  local passed = path <= LAST_PATH and show_path(tree, path, range(4, 1))
   tree:add(f["parts"], range(5, 1))
   local name = board and plain(board:raw()) or "?"
   local line = name .. " " .. (WAYS[way] or "?")
@@ -1044,13 +1057,8 @@ function air.dissector(tvb, pinfo, root)
   end
   if how >= 2 then complain(came, e_error, range(2, 1), "radioDamaged", reason and plain(reason:raw()) or nil) end
   local payload, told = show_packet(tree, packet, parts)
-  if hops == HOPS_NOT_KNOWN then
-    hops = told
-    if told then tree:add(f["hops"], told):set_generated() end
-  end
-  if (hops or 0) ~= 0 then line = line .. ", hops " .. hops end
-  local here = this_packet(pinfo)
-  here.sent, here.hops = way == 0, hops
+  line = line .. (passed or told and show_path(tree, told) or "")
+  this_packet(pinfo).sent = way == 0
   -- A damaged payload may be wrong anywhere: it is shown, and nothing is concluded from it.
   local place = how ~= 2 and name .. "/" or nil
   pinfo.cols.info = line .. ": " .. (payload and show_frame(tree, payload, pinfo, place) or "no payload")

@@ -26,14 +26,14 @@ final class ModuleVectors {
         var lists = Vectors.lists("valid", List.of(
                 valid(0, HELLO),
                 valid(1, frame("CAFE", "ROMA", new byte[0])),
-                valid(2, frame("CAFE", "ROMA", repeated(0, 20))),
-                valid(0, frame("CAFE", "ROMA", counting(0, 42))),
-                valid(0, frame("CAFE", "ROMA", counting(0, 67))),
-                valid(1, frame("CAFE", "ROMA", repeated(0xFF, 67)))));
+                valid(3, frame("CAFE", "ROMA", repeated(0, 20))),
+                valid(4, frame("CAFE", "ROMA", counting(0, 42))),
+                valid(11, frame("CAFE", "ROMA", counting(0, 67))),
+                valid(19, frame("CAFE", "ROMA", repeated(0xFF, 67)))));
         byte[] good = join(bytes(0), HELLO);
         lists.put("invalid", List.of(
-                invalid(packet(3, HELLO), "BAD_HOPS"),
-                invalid(packet(255, HELLO), "BAD_HOPS"),
+                invalid(packet(20, HELLO), "BAD_PATH"),
+                invalid(packet(255, HELLO), "BAD_PATH"),
                 invalid(packet(0, text("////CAFEA")), "TOO_SHORT"),
                 invalid(packet(0, frame("CAFE", "ROMA", repeated(1, 68))), "TOO_LONG"),
                 invalid(bytes(2, 0), "BAD_COBS"),
@@ -43,9 +43,9 @@ final class ModuleVectors {
         return lists;
     }
 
-    private static Map<String, Object> valid(int hops, byte[] payload) {
-        return vector("hops", hops, "payload", Wire.hex(payload), "sent",
-                Wire.hex(join(bytes(0), packet(hops, payload))));
+    private static Map<String, Object> valid(int path, byte[] payload) {
+        return vector("path", path, "payload", Wire.hex(payload), "sent",
+                Wire.hex(join(bytes(0), packet(path, payload))));
     }
 
     private static Map<String, Object> invalid(byte[] sent, String error) {

@@ -28,7 +28,6 @@ public final class RadioVectors {
             "101100", "011100", "110010", "101010", "111000", "100110", "010110", "001110",
             "110001", "101001", "011001", "100101", "010101", "001101", "010011", "001011"
     };
-    private static final int CRC_OF_HOP = 0x0811;
     private static final int MARK = 0x78;
     private static final int PARITY = 0x87;
 
@@ -45,7 +44,7 @@ public final class RadioVectors {
         lists.put("invalid", List.of(
                 invalid(START + code(change(packet, 5)), "a byte was changed: wrong checksum"),
                 invalid(START + code(change(packet, packet.length - 1)), "the checksum was changed"),
-                invalid(START + code(copied(packet, 3)), "a checksum of three hops, which is none"),
+                invalid(START + code(copied(packet, 20)), "a checksum of path 20, which is none"),
                 invalid(START + code(change(packet, 0)), "the count was changed"),
                 invalid(START + code(counted(3, new byte[0])), "count 3: no payload"),
                 invalid(START + code(counted(0, new byte[0])), "count 0"),
@@ -56,9 +55,11 @@ public final class RadioVectors {
                 invalid(START + "111111" + code(packet).substring(6), "symbol 3F is not in the table"),
                 invalid(START + code(packet).substring(0, code(packet).length() - 12), "cut off a byte before its end"),
                 invalid("010101".repeat(6) + "111001" + "101101" + code(packet), "no start symbol")));
-        lists.put("copies", List.of(copy(frame("SUPO", "ROMA", counting(0, 20)), 1),
-                copy(frame("SUPO", "ROMA", counting(0, 20)), 2), copy(frame("+KAB", "SUPO", counting(9, 8)), 1),
-                copy(repeated(0, 77), 1), copy(counting(0xB0, 77), 2)));
+        byte[] unicast = frame("SUPO", "ROMA", counting(0, 20));
+        byte[] acknowledgement = frame("+KAB", "SUPO", counting(9, 8));
+        lists.put("copies", List.of(copy(unicast, 1), copy(unicast, 2), copy(unicast, 3), copy(unicast, 4),
+                copy(acknowledgement, 1), copy(acknowledgement, 11), copy(repeated(0, 77), 8),
+                copy(counting(0xB0, 77), 19)));
         lists.put("trailers", List.of(
                 trailed(frame, bytes(MARK)), trailed(frame, parity(packet)),
                 trailed(repeated(0, 77), parity(packet(repeated(0, 77)))),
@@ -77,14 +78,14 @@ public final class RadioVectors {
         return vector("payload", Wire.hex(payload), "bits", bits(payload));
     }
 
-    private static Map<String, Object> copy(byte[] payload, int hops) {
-        return vector("payload", Wire.hex(payload), "hops", hops, "bits", START + code(copied(packet(payload), hops)));
+    private static Map<String, Object> copy(byte[] payload, int path) {
+        return vector("payload", Wire.hex(payload), "path", path, "bits", START + code(copied(packet(payload), path)));
     }
 
-    /** A packet with another checksum: that of a copy with so many hops behind it. */
-    private static byte[] copied(byte[] packet, int hops) {
+    /** A packet with another checksum: that of a copy with this path. */
+    private static byte[] copied(byte[] packet, int path) {
         byte[] copied = packet.clone();
-        int change = hops * CRC_OF_HOP;
+        int change = path ^ path << 4 ^ path << 11;
         copied[packet.length - 2] ^= (byte) change;
         copied[packet.length - 1] ^= (byte) (change >> 8);
         return copied;

@@ -3,6 +3,7 @@ package capture;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.OptionalInt;
 import javino.Printable;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -19,15 +20,17 @@ import javino.protocol.HostMessage;
  * @param sent    whether the board sent it.
  * @param how     it came; intact where it was sent.
  * @param trailer what followed it.
- * @param hops    behind it, modulo 3 (SPEC 6); {@link #UNKNOWN_HOPS} where they are not known.
+ * @param path    its hops, and the distance that it tells (SPEC 6); {@link #UNKNOWN_PATH} where it is not known.
  * @param reason  why it is damaged; empty where that is not known, or it is not.
  * @param payload 0…77 bytes: a {@link Frame} as a rule.
  */
-record AirPacket(long micros, String board, boolean sent, How how, Trailer trailer, int hops, String reason,
+record AirPacket(long micros, String board, boolean sent, How how, Trailer trailer, int path, String reason,
         Bytes payload) {
 
-    /** A board that overhears does not tell them. */
-    static final int UNKNOWN_HOPS = 255;
+    /** A board that overhears does not tell it. */
+    static final int UNKNOWN_PATH = 255;
+    /** Hops and distances are told modulo this. */
+    private static final int HOPS = 4;
 
     private static final int VERSION = 1;
     private static final int MOST_BYTES_OF_A_TEXT = 255;
@@ -56,9 +59,14 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         }
     }
 
+    /** @param distance that it tells, if it does. */
+    static int path(int hops, OptionalInt distance) {
+        return hops + HOPS * (1 + distance.orElse(-1));
+    }
+
     /** The bytes that stand for it in a file: SPEC 10.1. They have neither count nor CRC, which no source tells. */
     Bytes record() {
-        return Bytes.join(Bytes.of(VERSION, sent ? 0 : 1, how.ordinal(), trailer.number, hops, 0),
+        return Bytes.join(Bytes.of(VERSION, sent ? 0 : 1, how.ordinal(), trailer.number, path, 0),
                 counted(board), counted(reason), payload);
     }
 
@@ -72,10 +80,17 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
     /** It in a line for people. @param start when the capture began, in microseconds. */
     String line(long start) {
         String came = sent ? "sent" : how == How.AS_SENT ? "damaged" : how.toString().toLowerCase(Locale.ROOT);
-        String behind = hops == 0 || hops == UNKNOWN_HOPS ? "" : ", hops " + hops;
         String why = reason.isEmpty() ? "" : " (" + reason + ")";
         return Printable.of(String.format(Locale.ROOT, "%12.6f s  %-10s  %-8s %s%s%s",
-                (micros - start) / MICROS_A_SECOND, board, came, described(), behind, why));
+                (micros - start) / MICROS_A_SECOND, board, came, described(), told(), why));
+    }
+
+    private String told() {
+        if (path == UNKNOWN_PATH) {
+            return "";
+        }
+        return (path % HOPS == 0 ? "" : ", hops " + path % HOPS)
+                + (path < HOPS ? "" : ", distance " + (path / HOPS - 1));
     }
 
     private String described() {

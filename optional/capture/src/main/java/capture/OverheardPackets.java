@@ -81,7 +81,7 @@ final class OverheardPackets implements BoardListener {
         try {
             sink.packet(new AirPacket(when(packet.millis()), board, false,
                     AirPacket.How.values()[packet.how().ordinal()], AirPacket.Trailer.UNKNOWN,
-                    AirPacket.UNKNOWN_HOPS, "", packet.payload()));
+                    AirPacket.UNKNOWN_PATH, "", packet.payload()));
         } catch (IOException e) {
             broken.countDown();
         }

@@ -71,7 +71,7 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
                     ? AirPacket.Trailer.valueOf(event.text("trailer").toUpperCase(Locale.ROOT))
                     : sent ? AirPacket.Trailer.NONE : AirPacket.Trailer.UNKNOWN;
             return new AirPacket(micros(seconds), event.board(), sent, AirPacket.How.INTACT, trailer,
-                    event.hops(), "", Bytes.copyOf(event.bytes("payload")));
+                    AirPacket.path(event.hops(), event.distance()), "", Bytes.copyOf(event.bytes("payload")));
         }
 
         TraceFile end() {
@@ -87,7 +87,7 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
                     .map(Sending::packet).findFirst();
             return new AirPacket(sent.map(AirPacket::micros).orElse(micros(loss.end())), loss.board(), false,
                     sent.isPresent() ? AirPacket.How.AS_SENT : AirPacket.How.DAMAGED, AirPacket.Trailer.UNKNOWN,
-                    sent.map(AirPacket::hops).orElse(AirPacket.UNKNOWN_HOPS), loss.why(),
+                    sent.map(AirPacket::path).orElse(AirPacket.UNKNOWN_PATH), loss.why(),
                     sent.map(AirPacket::payload).orElse(Bytes.EMPTY));
         }
     }

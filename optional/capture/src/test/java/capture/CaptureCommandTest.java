@@ -78,6 +78,14 @@ class CaptureCommandTest {
     }
 
     @Test
+    void copy_saysTheDistanceItTells() throws Exception {
+        Path trace = Files.writeString(folder.resolve("trace.jsonl"), "{\"t\":1,\"board\":\"a\",\"event\":\"rf-rx\","
+                + "\"payload\":\"41\",\"hops\":3,\"distance\":0,\"start\":0.5,\"end\":1}\n");
+        assertEquals(0, run("--trace", trace));
+        assertTrue(out.toString().strip().endsWith(", hops 3, distance 0"), out.toString());
+    }
+
+    @Test
     void text_fromTheAir_cannotCommandTheTerminal() throws Exception {
         String event = "{\"t\":1,\"board\":\"a\",\"event\":\"rf-rx\",\"payload\":\"%s\",\"start\":0.5,\"end\":1}\n";
         Path trace = Files.writeString(folder.resolve("trace.jsonl"),

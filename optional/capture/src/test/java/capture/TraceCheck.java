@@ -111,6 +111,8 @@ public final class TraceCheck {
     private void shows(TraceEvent event, Tshark.Dissected packet) {
         assertEquals(event.text("payload"), packet.hex("javino.payload").get(0));
         assertEquals(List.of("" + event.hops()), packet.shown("javino.hops"));
+        assertEquals(event.has("distance") ? List.of(event.text("distance")) : List.of(),
+                packet.shown("javino.distance"));
         if (!event.text("kind").equals("no frame")) {
             assertEquals(event.text("destination"), packet.shown("javino.destination").get(0));
             assertEquals(event.text("origin"), packet.shown("javino.origin").get(0));
