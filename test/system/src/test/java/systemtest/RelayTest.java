@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 import javino.board.Transmission;
 import javino.protocol.Address;
@@ -108,7 +109,11 @@ class RelayTest {
         }
         assertTrue(receiver.messages().isEmpty());
         assertEquals("2", hops(emulator.sentBy("relay2").get(0)));
-        assertEquals("0", hops(emulator.sentBy("relay3").get(0)));
+        assertEquals("3", hops(emulator.sentBy("relay3").get(0)));
+        List<TraceEvent> copies = emulator.sentBy("relay1").stream()
+                .filter(packet -> packet.text("destination").equals("SUPO")).toList();
+        assertEquals(OptionalInt.empty(), copies.get(0).distance());
+        assertEquals(OptionalInt.of(3), copies.get(copies.size() - 1).distance());
     }
 
     /** Who hears the relay only has it once, as does who hears its sender, too. */
@@ -176,7 +181,7 @@ class RelayTest {
         assertTrue(carried >= 10 && carried <= 15, "5 messages and 5 acknowledgements: " + carried + " by some relay");
     }
 
-    /** It answers in the receiver's name, and sends what it hears again, changed and with hops that are not so. */
+    /** It answers in the receiver's name, and sends what it hears again, changed and with a path that is not so. */
     @Test
     @Tag("verify")
     void attacker_whoLies_hasNothingDeliveredTwiceOrWrongly() throws Exception {
@@ -210,6 +215,6 @@ class RelayTest {
     /** Stands where all hear it. */
     private void lie(String payload, int hops, int place) {
         emulator.command(Map.of("do", "send", "position", List.of(STEP_METRES, 1 + place), "payload", payload, "hops",
-                hops));
+                hops, "distance", place));
     }
 }
