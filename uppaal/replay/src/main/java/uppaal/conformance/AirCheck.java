@@ -101,14 +101,15 @@ final class AirCheck implements Check {
     private void checkDeclared(Transmission packet, Point declared) throws RefusedException {
         Payload payload = packet.payload();
         boolean isRelays = declared.name().startsWith("RELAY_");
-        int hops = isRelays ? declared.operand("hops") : 0;
+        boolean mayTell = declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
+        int path = isRelays ? declared.operand("hops") : mayTell ? packet.path() - packet.hops() : 0;
         boolean isExpected = switch (declared.name()) {
             case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
             case "RELAY_COPY" -> RelayedPacket.isCopied(payload);
             default -> payload.isAcknowledgement();
         };
-        require(isExpected && packet.hops() == hops, packet.board() + " sends " + packet + " with " + packet.hops() +
-                " hops behind it", declared.name() + ", as it has declared, with " + hops);
+        require(isExpected && packet.path() == path, packet.board() + " sends " + packet + " of path " + packet.path(),
+                declared.name() + ", as it has declared, of path " + path);
         double late = packet.start() - declared.seconds();
         if (!packet.isOfModule() && (late < 0 || late > 2 * bit)) {
             throw new RefusedException(String.format(Locale.ROOT, "%s sends %s %.6f s behind its %s", packet.board(),
@@ -187,10 +188,9 @@ final class AirCheck implements Check {
 
     private static void checkSame(TraceEvent event, Transmission packet) throws RefusedException {
         Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
-        require(payload.equals(packet.payload()) && event.hops() == packet.hops(), event.board() +
+        require(payload.equals(packet.payload()) && Transmission.path(event) == packet.path(), event.board() +
                 " hears a packet of " + packet.board() + " other than it was sent",
-                packet.payload().hex() +
-                        " with " + packet.hops() + " hops behind it");
+                packet.payload().hex() + " of path " + packet.path());
     }
 
     /** What a board that a packet reached has heard of it, and when. */
