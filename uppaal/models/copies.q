@@ -19,7 +19,7 @@ A[] (One.Answered || One.Asked || One.Carrying || One.Kept) == One.answered
 /* A10 holds: what it sends has its hops, and is as it came. */
 A[] (Air.Carries && by == ONE) imply (hops == One.own && genuine == (kind == DATA || One.right))
 /* A11 holds: the message may be delivered by the relay alone. */
-E<> Home.Delivered && One.answers == 1 && One.spent == 0 && Home.attempt == 1
+E<> Home.Delivered && One.answers == 1 && One.spent == 0 && Home.attempt <= 2
 /* A12 holds: it may be given up though the host has it. */
 E<> Home.GivenUp && given == 1
 /* A13 holds: an acknowledgement ends what is due of the packet. */
@@ -31,7 +31,7 @@ A[] (Home.Awaiting && !Watch.copied) imply Home.rounds <= (Home.attempt > LATE_A
 /* A16 holds: an acknowledgement is carried four times at most. */
 A[] One.answers <= MOST_ANSWERS
 /* A17 holds: a copy may come back to its sender, who waits then. */
-E<> Home.Awaiting && Home.rounds == ROUNDS_WITH_RELAY && Home.attempt == 1
+E<> Home.Awaiting && Home.rounds == ROUNDS_WITH_RELAY && Home.attempt <= 2
 /* A81 holds: each packet is forgotten when it is over, and what each has made of it. */
 A[] (Air.Quiet ? kind == 0 && hops == 0 && by == 0 && !genuine : kind != 0) && (Air.Over || rule[SENDER] == 0 && rule[ONE] == 0 && rule[TWO] == 0 && rule[RECEIVER] == 0 && rule[ATTACKER] == 0)
 /* A82 holds: a relay with an empty place knows nothing of the packet. */

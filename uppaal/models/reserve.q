@@ -28,6 +28,10 @@ E<> rule[TWO] == STEPS_IN && by == ONE
 E<> rule[TWO] == RELIEVED && by == RECEIVER
 /* A220 holds: it hears it by the other relay, too. */
 E<> rule[TWO] == RELIEVED && by == ONE
+/* A221 holds: in reserve it hears that the packet was handed on. */
+E<> rule[TWO] == NOTED && Two.Reserve
+/* A224 holds: A87 for it. */
+A[] rule[TWO] == NOTED imply (kind == DATA && genuine && by != TWO && hops != Two.own && Two.own != (hops == 3 ? 0 : hops + 1) && Two.handed && (Two.Known || Two.Reserve))
 /* A222 holds: A89 for the one in reserve. */
 A[] rule[TWO] == ANEW imply (kind == DATA && genuine && by != TWO && Two.own == (hops == 3 ? 0 : hops + 1) && !Two.reserved && !Two.away && (Two.doubt == MOST ? Two.Reserve : Two.Waiting))
 /* A223 holds: an acknowledgement may be lost there. */

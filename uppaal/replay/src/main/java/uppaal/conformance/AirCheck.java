@@ -31,6 +31,7 @@ final class AirCheck implements Check {
         final QuietAir quiet = new QuietAir();
         /** Whether it runs our firmware: it declares points, or greets a host of ours. Others may send anything. */
         boolean isOurs;
+        boolean isRelay;
         /** The send that it has declared, and that is not yet on the air. */
         Point declared;
         /** What its last packet lacks, unless a reset took it. */
@@ -55,6 +56,7 @@ final class AirCheck implements Check {
     public void point(Point point) throws RefusedException {
         Station station = stations.computeIfAbsent(point.board(), added -> new Station());
         station.isOurs = true;
+        station.isRelay = point.is("RELAY_ON") ? point.operand("on") == 1 : station.isRelay;
         if (station.lacks != null) {
             throw station.lacks;
         }
@@ -94,14 +96,14 @@ final class AirCheck implements Check {
         }
         require(station.declared != null, packet.board() + " sends " + packet + " that it has not declared",
                 "one of " + String.join(", ", new TreeSet<>(SENDS)) + " before");
-        checkDeclared(packet, station.declared);
+        checkDeclared(packet, station.declared, station.isRelay);
         station.declared = null;
     }
 
-    private void checkDeclared(Transmission packet, Point declared) throws RefusedException {
+    private void checkDeclared(Transmission packet, Point declared, boolean isRelay) throws RefusedException {
         Payload payload = packet.payload();
         boolean isRelays = declared.name().startsWith("RELAY_");
-        boolean mayTell = declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
+        boolean mayTell = isRelay && declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
         int path = isRelays ? declared.operand("hops") : mayTell ? packet.path() - packet.hops() : 0;
         boolean isExpected = switch (declared.name()) {
             case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
@@ -159,6 +161,7 @@ final class AirCheck implements Check {
             }
             station.lacks = null;
             station.declared = null;
+            station.isRelay = false;
             station.quiet.reset(event.seconds());
         }
     }

@@ -4,7 +4,6 @@ import static uppaal.conformance.RefusedException.require;
 
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -31,8 +30,8 @@ final class Relay {
     private final Deque<Transmission> heard;
     private final DeclaredAir air;
     private final Map<Integer, RelayedPacket> places = new HashMap<>();
-    /** By the number of an address; the one longest unchanged is the first. */
-    private final Map<Integer, Integer> scores = new LinkedHashMap<>();
+    /** By the number of an address. */
+    private final Map<Integer, Integer> scores = new BoundedMap<>(ADDRESSES);
     /** Likewise, bit h for a packet from there with h hops behind it. */
     private final Map<Integer, Integer> hops = new HashMap<>();
     /** For unicasts, and for many. */
@@ -57,8 +56,7 @@ final class Relay {
 
     /** The automaton with the firmware's times, in milliseconds. */
     static Model model() {
-        return new Model("relay.xml", "Relay", Map.of("LATE", LATE_MILLIS, "AGAIN", AGAIN_MILLIS), 1, 0,
-                0);
+        return new Model("relay.xml", "Relay", Map.of("LATE", LATE_MILLIS, "AGAIN", AGAIN_MILLIS), 1, 0, 0);
     }
 
     void point(Point point) throws RefusedException {
@@ -103,10 +101,6 @@ final class Relay {
             least = air.isTimed() ? Math.min(MOST_CREDIT, least + more - error) : 0;
             most = air.isTimed() ? Math.min(MOST_CREDIT, most + more + error) : MOST_CREDIT;
         }
-    }
-
-    private Credit credit(RelayedPacket place) {
-        return credits[place.isToMany() ? 1 : 0];
     }
 
     private void follows(Point point, String name) {
@@ -174,23 +168,15 @@ final class Relay {
         boolean isAnswer = packet.payload().isAcknowledgement();
         int from = !isAnswer ? packet.hops() : packet.told() == 0 ? model.constant("DIRECT") : packet.told() - 1;
         return Map.of("at", at, "kind", model.constant(isAnswer ? "ACK" : "DATA"), "hops", from, "by",
-                model.constant("SENDER"), "genuine", 1, "spent", 0, "doubt", score(place.packet));
+                model.constant("SENDER"), "genuine", 1, "spent", 0, "doubt", score(place.packet.destination()));
     }
 
     private static int number(String address) {
         return Crc16.of(Bytes.ofText(address));
     }
 
-    private int score(Payload packet) {
-        return scores.getOrDefault(number(packet.destination()), FIRST_SCORE);
-    }
-
-    private void setScore(String address, int score) {
-        scores.remove(number(address));
-        scores.put(number(address), score);
-        if (scores.size() > ADDRESSES) {
-            scores.remove(scores.keySet().iterator().next());
-        }
+    private int score(String address) {
+        return scores.getOrDefault(number(address), FIRST_SCORE);
     }
 
     /** A packet has come, perhaps damaged, and tells how far its origin may be. */
@@ -198,7 +184,7 @@ final class Relay {
         String origin = packet.payload().origin();
         if (!origin.isEmpty() && !origin.equals(id)) {
             hops.merge(number(origin), 1 << packet.hops(), (some, more) -> some | more);
-            setScore(origin, scores.getOrDefault(number(origin), FIRST_SCORE));
+            scores.put(number(origin), score(origin));
         }
     }
 
@@ -221,8 +207,9 @@ final class Relay {
                 + packet.payload().destination()), air);
         places.put(number, place);
         point.require(!place.isToMany() || packet.hops() == 0, "no copy of a copy");
-        double least = score(place.packet) == 0 || place.isToMany() ? cost(place.packet) : MOST_CREDIT / 2;
-        double credit = credit(place).most;
+        double least =
+                score(place.packet.destination()) == 0 || place.isToMany() ? cost(place.packet) : MOST_CREDIT / 2;
+        double credit = credits[place.isToMany() ? 1 : 0].most;
         point.require(credit >= least, (int) least + " ms of credit or more, not " + (int) credit);
         boolean isEarly = before.is("RELAY_DISTANCE");
         point.require(isEarly != (place.isToMany() || before.is("RELAY_FORGET")),
@@ -268,7 +255,7 @@ final class Relay {
         place.instance.take(point);
         if (isCopy || isRefused) {
             int cost = cost(place.packet);
-            Credit credit = credit(place);
+            Credit credit = credits[place.isToMany() ? 1 : 0];
             boolean mayBeRefused = credit.least < cost || place.isLate(point, -1);
             point.require(isRefused ? mayBeRefused : credit.most >= cost && !place.isLate(point, 1),
                     "RELAY_" + (isRefused ? "COPY" : "REFUSE") + " of a packet of " + cost + " ms, with a credit of "
@@ -300,7 +287,7 @@ final class Relay {
         place.instance.take(point, point.name(), externals(point, place, place.answer),
                 Map.of(RULE, model.constant(rule), "doubt", doubt));
         place.stop(point);
-        setScore(place.packet.destination(), doubt);
+        scores.put(number(place.packet.destination()), doubt);
         credits[0].add(place.spent, 0);
         place.spent = 0;
         if (place.instance.isAt("Carrying")) {

@@ -37,6 +37,12 @@ class AirCheckTest {
     }
 
     @Test
+    void unicast_distanceOfNoRelay_isRefused() {
+        trace.point(1, "a", "SEND", "'pending':1").sends(1.0002, "a", UNICAST, ",'distance':1")
+                .isRefused("of path 8; expected SEND, as it has declared, of path 0");
+    }
+
+    @Test
     void begins_late_isRefused() {
         declared(1).sends(1.002, "a", UNICAST, "").isRefused("behind its SEND; expected at once");
     }

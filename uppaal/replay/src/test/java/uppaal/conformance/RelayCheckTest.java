@@ -136,12 +136,6 @@ class RelayCheckTest {
     }
 
     @Test
-    void own_noRelay_isRefused() {
-        trace.point(1, "a", "SEND", "'pending':1").sends(1.0002, "a", UNICAST, ",'distance':1")
-                .isRefused("a tells a distance; expected none, as it is no relay");
-    }
-
-    @Test
     void new_noRelay_isRefused() {
         trace.point(1.25, "a", "RELAY_NEW", "'place':7,'nonce':0").isRefused("; expected RELAY_ON");
     }
