@@ -13,7 +13,11 @@ A[] (One.Waiting && One.doubt == FIRST) imply One.repeated
 /* A77 holds: where nothing of it soon brings the message on, its doubt rises. */
 E<> One.doubt == MOST && One.copied
 /* A78 holds: one that has brought it on repeats what begins anew. */
-E<> One.Waiting && One.late && !One.repeated
+E<> rule[ONE] == ANEW && One.Waiting && !One.repeated
+/* A79 holds: it may use up its time on the air. */
+E<> One.Known && One.spent == CREDIT
+/* A54 holds: a copy for which none is left is not sent. */
+A[] (One.Known && One.spent == CREDIT) imply One.copied
 /* A231 holds: a relay that was too late is in reserve later, and steps in. */
 E<> rule[ONE] == STEPS_IN && by == SENDER
 /* A232 holds: there it may hear an acknowledgement. */

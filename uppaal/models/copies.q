@@ -17,9 +17,9 @@ A[] (Air.Carries && kind == ACK && by == ONE) imply One.answered
 /* A9 holds: it knows of an acknowledgement until the packet begins anew. */
 A[] (One.Answered || One.Asked || One.Carrying || One.Kept) == One.answered
 /* A10 holds: what it sends has its hops, and is as it came. */
-A[] (Air.Carries && by == ONE) imply (kind == DATA ? genuine && hops == One.own : hops == One.back && genuine == One.right)
+A[] (Air.Carries && by == ONE) imply (hops == One.own && genuine == (kind == DATA || One.right))
 /* A11 holds: the message may be delivered by the relay alone. */
-E<> Home.Delivered && One.answers == 1 && One.spent == 0 && Home.attempt == 1
+E<> Home.Delivered && One.answers == 1 && One.spent == 0 && Home.attempt <= 2
 /* A12 holds: it may be given up though the host has it. */
 E<> Home.GivenUp && given == 1
 /* A13 holds: an acknowledgement ends what is due of the packet. */
@@ -31,41 +31,41 @@ A[] (Home.Awaiting && !Watch.copied) imply Home.rounds <= (Home.attempt > LATE_A
 /* A16 holds: an acknowledgement is carried four times at most. */
 A[] One.answers <= MOST_ANSWERS
 /* A17 holds: a copy may come back to its sender, who waits then. */
-E<> Home.Awaiting && Home.rounds == ROUNDS_WITH_RELAY && Home.attempt == 1
+E<> Home.Awaiting && Home.rounds == ROUNDS_WITH_RELAY && Home.attempt <= 2
 /* A81 holds: each packet is forgotten when it is over, and what each has made of it. */
 A[] (Air.Quiet ? kind == 0 && hops == 0 && by == 0 && !genuine : kind != 0) && (Air.Over || rule[SENDER] == 0 && rule[ONE] == 0 && rule[TWO] == 0 && rule[RECEIVER] == 0 && rule[ATTACKER] == 0)
 /* A82 holds: a relay with an empty place knows nothing of the packet. */
-A[] One.Empty imply (!One.right && !One.copied && !One.repeated && !One.handed && !One.reserved && !One.late && !One.passed && One.own == 0 && One.back == 0)
-/* A83 holds: a relay takes what is new. In the greatest doubt it is in reserve (rule 1). */
-A[] rule[ONE] == TAKES imply (kind == DATA && genuine && by != ONE && One.own == (hops == 2 ? 0 : hops + 1) && One.repeated == (One.doubt > NO_DOUBT) && !One.handed && One.answers == 0 && !One.late && !One.copied && (One.doubt == MOST ? One.Reserve : One.Waiting))
+A[] One.Empty imply (!One.right && !One.copied && !One.repeated && !One.handed && !One.reserved && !One.passed && One.own == 0)
+/* A83 holds: a relay takes what is new. In the greatest doubt, or away, it is in reserve (rule 1). */
+A[] rule[ONE] == TAKES imply (kind == DATA && genuine && by != ONE && One.own == (hops == 3 ? 0 : hops + 1) && One.repeated == (One.doubt > NO_DOUBT) && !One.handed && One.answers == 0 && !One.copied && (One.doubt == MOST || One.away ? One.Reserve : One.Waiting))
 /* A84 holds: one in reserve steps in where the packet comes from upstream again (rule 1). */
-A[] rule[ONE] == STEPS_IN imply (kind == DATA && genuine && by != ONE && One.own == (hops == 2 ? 0 : hops + 1) && One.repeated && One.reserved && !One.handed && One.answers == 0 && One.Waiting)
+A[] rule[ONE] == STEPS_IN imply (kind == DATA && genuine && by != ONE && One.own == (hops == 3 ? 0 : hops + 1) && One.repeated && One.reserved && !One.handed && One.answers == 0 && One.Waiting)
 /* A85 holds: it sends no further copy where the packet comes from downstream: it was handed on (rule 2). */
-A[] rule[ONE] == GONE_ON imply (kind == DATA && genuine && by != ONE && hops == (One.own == 2 ? 0 : One.own + 1) && One.handed && One.Known)
+A[] rule[ONE] == GONE_ON imply (kind == DATA && genuine && by != ONE && hops != One.own && One.own != (hops == 3 ? 0 : hops + 1) && One.handed && One.Known)
 /* A86 holds: it sends no first copy where the packet comes from a peer (rule 2). */
 A[] rule[ONE] == PEER imply (kind == DATA && genuine && by != ONE && hops == One.own && !One.copied && One.Known)
 /* A87 holds: it notes, too, where the packet is handed on later (rule 2). */
-A[] rule[ONE] == NOTED imply (kind == DATA && genuine && by != ONE && hops == (One.own == 2 ? 0 : One.own + 1) && One.handed && One.Known)
+A[] rule[ONE] == NOTED imply (kind == DATA && genuine && by != ONE && hops != One.own && One.own != (hops == 3 ? 0 : hops + 1) && One.handed && (One.Known || One.Reserve))
 /* A88 holds: it copies again where the sender itself sends again (rule 4). */
 A[] (rule[ONE] == STILL_ASKS || rule[ONE] == ASKS_AGAIN) imply (kind == DATA && genuine && by != ONE && hops == 0 && One.own == 1 && One.Waiting && (rule[ONE] == ASKS_AGAIN || One.copied))
 /* A89 holds: it begins anew what comes late (rule 5). */
-A[] rule[ONE] == ANEW imply (kind == DATA && genuine && by != ONE && One.own == (hops == 2 ? 0 : hops + 1) && One.repeated == (One.doubt > NO_DOUBT) && !One.handed && One.answers == 0 && One.late && (One.doubt == MOST ? One.Reserve : One.Waiting))
-/* A90 holds: of the first acknowledgement it keeps where that comes from (rule 6). */
-A[] One.Answered imply (Air.Over && kind == ACK && by != ONE && One.back == (hops == 2 ? 0 : hops + 1) && One.right == genuine && rule[ONE] != ASKED)
+A[] rule[ONE] == ANEW imply (kind == DATA && genuine && by != ONE && One.own == (hops == 3 ? 0 : hops + 1) && One.repeated == (One.doubt > NO_DOUBT) && !One.handed && One.answers == 0 && !One.reserved && !One.away && (One.doubt == MOST ? One.Reserve : One.Waiting))
+/* A90 holds: it keeps the first acknowledgement (rule 6). */
+A[] One.Answered imply (Air.Over && kind == ACK && by != ONE && One.right == genuine && rule[ONE] != ASKED)
 /* A91 holds: its doubt rises where it has copied nothing. */
 A[] rule[ONE] == NEEDLESS imply (!One.copied && One.Kept && One.doubt > NO_DOUBT)
-/* A92 holds: its doubt ends where its copy has soon brought the message on. It then carries the acknowledgement. */
-A[] rule[ONE] == SOON imply (One.copied && (One.handed || One.back == 1) && One.Carrying && One.doubt == (One.reserved ? AFTER_RESERVE : NO_DOUBT))
-/* A93 holds: its doubt is greatest where its copy came too late. It then carries the acknowledgement only if it was handed on. */
-A[] rule[ONE] == TOO_LATE imply (One.copied && One.back == 1 && One.doubt == MOST && (One.handed ? One.Carrying : One.Kept))
-/* A94 holds: where another relay has brought the acknowledgement, it carries it if it was handed on, has no doubt, or is late (rule 6). */
-A[] rule[ONE] == ELSEWHERE imply (One.copied && One.back != 1 && ((One.handed || One.doubt == NO_DOUBT || One.late) ? One.Carrying : One.Kept))
-/* A95 holds: an acknowledgement from downstream has gone on (rules 7 and 8). */
-A[] (rule[ONE] == PASSED || rule[ONE] == PASSED_LATER) imply (kind == ACK && by != ONE && hops == (One.back == 2 ? 0 : One.back + 1) && One.passed && One.Kept)
+/* A92 holds: its doubt ends where its copy has soon brought the message on. It then carries an acknowledgement from its origin or from downstream (rule 6). */
+A[] rule[ONE] == SOON imply (One.copied && (One.handed || hops == DIRECT) && (hops != One.own && One.own != (hops == 3 ? 0 : hops + 1) ? One.Carrying : One.Kept) && One.doubt == (One.reserved ? AFTER_RESERVE : NO_DOUBT))
+/* A93 holds: its doubt is greatest where its copy came too late. It then leaves the acknowledgement to others. */
+A[] rule[ONE] == TOO_LATE imply (One.copied && hops == DIRECT && One.doubt == MOST && One.Kept)
+/* A94 holds: where another relay has brought the acknowledgement, it carries it if that is downstream (rule 6). */
+A[] rule[ONE] == ELSEWHERE imply (One.copied && hops != DIRECT && (hops != One.own && One.own != (hops == 3 ? 0 : hops + 1) ? One.Carrying : One.Kept))
+/* A95 holds: an acknowledgement from upstream has gone on (rules 7 and 8). */
+A[] (rule[ONE] == PASSED || rule[ONE] == PASSED_LATER) imply (kind == ACK && by != ONE && One.own == (hops == 3 ? 0 : hops + 1) && One.passed && One.Kept)
 /* A96 holds: one from a peer is carried by that peer (rule 8). */
-A[] rule[ONE] == CARRIED imply (kind == ACK && by != ONE && hops == One.back && One.Kept)
+A[] rule[ONE] == CARRIED imply (kind == ACK && by != ONE && hops == One.own && One.Kept)
 /* A97 holds: a packet that comes again, but not from downstream, asks for its acknowledgement (rule 9). */
-A[] One.Asked imply (Air.Over && rule[ONE] == ASKED && kind == DATA && genuine && by != ONE && hops != (One.own == 2 ? 0 : One.own + 1))
+A[] One.Asked imply (Air.Over && rule[ONE] == ASKED && kind == DATA && genuine && by != ONE && (hops == One.own || One.own == (hops == 3 ? 0 : hops + 1)))
 /* A98 holds: the acknowledgement is then carried again (rule 9). */
 A[] rule[ONE] == REPEATS imply (kind == DATA && genuine && by != ONE && One.answers < MOST_ANSWERS && One.Carrying)
 /* A99 holds: after four copies of it the packet is forgotten (rule 9). */
@@ -77,7 +77,7 @@ A[] (Air.Carries && kind == ACK && by == ONE) imply (One.Carrying ? One.answers 
 /* A102 holds: a sender sends the message as its own, and waits. */
 A[] (Air.Carries && by == SENDER) imply (kind == DATA && hops == 0 && genuine && Home.Awaiting && Home.rounds == (Home.attempt > LATE_ATTEMPT ? LATE_ROUNDS : 0))
 /* A103 holds: a receiver sends an acknowledgement of what the host has. */
-A[] (Air.Carries && by == RECEIVER) imply (kind == ACK && hops == 0 && genuine && given == 1 && Away.Listening)
+A[] (Air.Carries && by == RECEIVER) imply (kind == ACK && hops == DIRECT && genuine && given == 1 && Away.Listening)
 /* A104 holds: a sender that hears a copy waits for longer. */
 A[] (rule[SENDER] == COPIED || rule[SENDER] == COPIED_LATE) imply (kind == DATA && by != SENDER && Home.attempt > 0 && (Home.Copied ? Watch.failed == (rule[SENDER] == COPIED_LATE) : Home.Awaiting && Home.rounds == ROUNDS_WITH_RELAY))
 /* A105 holds: a sender that hears a genuine acknowledgement is done. */

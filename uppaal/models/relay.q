@@ -48,18 +48,28 @@ E<> Air.Carries && by == ATTACKER && kind == DATA && hops == 0 && genuine
 E<> Air.Carries && by == ATTACKER && kind == DATA && hops == 1 && genuine
 /* A139 holds: the attacker repeats the message with h = 2. */
 E<> Air.Carries && by == ATTACKER && kind == DATA && hops == 2 && genuine
-/* A140 holds: the attacker repeats an acknowledgement with h = 0. */
+/* A140 holds: the attacker repeats the message with h = 3. */
+E<> Air.Carries && by == ATTACKER && kind == DATA && hops == 3 && genuine
+/* A141 holds: the attacker repeats an acknowledgement by a relay with h = 0. */
 E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 0 && genuine
-/* A141 holds: the attacker repeats an acknowledgement with h = 1. */
+/* A142 holds: the attacker repeats an acknowledgement by a relay with h = 1. */
 E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 1 && genuine
-/* A142 holds: the attacker repeats an acknowledgement with h = 2. */
+/* A143 holds: the attacker repeats an acknowledgement by a relay with h = 2. */
 E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 2 && genuine
-/* A143 holds: the attacker forges an acknowledgement with h = 0. */
+/* A144 holds: the attacker repeats an acknowledgement by a relay with h = 3. */
+E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 3 && genuine
+/* A145 holds: the attacker repeats an acknowledgement from its origin. */
+E<> Air.Carries && by == ATTACKER && kind == ACK && hops == DIRECT && genuine
+/* A156 holds: the attacker forges an acknowledgement by a relay with h = 0. */
 E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 0 && !genuine
-/* A144 holds: the attacker forges an acknowledgement with h = 1. */
+/* A157 holds: the attacker forges an acknowledgement by a relay with h = 1. */
 E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 1 && !genuine
-/* A145 holds: the attacker forges an acknowledgement with h = 2. */
+/* A158 holds: the attacker forges an acknowledgement by a relay with h = 2. */
 E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 2 && !genuine
+/* A159 holds: the attacker forges an acknowledgement by a relay with h = 3. */
+E<> Air.Carries && by == ATTACKER && kind == ACK && hops == 3 && !genuine
+/* A160 holds: the attacker forges an acknowledgement from its origin. */
+E<> Air.Carries && by == ATTACKER && kind == ACK && hops == DIRECT && !genuine
 /* A146 holds: it forges the message. */
 E<> Air.Carries && by == ATTACKER && kind == DATA && !genuine
 /* A147 holds: it repeats only what it has overheard, and acknowledges only what it knows of. */

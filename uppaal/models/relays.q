@@ -65,30 +65,26 @@ E<> rule[TWO] == ENDED && by == RECEIVER
 /* A191 holds: it hears an acknowledgement later: from the receiver. */
 E<> rule[TWO] == ANSWERED && by == RECEIVER
 /* A192 holds: what was handed on may be acknowledged by another relay. */
-E<> rule[ONE] == SOON && One.handed && One.back != 1
+E<> rule[ONE] == SOON && One.handed && hops != DIRECT
 /* A193 holds: what nobody has heard to be handed on may be acknowledged by its receiver. */
-E<> rule[ONE] == SOON && !One.handed && One.back == 1
-/* A194 holds: a relay whose copy came too late carries the acknowledgement, if it was handed on. */
-E<> rule[ONE] == TOO_LATE && One.Carrying
-/* A195 holds: otherwise it does not. */
-E<> rule[ONE] == TOO_LATE && One.Kept
-/* A196 holds: a relay in doubt carries what comes by another one, if it was handed on. */
-E<> rule[TWO] == ELSEWHERE && Two.handed && Two.doubt > NO_DOUBT
+E<> rule[ONE] == SOON && !One.handed && hops == DIRECT
+/* A194 holds: a relay whose copy came too late leaves the acknowledgement to others. */
+E<> rule[ONE] == TOO_LATE
+/* A196 holds: a relay in doubt carries what comes from downstream. */
+E<> rule[TWO] == ELSEWHERE && Two.Carrying && Two.doubt > NO_DOUBT
 /* A197 holds: otherwise it does not. */
 E<> rule[TWO] == ELSEWHERE && Two.Kept
-/* A198 holds: a relay without doubt carries it all the same. */
-E<> rule[ONE] == ELSEWHERE && !One.handed && One.doubt == NO_DOUBT
+/* A198 holds: nor does one without doubt. */
+E<> rule[ONE] == ELSEWHERE && One.Kept && One.doubt == NO_DOUBT
 /* A199 holds: an acknowledgement may be lost where a copy is due. */
 E<> Air.Over && One.Waiting && rule[ONE] == 0 && by == RECEIVER
 /* A200 holds: it may be lost where none is due. */
 E<> Air.Over && One.Known && rule[ONE] == 0 && by == RECEIVER
 /* A201 holds: a copy of it may be lost where an own one is due. */
-E<> Air.Over && One.Carrying && rule[ONE] == 0 && kind == ACK && by == TWO && hops == One.back
+E<> Air.Over && One.Carrying && rule[ONE] == 0 && kind == ACK && by == TWO && hops == One.own
 /* A202 holds: it may be lost after that. */
-E<> Air.Over && One.Kept && rule[ONE] == 0 && kind == ACK && by == TWO && !One.passed && hops == (One.back == 2 ? 0 : One.back + 1)
-/* A203 holds: where its copy of an acknowledgement is due, it hears that this has gone on: from the receiver. */
-E<> rule[ONE] == PASSED && by == RECEIVER
-/* A204 holds: it hears later that an acknowledgement has gone on: from the receiver. */
-E<> rule[ONE] == PASSED_LATER && by == RECEIVER
+E<> Air.Over && One.Kept && rule[ONE] == 0 && kind == ACK && by == TWO && !One.passed && One.own == (hops == 3 ? 0 : hops + 1)
+/* A203 holds: nobody begins anew what comes back to it. */
+A[] One.own < 3 && Two.own < 3
 /* A205 holds: the second relay of a line carries an acknowledgement again. */
 E<> rule[TWO] == REPEATS && Two.own == 2

@@ -73,6 +73,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofRelays("relays", "Two relays (one attempt only)", Map.of("MAX_ATTEMPTS", "1")),
             ofRelays("reserve", "One relay in doubt, and one in reserve (two attempts only)",
                     Map.of("MAX_ATTEMPTS", "2")),
+            ofRelays("away", "One relay that is away (four attempts only)", Map.of("MAX_ATTEMPTS", "4")),
             new Scene("storm", "Relays: Two relays in air that is busy for long (small numbers)", "relay.xml",
                     with(FASTER,
                             Map.of("MAX_ATTEMPTS", "1", "ROUNDS_WITH_RELAY", "1", "LATE", "2", "WITHIN", "3", "CREDIT",

@@ -31,6 +31,7 @@ final class AirCheck implements Check {
         final QuietAir quiet = new QuietAir();
         /** Whether it runs our firmware: it declares points, or greets a host of ours. Others may send anything. */
         boolean isOurs;
+        boolean isRelay;
         /** The send that it has declared, and that is not yet on the air. */
         Point declared;
         /** What its last packet lacks, unless a reset took it. */
@@ -55,6 +56,7 @@ final class AirCheck implements Check {
     public void point(Point point) throws RefusedException {
         Station station = stations.computeIfAbsent(point.board(), added -> new Station());
         station.isOurs = true;
+        station.isRelay = point.is("RELAY_ON") ? point.operand("on") == 1 : station.isRelay;
         if (station.lacks != null) {
             throw station.lacks;
         }
@@ -94,21 +96,22 @@ final class AirCheck implements Check {
         }
         require(station.declared != null, packet.board() + " sends " + packet + " that it has not declared",
                 "one of " + String.join(", ", new TreeSet<>(SENDS)) + " before");
-        checkDeclared(packet, station.declared);
+        checkDeclared(packet, station.declared, station.isRelay);
         station.declared = null;
     }
 
-    private void checkDeclared(Transmission packet, Point declared) throws RefusedException {
+    private void checkDeclared(Transmission packet, Point declared, boolean isRelay) throws RefusedException {
         Payload payload = packet.payload();
         boolean isRelays = declared.name().startsWith("RELAY_");
-        int hops = isRelays ? declared.operand("hops") : 0;
+        boolean mayTell = isRelay && declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
+        int path = isRelays ? declared.operand("hops") : mayTell ? packet.path() - packet.hops() : 0;
         boolean isExpected = switch (declared.name()) {
             case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
             case "RELAY_COPY" -> RelayedPacket.isCopied(payload);
             default -> payload.isAcknowledgement();
         };
-        require(isExpected && packet.hops() == hops, packet.board() + " sends " + packet + " with " + packet.hops() +
-                " hops behind it", declared.name() + ", as it has declared, with " + hops);
+        require(isExpected && packet.path() == path, packet.board() + " sends " + packet + " of path " + packet.path(),
+                declared.name() + ", as it has declared, of path " + path);
         double late = packet.start() - declared.seconds();
         if (!packet.isOfModule() && (late < 0 || late > 2 * bit)) {
             throw new RefusedException(String.format(Locale.ROOT, "%s sends %s %.6f s behind its %s", packet.board(),
@@ -158,6 +161,7 @@ final class AirCheck implements Check {
             }
             station.lacks = null;
             station.declared = null;
+            station.isRelay = false;
             station.quiet.reset(event.seconds());
         }
     }
@@ -187,10 +191,9 @@ final class AirCheck implements Check {
 
     private static void checkSame(TraceEvent event, Transmission packet) throws RefusedException {
         Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
-        require(payload.equals(packet.payload()) && event.hops() == packet.hops(), event.board() +
+        require(payload.equals(packet.payload()) && Transmission.path(event) == packet.path(), event.board() +
                 " hears a packet of " + packet.board() + " other than it was sent",
-                packet.payload().hex() +
-                        " with " + packet.hops() + " hops behind it");
+                packet.payload().hex() + " of path " + packet.path());
     }
 
     /** What a board that a packet reached has heard of it, and when. */

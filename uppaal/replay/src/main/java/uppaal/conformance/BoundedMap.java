@@ -7,6 +7,15 @@ import java.util.Map;
 final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
     private static final long serialVersionUID = 1L;
     private static final int MOST = 1024;
+    private final int most;
+
+    BoundedMap() {
+        this(MOST);
+    }
+
+    BoundedMap(int most) {
+        this.most = most;
+    }
 
     /** Also what is in already is the newest then. */
     @Override
@@ -18,6 +27,6 @@ final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
 
     @Override
     protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
-        return size() > MOST;
+        return size() > most;
     }
 }

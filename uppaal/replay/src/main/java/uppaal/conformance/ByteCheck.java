@@ -150,6 +150,7 @@ final class ByteCheck implements Check {
         };
         require(expected.isEmpty(), board.name + " sends a trailer '" + packet.trailer() + "' behind " + frame,
                 expected);
+        require(packet.told() == 0 || frame.sent == 0, board.name + " tells a distance again with " + frame, "none");
         require(packet.trailer().isEmpty() || frame.isUnicast(), board.name + " sends a trailer behind " + frame,
                 "none behind a frame to many");
         if (!packet.trailer().isEmpty()) {

@@ -146,7 +146,7 @@ final class FateCheck implements Check {
 
     /** Boards without relays do not take copies. */
     private boolean isSure(Transmission packet) {
-        return packet.hops() == 0 && !packet.isOfModule() && air.isKnownSince(packet.start())
+        return packet.path() == 0 && !packet.isOfModule() && air.isKnownSince(packet.start())
                 && air.isAlone(packet, packet.start(), packet.end());
     }
 }

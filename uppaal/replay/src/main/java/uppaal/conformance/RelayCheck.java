@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import javino.protocol.Payload;
 import trace.TraceEvent;
 
 /** Relays (SPEC 7.5): each place of each relay follows {@code relay.xml}. */
@@ -13,11 +13,9 @@ final class RelayCheck implements Check {
     /** Packets whose bytes a board may still look at. */
     private static final int KEPT = 16;
 
-    /** Came to a board, perhaps damaged. */
-    record Heard(Payload payload, int hops) {}
-
     private final Map<String, Relay> relays = new HashMap<>();
-    private final Map<String, Deque<Heard>> heard = new HashMap<>();
+    /** What came to a board, perhaps damaged. */
+    private final Map<String, Deque<Transmission>> heard = new HashMap<>();
     private final Map<String, String> ids = new HashMap<>();
     private final Air air;
     private final Header header;
@@ -45,7 +43,7 @@ final class RelayCheck implements Check {
         }
     }
 
-    private Deque<Heard> heard(String board) {
+    private Deque<Transmission> heard(String board) {
         return heard.computeIfAbsent(board, added -> new ArrayDeque<>());
     }
 
@@ -72,11 +70,12 @@ final class RelayCheck implements Check {
             ids.put(event.board(), event.text("id"));
         } else if (event.is("rf-rx") || event.is("rf-damaged")) {
             air.sent(event).ifPresent(packet -> {
-                Deque<Heard> those = heard(event.board());
-                those.addFirst(new Heard(packet.payload(), packet.hops()));
+                Deque<Transmission> those = heard(event.board());
+                those.addFirst(packet);
                 if (those.size() > KEPT) {
                     those.removeLast();
                 }
+                Optional.ofNullable(relays.get(event.board())).ifPresent(relay -> relay.heard(packet));
             });
         }
     }

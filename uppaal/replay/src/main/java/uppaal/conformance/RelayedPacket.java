@@ -10,7 +10,7 @@ final class RelayedPacket {
 
     private static final int TURN = 45;
     private static final int SPREAD = 8;
-    /** Of a packet whose pair's score is 1 or 2. */
+    private static final Draw FROM_RESERVE = new Draw("RELAY_COPY", 8, TURN, 2 * SPREAD, false);
     private static final Draw DOUBTFUL = new Draw("RELAY_COPY", 30, 0, 16 * SPREAD, false);
     private static final Draw TO_MANY = new Draw("RELAY_COPY", 1, 0, SPREAD, false);
     /** Slots after which a copy for many is not sent any more, and those after which another one is. */
@@ -18,18 +18,20 @@ final class RelayedPacket {
     private static final int AGAIN_SLOTS = 128;
     private static final int MARK_AT = 15;
     static final Map<String, Draw> DRAWS = Map.of(
-            "RELAY_DRAW", new Draw("RELAY_COPY", 8, 0, SPREAD, false),
+            "RELAY_DRAW", new Draw("RELAY_COPY", 8, 0, 2 * SPREAD, false),
             "RELAY_DRAW_AGAIN", new Draw("RELAY_COPY", 6, 0, SPREAD, true),
             "RELAY_DRAW_REPEAT", new Draw("RELAY_COPY", 2, 20, SPREAD, true),
             "RELAY_DRAW_ANSWER", new Draw("RELAY_ANSWER", 1, 0, SPREAD / 2, false),
             "RELAY_DRAW_ANSWER_AGAIN", new Draw("RELAY_ANSWER", 6, 0, SPREAD, true),
             "RELAY_DRAW_ANSWER_REPEAT", new Draw("RELAY_ANSWER", 6, 14, SPREAD, false));
-    static final int SOON = 24;
+    private static final int SOON = 24;
 
     final Payload packet;
     final Instance instance;
     private final DeclaredAir air;
-    Payload answer;
+    Transmission answer;
+    /** One more than the distance that its copies tell; 0 if they tell none. */
+    int told;
     Timer due = Timer.NONE;
     /** When something happened to it last, in seconds. */
     double happened;
@@ -38,7 +40,6 @@ final class RelayedPacket {
     double quietMost;
     double quietFrom;
     boolean soon;
-    boolean fromReserve;
     double spent;
     boolean sends;
 
@@ -83,10 +84,8 @@ final class RelayedPacket {
         quietFrom = point.run();
     }
 
-    String pair() {
-        String one = packet.destination();
-        String other = packet.origin();
-        return one.compareTo(other) < 0 ? one + other : other + one;
+    boolean is(Payload heard) {
+        return packet.equals(heard);
     }
 
     boolean isAnswer(Payload heard) {
@@ -95,7 +94,9 @@ final class RelayedPacket {
     }
 
     /** Counts the quiet slots up to a moment between two. */
-    void count(double least, double most) {
+    void count(Point point) {
+        double least = point.run() - point.gap();
+        double most = point.run();
         if (!air.isTimed()) {
             quietMost = Double.POSITIVE_INFINITY;
         } else if (!air.isBusy()) {
@@ -111,26 +112,27 @@ final class RelayedPacket {
     }
 
     void draw(Point point) throws RefusedException {
-        boolean isDoubtful = point.is("RELAY_DRAW") && !fromReserve && instance.get("repeated") == 1;
-        Draw draw = isDoubtful ? isToMany() ? TO_MANY : DOUBTFUL : DRAWS.get(point.name());
+        boolean isUnsure = point.is("RELAY_DRAW") && instance.get("repeated") == 1;
+        Draw draw = !isUnsure ? DRAWS.get(point.name())
+                : isToMany() ? TO_MANY
+                        : instance.get("reserved") == 1 ? FROM_RESERVE : told == 0 ? DOUBTFUL : DRAWS.get(point.name());
         point.require(!isToMany() || point.is("RELAY_DRAW"), "one copy of what is for many");
         int slots = point.operand("slots");
-        int from = draw.from + (point.is("RELAY_DRAW") && fromReserve ? TURN : 0);
         boolean mayTurn = draw.turn && !(point.is("RELAY_DRAW_AGAIN") && instance.get("handed") == 1);
-        boolean isIn = slots >= from && slots < from + draw.spread
-                || mayTurn && slots >= from + TURN && slots < from + TURN + draw.spread;
-        point.require(isIn,
-                from + " to " + (from + draw.spread - 1) + (mayTurn ? " slots, or " + TURN + " more" : " slots"));
+        boolean isIn = slots >= draw.from && slots < draw.from + draw.spread
+                || mayTurn && slots >= draw.from + TURN && slots < draw.from + TURN + draw.spread;
+        point.require(isIn, draw.from + " to " + (draw.from + draw.spread - 1)
+                + (mayTurn ? " slots, or " + TURN + " more" : " slots"));
         due = air.slots(point, draw.first, slots, draw.due);
     }
 
-    boolean isSoon(Point point, boolean told) throws RefusedException {
-        count(point.run() - point.gap(), point.run());
+    void checkSoon(Point point, boolean isTold) throws RefusedException {
+        count(point);
         boolean copied = instance.get("copied") == 1;
         boolean mustBe = soon || copied && quietMost < SOON;
         boolean mayBe = soon || copied && quietLeast < SOON;
-        point.require(told ? mayBe : !mustBe, "that soon is less than " + SOON + " quiet slots behind a copy");
-        return told;
+        point.require(isTold ? mayBe : !mustBe, "that soon is less than " + SOON + " quiet slots behind a copy");
+        soon = isTold;
     }
 
     void stop(Point point) throws RefusedException {

@@ -9,13 +9,15 @@ import trace.TraceEvent;
  * A packet on the air.
  *
  * @param trailer {@code mark}, {@code parity} or empty (SPEC 6.1)
- * @param hops relays behind it, modulo 3
+ * @param path of SPEC 6
  * @param start of its first bit, in seconds
  * @param end of its last one, and of its trailer's
  */
-record Transmission(TraceEvent event, Payload payload, int hops, String trailer, int bits, double start,
+record Transmission(TraceEvent event, Payload payload, int path, String trailer, int bits, double start,
         double end) {
 
+    /** Of hops and distances (SPEC 7.5). */
+    static final int MODULUS = 4;
     private static final Set<String> OF_ONE_MESSAGE = Set.of("unicast", "fragment");
     private static final int MARK_BITS = 12;
     private static final int PARITY_BITS = 12 * 17;
@@ -25,8 +27,22 @@ record Transmission(TraceEvent event, Payload payload, int hops, String trailer,
 
     static Transmission of(TraceEvent event) {
         Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
-        return new Transmission(event, payload, event.hops(), event.textOrEmpty("trailer"), event.number("bits"),
+        return new Transmission(event, payload, path(event), event.textOrEmpty("trailer"), event.number("bits"),
                 event.real("start"), event.real("end"));
+    }
+
+    static int path(TraceEvent event) {
+        return event.hops() + MODULUS * (1 + event.distance().orElse(-1));
+    }
+
+    /** Relays behind it. */
+    int hops() {
+        return path % MODULUS;
+    }
+
+    /** One more than the distance that it tells; 0 if it tells none. */
+    int told() {
+        return path / MODULUS;
     }
 
     String board() {
@@ -53,7 +69,7 @@ record Transmission(TraceEvent event, Payload payload, int hops, String trailer,
     }
 
     boolean mayHaveTrailer() {
-        return hops == 0 && OF_ONE_MESSAGE.contains(payload.kind().toString());
+        return hops() == 0 && OF_ONE_MESSAGE.contains(payload.kind().toString());
     }
 
     /** Whether a reset or the trace's end may have taken its last bits. */
@@ -64,7 +80,7 @@ record Transmission(TraceEvent event, Payload payload, int hops, String trailer,
     @Override
     public String toString() {
         String kind = payload.kind().toString();
-        return (hops == 0 ? payload.isAcknowledgement() ? "an " : "a " : "a copy of a ") + kind + " of "
+        return (hops() == 0 ? payload.isAcknowledgement() ? "an " : "a " : "a copy of a ") + kind + " of "
                 + payload.origin();
     }
 }

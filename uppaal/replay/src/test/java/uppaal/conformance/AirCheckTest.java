@@ -33,7 +33,13 @@ class AirCheckTest {
     @Test
     void begins_otherHops_isRefused() {
         trace.point(1, "a", "RELAY_COPY", "'place':1,'hops':1").sends(1.0002, "a", UNICAST, ",'hops':2")
-                .isRefused("with 2 hops behind it; expected RELAY_COPY, as it has declared, with 1");
+                .isRefused("of path 2; expected RELAY_COPY, as it has declared, of path 1");
+    }
+
+    @Test
+    void unicast_distanceOfNoRelay_isRefused() {
+        trace.point(1, "a", "SEND", "'pending':1").sends(1.0002, "a", UNICAST, ",'distance':1")
+                .isRefused("of path 8; expected SEND, as it has declared, of path 0");
     }
 
     @Test

@@ -22,7 +22,7 @@ class PointsTest {
             Set.of("TURN", "COUNT", "MEMORY", "EPOCH_STORED", "KEY_STORED",
                     "KEY_DELETED", "FLOOR_STORED", "FRAGMENT", "RELAY_ON", "RELAY_DRAW", "RELAY_DRAW_REPEAT",
                     "RELAY_DRAW_ANSWER", "RELAY_DRAW_ANSWER_REPEAT", "RELAY_COPY_ENDED", "RELAY_ANSWER_ENDED",
-                    "RELAY_RESERVE");
+                    "RELAY_RESERVE", "RELAY_DISTANCE");
 
     private static Set<String> listed() throws IOException {
         String list = Files.readString(Path.of(System.getProperty("javino.points")));

@@ -1,8 +1,10 @@
 package uppaal.conformance;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-/** Board b relays between a (ROMA) and c (SUPO); its score for them is 1 at first. */
+/** Board b relays between a (ROMA) and c (SUPO); its score for c is 1 at first. */
 class RelayCheckTest {
     private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";
     /** Of SUPO, for the nonce that ends with 000. */
@@ -10,11 +12,23 @@ class RelayCheckTest {
 
     private final Trace trace = new Trace(RelayCheck::new).point(0.5, "b", "RELAY_ON", "'on':1");
 
-    /** The packet has come, and its copy waits for 30 + so many slots from 1.25 s on. */
+    /** The packet has come, which tells so much of a distance. */
+    private Trace came(String told, int distance) {
+        trace.sends(1, "a", UNICAST, told).hears(1, "b", UNICAST, "a", told);
+        return trace.point(1.25, "b", "QUIET", "")
+                .point(1.25, "b", "RELAY_DISTANCE", "'place':7,'distance':" + distance)
+                .point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0");
+    }
+
+    /** Its copy waits for 30 + so many slots from 1.25 s on. */
     private Trace waits(int slots) {
-        trace.sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "");
-        return trace.point(1.25, "b", "QUIET", "").point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0")
-                .point(1.25, "b", "RELAY_DRAW", "'place':7,'slots':" + slots);
+        return came("", 0).point(1.25, "b", "RELAY_DRAW", "'place':7,'slots':" + slots);
+    }
+
+    /** An acknowledgement has come before, from one or two hops away. */
+    private RelayCheckTest heard(String hops) {
+        trace.sends(0.6, "c", ANSWER, hops).hears(0.6, "b", ANSWER, "c", hops);
+        return this;
     }
 
     private static Trace copies(Trace trace, double seconds) {
@@ -52,7 +66,7 @@ class RelayCheckTest {
     @Test
     void copy_otherHops_isRefused() {
         waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'hops':2")
-                .isRefused("; expected 1 hops, one more than it came with");
+                .isRefused("; expected path 1, with 1 hops");
     }
 
     @Test
@@ -73,6 +87,55 @@ class RelayCheckTest {
     }
 
     @Test
+    void new_noDistance_isRefused() {
+        trace.sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "")
+                .point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0").isRefused("; expected RELAY_DISTANCE before");
+    }
+
+    @Test
+    void new_nothingKnowsDistance_isRefused() {
+        heard(",'hops':1").came("", 2).isRefused("b tells the distance 1 of SUPO; expected one more than the hops");
+    }
+
+    @Test
+    void new_distanceKnown_isCopiedSoonAndTellsIt() {
+        Trace near = heard("").came("", 2).point(1.25, "b", "RELAY_DRAW", "'place':7,'slots':15");
+        near.point(1.435, "b", "RELAY_COPY", "'place':7,'hops':9")
+                .sends(1.4352, "b", UNICAST, ",'hops':1,'distance':1").isAccepted();
+    }
+
+    @Test
+    void new_nearerThanTold_waits() {
+        heard("").came(",'distance':2", 2).point(1.25, "b", "RELAY_DRAW", "'place':7,'slots':0").isAccepted();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1,2", "3,2", "2,0"})
+    void new_notNearerThanTold_isInReserve(int told, int known) {
+        heard("").came(",'distance':" + told, known).point(1.25, "b", "RELAY_RESERVE", "'place':7").isAccepted();
+    }
+
+    @Test
+    void anew_awayAndLate_tellsNoDistance() {
+        heard("").came(",'distance':1", 2).point(1.25, "b", "RELAY_RESERVE", "'place':7");
+        trace.point(3.01, "b", "BUSY", "").sends(3, "a", UNICAST, "").hears(3, "b", UNICAST, "a", "")
+                .point(3.25, "b", "QUIET", "")
+                .point(3.25, "b", "RELAY_ANEW", "'place':7").point(3.25, "b", "RELAY_DRAW", "'place':7,'slots':3");
+        copies(trace, 3.515).isAccepted();
+    }
+
+    @Test
+    void own_distanceHeard_isAccepted() {
+        heard("").trace.point(1, "b", "SEND", "'pending':1").sends(1.0002, "b", UNICAST, ",'distance':1").isAccepted();
+    }
+
+    @Test
+    void own_distanceUnheard_isRefused() {
+        trace.point(1, "b", "SEND", "'pending':1").sends(1.0002, "b", UNICAST, ",'distance':1")
+                .isRefused("b tells the distance 1 of SUPO");
+    }
+
+    @Test
     void new_noRelay_isRefused() {
         trace.point(1.25, "a", "RELAY_NEW", "'place':7,'nonce':0").isRefused("; expected RELAY_ON");
     }
@@ -84,9 +147,7 @@ class RelayCheckTest {
 
     @Test
     void draw_missing_isRefused() {
-        trace.sends(1, "a", UNICAST, "").hears(1, "b", UNICAST, "a", "")
-                .point(1.25, "b", "RELAY_NEW", "'place':7,'nonce':0").point(1.26, "b", "QUIET", "")
-                .isRefused("; expected RELAY_DRAW of place 7");
+        came("", 0).point(1.26, "b", "QUIET", "").isRefused("; expected RELAY_DRAW of place 7");
     }
 
     @Test
@@ -114,11 +175,27 @@ class RelayCheckTest {
     }
 
     @Test
+    void answered_fromUpstream_isNotCarried() {
+        copied(waits(3)).sends(1.776, "a", ANSWER, ",'hops':1,'distance':0").hears(1.776, "b", ANSWER, "a",
+                ",'hops':1,'distance':0").point(1.926, "b", "RELAY_ANSWERED", "'place':7,'doubt':1")
+                .point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':2").isRefused("Carrying, not Kept");
+    }
+
+    @Test
+    void answered_fromDownstream_isCarried() {
+        copied(waits(3)).sends(1.776, "c", ANSWER, ",'hops':1,'distance':2").hears(1.776, "b", ANSWER, "c",
+                ",'hops':1,'distance':2").point(1.926, "b", "RELAY_ANSWERED", "'place':7,'doubt':1")
+                .point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
+                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'hops':10").isAccepted();
+    }
+
+    @Test
     void answer_moreOften_isRefused() {
         Trace answers = answered(copied(waits(3)), 0).point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
-                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'hops':1");
-        answers.sends(1.9272, "b", ANSWER, ",'hops':1").point(2.096, "b", "RELAY_ANSWER_ENDED", "'place':7")
-                .point(2.096, "b", "QUIET", "").point(2.166, "b", "RELAY_ANSWER", "'place':7,'hops':1")
+                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'hops':9");
+        answers.sends(1.9272, "b", ANSWER, ",'hops':1,'distance':1")
+                .point(2.096, "b", "RELAY_ANSWER_ENDED", "'place':7")
+                .point(2.096, "b", "QUIET", "").point(2.166, "b", "RELAY_ANSWER", "'place':7,'hops':9")
                 .isRefused("is Kept; expected ");
     }
 
