@@ -81,8 +81,8 @@ class Forwarding {
     bool prompt;  // and soon
     bool answered;
     bool answerHandedOn;
-    uint16_t crc;  // of the packet
-    uint16_t to;   // its destination's number
+    uint16_t crc;                      // of the packet
+    uint16_t to;                       // its destination's number
     uint16_t spent;                    // of the credit
     uint16_t age;                      // milliseconds since something happened to it
     uint8_t bytes[MAX_RADIO_PAYLOAD];  // the packet; once it is answered its head, and behind that the acknowledgement

@@ -60,7 +60,7 @@ POINT(RELAY_RESERVE, place, )          // it is in reserve, where quiet slots co
 POINT(RELAY_DRAW, place, slots)        // a copy waits for 8 quiet slots in a row, or 30
 POINT(RELAY_DRAW_AGAIN, place, slots)  // for 6, as its sender asks again
 POINT(RELAY_DRAW_REPEAT, place, slots) // for 2, as a copy has ended, and is to be followed by another one
-POINT(RELAY_COPY, place, hops)         // the radio takes the copy
+POINT(RELAY_COPY, place, path)         // the radio takes the copy
 POINT(RELAY_COPY_ENDED, place, )       // it has left the air
 POINT(RELAY_REFUSE, place, )           // it is not sent, for want of credit
 POINT(RELAY_GONE_ON, place, soon)      // the packet has gone on: 1 where that came soon after a copy
@@ -69,7 +69,7 @@ POINT(RELAY_ANSWERED, place, doubt)    // its acknowledgement comes: the score o
 POINT(RELAY_DRAW_ANSWER, place, slots) // a copy of that waits for 1 quiet slot
 POINT(RELAY_DRAW_ANSWER_AGAIN, place, slots)   // for 6, as the packet comes again
 POINT(RELAY_DRAW_ANSWER_REPEAT, place, slots)  // for 6, as a copy of it has ended, and is to be followed by another one
-POINT(RELAY_ANSWER, place, hops)       // the radio takes the copy of the acknowledgement
+POINT(RELAY_ANSWER, place, path)       // the radio takes the copy of the acknowledgement
 POINT(RELAY_ANSWER_ENDED, place, )     // it has left the air
 POINT(RELAY_ANSWER_GONE_ON, place, )   // the acknowledgement has gone on
 POINT(RELAY_ANSWER_PEER, place, )      // another relay has copied it

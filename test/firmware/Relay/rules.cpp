@@ -14,7 +14,7 @@ namespace {
 uint8_t pathOf(uint8_t hops, uint8_t distance) { return static_cast<uint8_t>(hops + 4 + 4 * distance); }
 
 const uint32_t SLOT = 8;
-const uint32_t LONGEST = 158 * SLOT;  // until a first copy that may not be needed
+const uint32_t LONGEST = 158 * SLOT;     // until a first copy that may not be needed
 const uint32_t LONGEST_NEW = 24 * SLOT;  // and of one that is
 
 // A sealed frame of 16 bytes of content, as far as a relay can tell.

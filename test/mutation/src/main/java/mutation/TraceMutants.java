@@ -44,7 +44,7 @@ final class TraceMutants {
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
     private static final List<String> OPERANDS =
             List.of("number", "message", "key", "slots", "rounds", "attempts", "pending",
-                    "have", "nonce", "kept", "low", "place", "hops", "doubt", "counter");
+                    "have", "nonce", "kept", "low", "place", "path", "distance", "doubt", "counter");
     private static final List<String> OUTCOMES = List.of("sent", "delivered", "undelivered");
     private static final List<String> KINDS =
             List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement");

@@ -104,7 +104,7 @@ final class AirCheck implements Check {
         Payload payload = packet.payload();
         boolean isRelays = declared.name().startsWith("RELAY_");
         boolean mayTell = isRelay && declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
-        int path = isRelays ? declared.operand("hops") : mayTell ? packet.path() - packet.hops() : 0;
+        int path = isRelays ? declared.operand("path") : mayTell ? packet.path() - packet.hops() : 0;
         boolean isExpected = switch (declared.name()) {
             case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
             case "RELAY_COPY" -> RelayedPacket.isCopied(payload);

@@ -267,7 +267,7 @@ final class Relay {
             int own = place.instance.get("own");
             int hops = isCopy ? own : (place.answer.hops() + 1) % Transmission.MODULUS;
             int path = hops + Transmission.MODULUS * (isCopy ? place.told : own + 1);
-            point.require(point.operand("hops") == path, "path " + path + ", with " + hops + " hops");
+            point.require(point.operand("path") == path, "path " + path + ", with " + hops + " hops");
             place.sends = true;
             copies = point;
         }

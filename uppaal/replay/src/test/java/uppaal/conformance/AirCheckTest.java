@@ -32,7 +32,7 @@ class AirCheckTest {
 
     @Test
     void begins_otherHops_isRefused() {
-        trace.point(1, "a", "RELAY_COPY", "'place':1,'hops':1").sends(1.0002, "a", UNICAST, ",'hops':2")
+        trace.point(1, "a", "RELAY_COPY", "'place':1,'path':1").sends(1.0002, "a", UNICAST, ",'hops':2")
                 .isRefused("of path 2; expected RELAY_COPY, as it has declared, of path 1");
     }
 

@@ -32,7 +32,7 @@ class RelayCheckTest {
     }
 
     private static Trace copies(Trace trace, double seconds) {
-        return trace.point(seconds, "b", "RELAY_COPY", "'place':7,'hops':1")
+        return trace.point(seconds, "b", "RELAY_COPY", "'place':7,'path':1")
                 .sends(seconds + 0.0002, "b", UNICAST, ",'hops':1");
     }
 
@@ -65,19 +65,19 @@ class RelayCheckTest {
 
     @Test
     void copy_otherHops_isRefused() {
-        waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'hops':2")
+        waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'path':2")
                 .isRefused("; expected path 1, with 1 hops");
     }
 
     @Test
     void copy_otherBytes_isRefused() {
-        waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'hops':1")
+        waits(3).point(1.515, "b", "RELAY_COPY", "'place':7,'path':1")
                 .sends(1.5152, "b", UNICAST.replace("2be5", "2be4"), ",'hops':1").isRefused(", as it came");
     }
 
     @Test
     void copy_twiceInDoubt_isRefused() {
-        copied(waits(3)).point(1.976, "b", "RELAY_COPY", "'place':7,'hops':1").isRefused("is Known; expected ");
+        copied(waits(3)).point(1.976, "b", "RELAY_COPY", "'place':7,'path':1").isRefused("is Known; expected ");
     }
 
     @Test
@@ -100,7 +100,7 @@ class RelayCheckTest {
     @Test
     void new_distanceKnown_isCopiedSoonAndTellsIt() {
         Trace near = heard("").came("", 2).point(1.25, "b", "RELAY_DRAW", "'place':7,'slots':15");
-        near.point(1.435, "b", "RELAY_COPY", "'place':7,'hops':9")
+        near.point(1.435, "b", "RELAY_COPY", "'place':7,'path':9")
                 .sends(1.4352, "b", UNICAST, ",'hops':1,'distance':1").isAccepted();
     }
 
@@ -186,16 +186,16 @@ class RelayCheckTest {
         copied(waits(3)).sends(1.776, "c", ANSWER, ",'hops':1,'distance':2").hears(1.776, "b", ANSWER, "c",
                 ",'hops':1,'distance':2").point(1.926, "b", "RELAY_ANSWERED", "'place':7,'doubt':1")
                 .point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
-                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'hops':10").isAccepted();
+                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'path':10").isAccepted();
     }
 
     @Test
     void answer_moreOften_isRefused() {
         Trace answers = answered(copied(waits(3)), 0).point(1.926, "b", "RELAY_DRAW_ANSWER", "'place':7,'slots':0")
-                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'hops':9");
+                .point(1.927, "b", "RELAY_ANSWER", "'place':7,'path':9");
         answers.sends(1.9272, "b", ANSWER, ",'hops':1,'distance':1")
                 .point(2.096, "b", "RELAY_ANSWER_ENDED", "'place':7")
-                .point(2.096, "b", "QUIET", "").point(2.166, "b", "RELAY_ANSWER", "'place':7,'hops':9")
+                .point(2.096, "b", "QUIET", "").point(2.166, "b", "RELAY_ANSWER", "'place':7,'path':9")
                 .isRefused("is Kept; expected ");
     }
 
