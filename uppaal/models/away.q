@@ -8,3 +8,7 @@ E<> rule[ONE] == ANEW && !One.copied && !One.repeated
 E<> Home.Delivered && !One.reserved && One.answers > 0
 /* A255 holds: what begins anew is in reserve only for its score. */
 A[] One.Reserve imply (One.away || One.doubt == MOST)
+/* A256 holds: A236 for it. */
+A[] !Time.Wrong
+/* A257 holds: A238 for it. */
+E<> Time.Right
