@@ -35,6 +35,7 @@ TEST(Copies, areTakenAndTellTheirHops) {
   }
 }
 
+// No vector has a path from which another one differs in two bits only (SPEC 6).
 TEST(Copies, areMendedWhereverABitIsWrong) {
   for (const CopyVector &vector : copyVectors()) {
     for (size_t i = 60; i < vector.bits.size(); i++) {

@@ -58,8 +58,8 @@ public final class RadioVectors {
         byte[] unicast = frame("SUPO", "ROMA", counting(0, 20));
         byte[] acknowledgement = frame("+KAB", "SUPO", counting(9, 8));
         lists.put("copies", List.of(copy(unicast, 1), copy(unicast, 2), copy(unicast, 3), copy(unicast, 4),
-                copy(acknowledgement, 1), copy(acknowledgement, 11), copy(repeated(0, 77), 12),
-                copy(counting(0xB0, 77), 19)));
+                copy(acknowledgement, 1), copy(acknowledgement, 19), copy(repeated(0, 77), 12),
+                copy(counting(0xB0, 77), 14)));
         lists.put("trailers", List.of(
                 trailed(frame, bytes(MARK)), trailed(frame, parity(packet)),
                 trailed(repeated(0, 77), parity(packet(repeated(0, 77)))),
