@@ -20,6 +20,8 @@ import java.util.OptionalInt;
  * of another type, all methods that need it throw {@link MalformedEventException}.
  */
 public final class TraceEvent {
+    /** Hops and distances are told modulo this (SPEC 7.5). */
+    public static final int HOPS = 4;
 
     /** A page could not read what is no JSON to it. */
     private static final Gson JSON = new GsonBuilder().setStrictness(Strictness.STRICT).create();
@@ -152,6 +154,11 @@ public final class TraceEvent {
     /** Of a packet: the distance that it tells, modulo 4 (SPEC 7.5). */
     public OptionalInt distance() {
         return has("distance") ? OptionalInt.of(number("distance")) : OptionalInt.empty();
+    }
+
+    /** Of a packet: both in one number (SPEC 6). */
+    public int path() {
+        return hops() + HOPS * (1 + distance().orElse(-1));
     }
 
     public List<String> texts(String field) {

@@ -3,7 +3,6 @@ package capture;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.OptionalInt;
 import javino.Printable;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -11,6 +10,7 @@ import javino.protocol.Frame;
 import javino.protocol.Payload;
 import javino.protocol.ProtocolException;
 import javino.protocol.HostMessage;
+import trace.TraceEvent;
 
 /**
  * A packet on the air, as one board sent it or as it came to that board.
@@ -29,8 +29,6 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
 
     /** A board that overhears does not tell it. */
     static final int UNKNOWN_PATH = 255;
-    /** Hops and distances are told modulo this. */
-    private static final int HOPS = 4;
 
     private static final int VERSION = 1;
     private static final int MOST_BYTES_OF_A_TEXT = 255;
@@ -59,11 +57,6 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         }
     }
 
-    /** @param distance that it tells, if it does. */
-    static int path(int hops, OptionalInt distance) {
-        return hops + HOPS * (1 + distance.orElse(-1));
-    }
-
     /** The bytes that stand for it in a file: SPEC 10.1. They have neither count nor CRC, which no source tells. */
     Bytes record() {
         return Bytes.join(Bytes.of(VERSION, sent ? 0 : 1, how.ordinal(), trailer.number, path, 0),
@@ -89,8 +82,8 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         if (path == UNKNOWN_PATH) {
             return "";
         }
-        return (path % HOPS == 0 ? "" : ", hops " + path % HOPS)
-                + (path < HOPS ? "" : ", distance " + (path / HOPS - 1));
+        return (path % TraceEvent.HOPS == 0 ? "" : ", hops " + path % TraceEvent.HOPS)
+                + (path < TraceEvent.HOPS ? "" : ", distance " + (path / TraceEvent.HOPS - 1));
     }
 
     private String described() {

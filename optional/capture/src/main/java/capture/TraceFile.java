@@ -71,7 +71,7 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
                     ? AirPacket.Trailer.valueOf(event.text("trailer").toUpperCase(Locale.ROOT))
                     : sent ? AirPacket.Trailer.NONE : AirPacket.Trailer.UNKNOWN;
             return new AirPacket(micros(seconds), event.board(), sent, AirPacket.How.INTACT, trailer,
-                    AirPacket.path(event.hops(), event.distance()), "", Bytes.copyOf(event.bytes("payload")));
+                    event.path(), "", Bytes.copyOf(event.bytes("payload")));
         }
 
         TraceFile end() {

@@ -191,7 +191,7 @@ final class AirCheck implements Check {
 
     private static void checkSame(TraceEvent event, Transmission packet) throws RefusedException {
         Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
-        require(payload.equals(packet.payload()) && Transmission.path(event) == packet.path(), event.board() +
+        require(payload.equals(packet.payload()) && event.path() == packet.path(), event.board() +
                 " hears a packet of " + packet.board() + " other than it was sent",
                 packet.payload().hex() + " of path " + packet.path());
     }

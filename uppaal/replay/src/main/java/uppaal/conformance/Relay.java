@@ -11,6 +11,7 @@ import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Crc16;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /** One relay: its scores, its credit, and a copy of {@code relay.xml}'s automaton for each of its places. */
 final class Relay {
@@ -190,7 +191,7 @@ final class Relay {
 
     /** What is told of the distance of a packet's destination, is unknown or one more than some hops. */
     private void checkKnown(String who, Payload packet, int told) throws RefusedException {
-        int one = 1 << (told + 2) % Transmission.MODULUS;
+        int one = 1 << (told + 2) % TraceEvent.HOPS;
         require(told == 0 || (hops.getOrDefault(number(packet.destination()), 0) & one) != 0,
                 who + " tells the distance " + (told - 1) + " of " + packet.destination(),
                 "one more than the hops behind a packet from there");
@@ -217,7 +218,7 @@ final class Relay {
         if (isEarly) {
             place.told = before.operand("distance");
             checkKnown(point.board(), place.packet, place.told);
-            boolean isNearer = place.told != 0 && (place.told + 1 - packet.told()) % Transmission.MODULUS == 0;
+            boolean isNearer = place.told != 0 && (place.told + 1 - packet.told()) % TraceEvent.HOPS == 0;
             place.instance.set("away", packet.told() == 0 || isNearer ? 0 : 1);
         }
         take(point, place, place::is);
@@ -265,8 +266,8 @@ final class Relay {
         }
         if (!isRefused) {
             int own = place.instance.get("own");
-            int hops = isCopy ? own : (place.answer.hops() + 1) % Transmission.MODULUS;
-            int path = hops + Transmission.MODULUS * (isCopy ? place.told : own + 1);
+            int hops = isCopy ? own : (place.answer.hops() + 1) % TraceEvent.HOPS;
+            int path = hops + TraceEvent.HOPS * (isCopy ? place.told : own + 1);
             point.require(point.operand("path") == path, "path " + path + ", with " + hops + " hops");
             place.sends = true;
             copies = point;

@@ -16,8 +16,6 @@ import trace.TraceEvent;
 record Transmission(TraceEvent event, Payload payload, int path, String trailer, int bits, double start,
         double end) {
 
-    /** Of hops and distances (SPEC 7.5). */
-    static final int MODULUS = 4;
     private static final Set<String> OF_ONE_MESSAGE = Set.of("unicast", "fragment");
     private static final int MARK_BITS = 12;
     private static final int PARITY_BITS = 12 * 17;
@@ -27,22 +25,18 @@ record Transmission(TraceEvent event, Payload payload, int path, String trailer,
 
     static Transmission of(TraceEvent event) {
         Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
-        return new Transmission(event, payload, path(event), event.textOrEmpty("trailer"), event.number("bits"),
+        return new Transmission(event, payload, event.path(), event.textOrEmpty("trailer"), event.number("bits"),
                 event.real("start"), event.real("end"));
-    }
-
-    static int path(TraceEvent event) {
-        return event.hops() + MODULUS * (1 + event.distance().orElse(-1));
     }
 
     /** Relays behind it. */
     int hops() {
-        return path % MODULUS;
+        return path % TraceEvent.HOPS;
     }
 
     /** One more than the distance that it tells; 0 if it tells none. */
     int told() {
-        return path / MODULUS;
+        return path / TraceEvent.HOPS;
     }
 
     String board() {
