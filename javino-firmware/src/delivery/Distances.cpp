@@ -46,7 +46,7 @@ void Distances::setScore(uint16_t address, uint8_t score) {
 // A greater distance may be that of a detour.
 void Distances::heard(uint16_t address, uint8_t hops) {
   const uint8_t known = of(address);
-  const uint8_t distance = to(address);
+  const uint8_t distance = distanceIn(known);
   const uint8_t heard = static_cast<uint8_t>((hops + 1) % HOPS_MODULUS + 1);
   const uint8_t more = static_cast<uint8_t>((heard + HOPS_MODULUS - distance) % HOPS_MODULUS);
   const uint8_t farther = static_cast<uint8_t>(known >> FARTHER_SHIFT);

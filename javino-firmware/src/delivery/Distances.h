@@ -23,7 +23,7 @@ class Distances {
   void setScore(uint16_t address, uint8_t score);
 
   /// One more than the distance modulo 4; 0 where that is unknown.
-  uint8_t to(uint16_t address) const { return (of(address) >> DISTANCE_SHIFT) & DISTANCE_MASK; }
+  uint8_t to(uint16_t address) const { return distanceIn(of(address)); }
 
   /// A packet came from this address.
   /// @param hops behind it, modulo 4
@@ -42,6 +42,7 @@ class Distances {
     uint8_t known;  // the score, the distance, and how often in a row a greater one was heard
   };
 
+  static uint8_t distanceIn(uint8_t known) { return (known >> DISTANCE_SHIFT) & DISTANCE_MASK; }
   uint8_t find(uint16_t address) const;
   uint8_t of(uint16_t address) const;
   void set(uint16_t address, uint8_t known);
