@@ -5,9 +5,9 @@ import static uppaal.conformance.RefusedException.require;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import javino.protocol.Payload;
@@ -48,10 +48,8 @@ final class BoardFrames {
     final String name;
     final double second;
     final Set<String> ids = new LinkedHashSet<>();
-    /** By key and nonce's last byte, what acknowledgement it owes. */
-    final Map<String, String> owed = new HashMap<>();
-    String lastOwed = "";
-    final Set<String> owedTwice = new HashSet<>();
+    /** Key and nonce's last byte of each acknowledgement that it owes, and what that says. */
+    private final List<String> owed = new ArrayList<>();
     /** What its radio has taken, and is not yet on the air; null where there is nothing. */
     Point declared;
     boolean declares;
@@ -87,9 +85,39 @@ final class BoardFrames {
         declared = null;
         wasStale = false;
         owed.clear();
-        owedTwice.clear();
         outgoing.clear();
         taken.clear();
+    }
+
+    /** An acknowledgement replaces the one before to the same sender; with a group's key two may owe a floor each. */
+    void owe(Point point) {
+        String place = place(point.operand("key"), point.operand("nonce"));
+        if (!point.is("OWE_STALE")) {
+            owed.removeIf(answer -> answer.startsWith(place));
+        }
+        owed.add(place + point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT));
+    }
+
+    private static String place(int key, int nonce) {
+        return key + "/" + nonce + " ";
+    }
+
+    /** The last one is to be sent twice. */
+    void oweTwice() {
+        owed.stream().reduce((before, last) -> last).ifPresent(owed::add);
+    }
+
+    /** Whether it owed such an acknowledgement, which it sends now. */
+    boolean pays(int key, int nonce, String kind) {
+        return owed.remove(place(key, nonce) + kind);
+    }
+
+    /** What it owes else about this nonce, in words. */
+    String owes(int key, int nonce) {
+        String place = place(key, nonce);
+        return owed.stream().filter(answer -> answer.startsWith(place)).findFirst()
+                .map(answer -> "'" + answer.substring(place.length()) + "'")
+                .orElse("nothing, as it owes no answer to that");
     }
 
     /** The message of a number that its host is told now. */

@@ -66,11 +66,8 @@ final class ByteCheck implements Check {
         switch (point.name()) {
             case "EPOCH_STORED" -> board.storeEpoch(point.operand("low"));
             case "TAKE_UP", "RESEAL" -> board.seal(point);
-            case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> {
-                board.lastOwed = point.operand("key") + "/" + point.operand("nonce");
-                board.owed.put(board.lastOwed, point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT));
-            }
-            case "OWE_TWICE" -> board.owedTwice.add(board.lastOwed);
+            case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> board.owe(point);
+            case "OWE_TWICE" -> board.oweTwice();
             case "DELIVERED" -> answered(board, point, Acknowledgement.DELIVERED);
             case "STALE_HEARD" -> answered(board, point, Acknowledgement.STALE);
             case "FRAGMENTS_NEW", "FRAGMENTS_KNOWN" ->
@@ -246,10 +243,10 @@ final class ByteCheck implements Check {
                 "" + board.ids);
         require(!meant.isEmpty(), board.name + " acknowledges a nonce that ends in " + bits,
                 "that of a message to it");
-        String place = declared.operand("key") + "/" + (payload.answered() & LOW_BYTE);
-        String owed = board.owedTwice.remove(place) ? board.owed.get(place) : board.owed.remove(place);
-        require(answer.kind().equals(owed), board.name + " sends '" + answer.kind() + "' about a nonce that ends in "
-                + bits, owed == null ? "nothing, as it owes no answer to that" : "'" + owed + "'");
+        int key = declared.operand("key");
+        int nonce = payload.answered() & LOW_BYTE;
+        require(board.pays(key, nonce, answer.kind()), board.name + " sends '" + answer.kind()
+                + "' about a nonce that ends in " + bits, board.owes(key, nonce));
         require(!proved.isEmpty(), board.name + " acknowledges with a wrong proof",
                 "that of " + meant.get(meant.size() - 1));
         proofs += decryptor.hasKeys() ? 1 : 0;

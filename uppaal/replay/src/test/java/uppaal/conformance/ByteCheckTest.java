@@ -62,6 +62,9 @@ class ByteCheckTest {
                     + "police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | 2, 1",
             "STALE; support answers STALE a:0:00000100001f0015; police sends 0 s:SUPP:0:help; "
                     + "support answers STALE a:0:00000100001f002b | 1, 2",
+            // With a group's key two senders may have nonces that end alike.
+            "STALE; support OWE_STALE nonce=0 key=0; support answers STALE a:0:00000100001f001f; "
+                    + "support answers nothing a:0:00000100001f002a | 1, 2",
             // Others may send anything.
             "thief throws s:SUPP:0:help~-1; thief throws x:010203; thief throws f:AA:s:SUPP:0:LONG; "
                     + "thief throws a:1: | 0, 0",
