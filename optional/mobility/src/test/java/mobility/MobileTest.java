@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -116,5 +118,20 @@ class MobileTest {
         assertDoesNotThrow(() -> Mind.read(image)).enter(stage.ts, Optional.empty());
         Mobile.perceiveAnew(stage.ts);
         assertEquals(List.of("say dark", "say light 5"), stage.run(5).done.stream().sorted().toList());
+    }
+
+    /** Where the bus has not sensed anything yet, an ask of its inspector fails. */
+    @Test
+    void inspector_whoseBusHasSensedNothingYet_asksAgainAndGoesHome() throws Exception {
+        Path program = Path.of(System.getProperty("javino.root"), "examples/highway/inspector/inspector.asl");
+        Stage stage = Stage.of("!inspect(bus). " + Files.readString(program).replace(".moveOut", "travel")
+                .replace(".print", "say").replaceAll("\\.send\\(bus, askOne, [^;]*, (.*)\\)(;|\\.\\R)", "?$1$2")
+                .replaceAll("wait\\(\\d+\\)", "wait(5)"));
+        stage.untilDone(2);
+        stage.ts.getAg().addBel(Literal.parseLiteral("proximity(3)"));
+        stage.ts.getAg().addBel(Literal.parseLiteral("light(700)"));
+        assertEquals(List.of("say I travel to  bus", "travel bus inquilinism",
+                "say On  bus  I see an obstacle at  3  cm, and light  700", "travel SUPP mutualism",
+                "say I am back from  bus : obstacle at  3  cm, light  700"), stage.untilDone(5).done);
     }
 }
