@@ -37,6 +37,8 @@ final class AirCheck implements Check {
         /** What its last packet lacks, unless a reset took it. */
         RefusedException lacks;
         double lacksSince;
+        /** When a reset or a cut of its power came last, in seconds: perhaps before the end of a packet that it broke. */
+        double brokenAt = Double.NEGATIVE_INFINITY;
     }
 
     private final Map<String, Station> stations = new HashMap<>();
@@ -130,12 +132,13 @@ final class AirCheck implements Check {
         int bits = packet.bits();
         int all = packet.expectedBits();
         if (bits != all && !packet.isCut()) {
-            station.lacks = new RefusedException(packet.board() + " sends " + bits + " bits", all + " for these bytes"
-                    + (packet.trailer().isEmpty() ? "" : " and this trailer"));
-            station.lacksSince = packet.end();
-            if (bits < packet.wholeBits() || bits > all) {
-                throw station.lacks;
+            RefusedException lacks = new RefusedException(packet.board() + " sends " + bits + " bits",
+                    all + " for these bytes" + (packet.trailer().isEmpty() ? "" : " and this trailer"));
+            if (bits < packet.wholeBits() - LOST_BITS || bits > all) {
+                throw lacks;
             }
+            station.lacks = station.brokenAt > packet.start() ? null : lacks;
+            station.lacksSince = packet.end();
         }
         double seconds = packet.end() - packet.start();
         double expected = (bits - 1) * bit * header.second(packet.board());
@@ -162,6 +165,7 @@ final class AirCheck implements Check {
             station.lacks = null;
             station.declared = null;
             station.isRelay = false;
+            station.brokenAt = event.seconds();
             station.quiet.reset(event.seconds());
         }
     }

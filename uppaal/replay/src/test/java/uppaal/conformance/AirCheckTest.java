@@ -83,6 +83,14 @@ class AirCheckTest {
     }
 
     @Test
+    void ends_trailerLostByPowerCutBefore_isAccepted() {
+        declared(1).line("{'t':1.2396,'board':'a','event':'fault','do':'power-cut','until':1.4396}")
+                .line("{'t':1.2397,'board':'a','event':'rf-tx','payload':'" + UNICAST + "','kind':'any',"
+                        + "'trailer':'mark','bits':480,'start':1.0002,'end':1.2397}")
+                .line("{'t':1.4396,'board':'a','event':'reset','why':'power'}").isAccepted();
+    }
+
+    @Test
     void ends_trailerMissing_isRefused() {
         breaksOff().point(2, "a", "QUIET", "").isRefused("expected 492 for these bytes and this trailer");
     }
