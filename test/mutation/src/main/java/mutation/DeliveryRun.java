@@ -31,7 +31,7 @@ import trace.TraceEvent;
  * that are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who
  * repeats what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their
  * hosts never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are
- * jammed.
+ * jammed. In half of the runs they stand in a line, and the one in the middle is a relay for the others.
  */
 final class DeliveryRun {
 
@@ -57,6 +57,8 @@ final class DeliveryRun {
     /** So many packets to who loses its power the attacker repeats some seconds after that. */
     private static final int EARLY = 8;
     private static final double AFTER_CUT = 3;
+    /** Between neighbours of a line, of which each hears the next one only. */
+    private static final int APART = 90;
     /** The first bit behind a header. */
     private static final int CONTENT_BIT = 80;
     private static final String GROUP = "//SU";
@@ -76,12 +78,14 @@ final class DeliveryRun {
     private final Deque<String> early = new ArrayDeque<>();
     private final NavigableMap<Double, Map<String, Object>> faults = new TreeMap<>();
     private final Random random;
+    private final int apart;
     private int packets;
     private double seconds;
     private double begun = Double.POSITIVE_INFINITY;
 
     private DeliveryRun(long seed) {
         random = new Random(seed);
+        apart = seed / 2 % 2 == 0 ? 0 : APART;
     }
 
     /**
@@ -113,7 +117,8 @@ final class DeliveryRun {
                             hear(event);
                         });
         for (String id : IDS) {
-            scenario.board(id, "Station", Map.of("firmware", program.toString()));
+            scenario.board(id, "Station", Map.of("firmware", program.toString(),
+                    "position", List.of(apart * IDS.indexOf(id), 0)));
         }
         try {
             Emulator emulator = scenario.start(folder);
@@ -164,6 +169,9 @@ final class DeliveryRun {
             keys.put(GROUP, TestKeys.GROUP);
             talkers.add(new Talker(id, Host.patient(emulator, id).as(id, keys)));
         }
+        if (apart != 0) {
+            Host.get(talkers.get(1).host.board.relaying(true));
+        }
         begin();
         talkers.forEach(Talker::go);
         long last = System.nanoTime();
@@ -202,7 +210,7 @@ final class DeliveryRun {
         String payload = heard();
         if (payload != null) {
             Map<String, Object> command =
-                    new HashMap<>(Map.of("do", "send", "position", List.of(0, 0), "payload", payload));
+                    new HashMap<>(Map.of("do", "send", "position", List.of(apart, 0), "payload", payload));
             if (random.nextBoolean()) {
                 command.put("flip", CONTENT_BIT + random.nextInt(payload.length() * 4 - CONTENT_BIT));
             }
