@@ -1,45 +1,54 @@
 package uppaal.conformance;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javino.protocol.Bytes;
 
-/** An agent that moves, and which bytes of its parts are where (SPEC 9.1). */
+/** An agent that moves, and which bytes of its parts are at a host (SPEC 9.1). */
 final class AgentParts {
     private static final int MOVE = 4;
+    private static final int PARTS = MOVE + 2;
     private static final int HASH = 8;
     private static final int NUMBER = 3;
     private static final int PART = HASH + 2 * NUMBER;
     private static final int TOKEN = 8;
     private static final int MOST_PARTS = 8;
+    private static final int DATA = MOVE + 1 + NUMBER;
     private static final int MOST_DATA = 480;
 
-    /** @param next where the sender may go on with it */
-    private record Part(String hash, int packed, TreeSet<Integer> next) {}
+    /**
+     * A part, packed.
+     *
+     * @param place of the host and of the part's hash
+     * @param next where the sender may go on with it
+     */
+    private record Part(String place, int length, TreeSet<Integer> next) {}
 
-    private final Bytes offer;
-    private final List<Part> parts = new ArrayList<>();
-    private final String identity;
+    /** Bytes of a part. */
+    private record Data(Part part, int begin, int end) {}
 
-    private AgentParts(Bytes offer) {
+    final Bytes offer;
+    private final List<Part> parts;
+    /** By place: how many bytes are there at most. Of what is not here all may be. */
+    private final Map<String, Integer> kept;
+
+    private AgentParts(Bytes offer, String host, Map<String, Integer> kept) {
         this.offer = offer;
-        int end = MOVE + 2 + offer.at(MOVE + 1) * PART;
-        for (int at = MOVE + 2; at < end; at += PART) {
-            parts.add(new Part(offer.slice(at, at + HASH).hex(), number(offer, at + HASH), new TreeSet<>()));
-        }
-        identity = Fields.shown(offer.from(end + TOKEN).toArray());
+        this.kept = kept;
+        parts = IntStream.range(0, offer.at(MOVE + 1)).map(i -> PARTS + i * PART)
+                .mapToObj(at -> new Part(host + offer.slice(at, at + HASH).hex(), number(offer, at + HASH),
+                        new TreeSet<>()))
+                .toList();
     }
 
     /** @param offer the body of its offer; nothing where it has not the form of one. */
-    static Optional<AgentParts> of(Bytes offer) {
-        int count = offer.length() < MOVE + 2 ? 0 : offer.at(MOVE + 1);
-        return count >= 1 && count <= MOST_PARTS && offer.length() > MOVE + 2 + count * PART + TOKEN
-                ? Optional.of(new AgentParts(offer)) : Optional.empty();
+    static Optional<AgentParts> of(Bytes offer, String host, Map<String, Integer> kept) {
+        int count = offer.length() < PARTS ? 0 : offer.at(MOVE + 1);
+        return count >= 1 && count <= MOST_PARTS && offer.length() > PARTS + count * PART + TOKEN
+                ? Optional.of(new AgentParts(offer, host, kept)) : Optional.empty();
     }
 
     private static int number(Bytes body, int at) {
@@ -50,32 +59,26 @@ final class AgentParts {
         return offer.at(MOVE) == 'c';
     }
 
-    boolean isOf(Bytes other) {
-        return offer.equals(other);
-    }
-
     /** Its home and its name there, which it keeps. */
     String identity() {
-        return identity;
-    }
-
-    // By host and hash at most so many bytes are there, and all of what is not here.
-
-    private static int here(Map<String, Integer> kept, String host, Part part) {
-        return kept.getOrDefault(host + part.hash, part.packed);
-    }
-
-    String here(Map<String, Integer> kept, String host) {
-        return parts.stream().map(part -> "" + here(kept, host, part)).collect(Collectors.joining(", ", "[", "]"));
-    }
-
-    boolean isWhole(Map<String, Integer> kept, String host) {
-        return parts.stream().allMatch(part -> here(kept, host, part) == part.packed);
+        return Fields.shown(offer.from(PARTS + parts.size() * PART + TOKEN).toArray());
     }
 
     /** The host has all of it. */
-    void has(Map<String, Integer> kept, String host) {
-        parts.forEach(part -> kept.remove(host + part.hash));
+    void has() {
+        parts.forEach(part -> kept.remove(part.place));
+    }
+
+    private int here(Part part) {
+        return kept.getOrDefault(part.place, part.length);
+    }
+
+    List<Integer> here() {
+        return parts.stream().map(this::here).toList();
+    }
+
+    boolean isWhole() {
+        return parts.stream().allMatch(part -> here(part) == part.length);
     }
 
     private List<Integer> offsets(Bytes want) {
@@ -83,54 +86,43 @@ final class AgentParts {
                 : IntStream.range(0, parts.size()).mapToObj(i -> number(want, MOVE + i * NUMBER)).toList();
     }
 
-    /** A host says from which bytes on it wants the parts. @return whether those before may be there. */
-    boolean want(Map<String, Integer> kept, String host, Bytes want) {
+    /** The host says from which bytes on it wants the parts. @return whether those before may be there. */
+    boolean want(Bytes want) {
         List<Integer> from = offsets(want);
-        boolean may = !from.isEmpty();
-        for (int i = 0; may && i < from.size(); i++) {
-            may = from.get(i) <= here(kept, host, parts.get(i));
-            kept.putIfAbsent(host + parts.get(i).hash, from.get(i));
-        }
+        boolean may = !from.isEmpty() && IntStream.range(0, from.size()).allMatch(i -> from.get(i) <= here().get(i));
+        IntStream.range(0, from.size()).forEach(i -> kept.putIfAbsent(parts.get(i).place, from.get(i)));
         return may;
     }
 
-    /** The part of which these are bytes; nothing where they are none's. */
-    private Optional<Part> part(Bytes data) {
-        return data.length() > MOVE + 1 + NUMBER && data.at(MOVE) < parts.size()
-                && end(data) - offset(data) <= MOST_DATA
-                        ? Optional.of(parts.get(data.at(MOVE))).filter(part -> end(data) <= part.packed)
-                        : Optional.empty();
-    }
-
-    private static int offset(Bytes data) {
-        return number(data, MOVE + 1);
-    }
-
-    private static int end(Bytes data) {
-        return offset(data) + data.length() - MOVE - 1 - NUMBER;
-    }
-
-    /** Bytes have come to a host. */
-    void come(Map<String, Integer> kept, String host, Bytes data) {
-        part(data).ifPresent(part -> kept.computeIfPresent(host + part.hash,
-                (key, bytes) -> offset(data) <= bytes ? Math.max(bytes, end(data)) : bytes));
-    }
-
-    /** A want has come to the sender. */
+    /** A want has come to the host that sends the agent. */
     void wanted(Bytes want) {
         List<Integer> from = offsets(want);
         IntStream.range(0, from.size()).forEach(i -> parts.get(i).next.add(from.get(i)));
     }
 
-    /** The sender sends bytes. @return whether they come next; its board may not have taken one message before. */
-    boolean send(Bytes data) {
-        Optional<Part> part = part(data);
-        Integer from = part.map(known -> known.next.floor(offset(data))).orElse(null);
-        if (from == null || offset(data) - from > MOST_DATA) {
-            return false;
+    /** The part of which these are bytes; nothing where they are none's. */
+    private Optional<Data> data(Bytes body) {
+        if (body.length() <= DATA || body.length() > DATA + MOST_DATA || body.at(MOVE) >= parts.size()) {
+            return Optional.empty();
         }
-        part.get().next.remove(from);
-        part.get().next.add(end(data));
-        return true;
+        int begin = number(body, MOVE + 1);
+        return Optional.of(new Data(parts.get(body.at(MOVE)), begin, begin + body.length() - DATA))
+                .filter(data -> data.end <= data.part.length);
+    }
+
+    /** Bytes have come to the host. */
+    void come(Bytes body) {
+        data(body).ifPresent(data -> kept.computeIfPresent(data.part.place,
+                (place, bytes) -> data.begin <= bytes ? Math.max(bytes, data.end) : bytes));
+    }
+
+    /** The host sends bytes. @return whether they come next; its board may not have taken one message before. */
+    boolean send(Bytes body) {
+        Optional<Data> data = data(body);
+        Optional<Integer> next = data.map(sent -> sent.part.next.floor(sent.begin))
+                .filter(from -> data.get().begin - from <= MOST_DATA);
+        next.ifPresent(from -> data.get().part.next.remove(from));
+        next.ifPresent(from -> data.get().part.next.add(data.get().end));
+        return next.isPresent();
     }
 }

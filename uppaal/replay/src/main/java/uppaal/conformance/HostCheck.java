@@ -4,92 +4,82 @@ import static uppaal.conformance.RefusedException.require;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
-import java.util.stream.IntStream;
-import javino.protocol.Bytes;
+import java.util.stream.Stream;
 import trace.TraceEvent;
 
 /**
- * What passes between hosts and boards: delivered means taken; each id comes once, in order; outcomes are told, for one
- * device in order; hosts take only what they were handed. Behind it, the machines of hosts.
+ * What passes between hosts and boards, beside what the models tell: delivered means taken; each id comes once, in
+ * order; outcomes are told, for one device in order; hosts take only what they were handed.
  */
 final class HostCheck implements Check {
     private static final int NUMBERS = 256;
     private static final int COUNTERS = 0x10000;
-    private static final int ID = 3;
-    private static final Set<String> OUTCOMES = Set.of("SENT", "DELIVERED", "UNDELIVERED");
 
-    /** A message that a board has accepted from its host. */
-    private static final class Outgoing {
-        /** One device, or empty for many: multicasts and broadcasts count as messages to one more device. */
-        final String device;
-        /** Null until it was on the air. */
-        Frame frame;
-        String outcome = "";
-        /** Whether a reply has left it out. */
-        boolean wasLeftOut;
-
-        Outgoing(String destination) {
-            device = destination.startsWith("//") ? "" : destination;
+    /** A message as a board hands it over: its origin and destination, and its id. */
+    private record Identity(String board, String link, String id) {
+        /** Of two epochs only the last byte is known. */
+        boolean isAfter(Identity before) {
+            int further = Math.floorMod(number() - before.number(), COUNTERS);
+            return !board.equals(before.board) || !link.equals(before.link)
+                    || number() / COUNTERS != before.number() / COUNTERS || further > 0 && further < COUNTERS / 2;
         }
-    }
 
-    /** A message in a board's inbox. */
-    private static final class Incoming {
-        boolean isDeclared;
-        /** As its host was handed it: origin, destination, id; empty until that. */
-        String handed = "";
-        boolean mayBeTaken;
-        boolean wasLeftOut;
+        private int number() {
+            return Integer.parseInt(id, 16);
+        }
+
+        @Override
+        public String toString() {
+            return link + id;
+        }
     }
 
     /** A board and its host. */
     private static final class Side {
-        final Map<Integer, Outgoing> outgoing = new LinkedHashMap<>();
-        /** Those with outcomes that its host was not told, in this order. */
-        final List<Outgoing> untold = new ArrayList<>();
-        final List<Incoming> inbox = new ArrayList<>();
+        /** By number, the device that a message under way is for, or empty for many: they count as one more device. */
+        final Map<Integer, String> devices = new LinkedHashMap<>();
+        /** By number, what was on the air: origin, destination and id. */
+        final Map<Integer, String> sent = new HashMap<>();
+        /** Its inbox, as its host was handed it; null until that. */
+        final List<Identity> inbox = new ArrayList<>();
         /** The number of the first in the inbox. */
         int first;
+        /** How many of the first its host takes. */
+        int mayBeTaken;
+        /** What its host has taken, and was not told yet to have. */
+        final List<Identity> unconfirmed = new ArrayList<>();
+        /** The outcomes that its host was not told yet. */
+        final List<String> outcomes = new ArrayList<>();
+        /** How many of the first of each the last reply has left out. */
+        int messagesLeftOut;
+        int unconfirmedLeftOut;
+        int outcomesLeftOut;
+        /** What its radio has taken last. */
         Point declared;
-        /** Whether the board declares what it does. */
-        boolean declares;
-        /** What its host took and was not told yet to be taken, as it was handed; and whether a reply left that out. */
-        final List<String> unconfirmed = new ArrayList<>();
-        boolean wasLeftOut;
 
-        int indexOf(int number) {
+        /** A message of its inbox, behind those before it. */
+        List<Identity> upTo(int number, String what) throws RefusedException {
             int index = Math.floorMod(number - first, NUMBERS);
-            return index < inbox.size() ? index : -1;
+            require(index < inbox.size(), what, "one that is in its inbox");
+            return inbox.subList(0, index + 1);
+        }
+
+        boolean wasTakenLast(int number) {
+            return number == Math.floorMod(first - 1, NUMBERS);
         }
     }
 
-    /** Boards with hosts: another's sketch sends what it likes. */
-    private final Set<String> hosts = new HashSet<>();
     private final Map<String, Side> sides = new HashMap<>();
+    /** By board with a host: another's sketch sends what it likes. */
     private final Map<String, String> addresses = new HashMap<>();
-    /** By receiver, origin and destination, which id was taken last; and all, and whether that is confirmed. */
-    private final Map<String, Bytes> last = new BoundedMap<>();
-    private final Map<String, Boolean> taken = new BoundedMap<>();
-    private final HostMachines machines = new HostMachines();
+    /** What hosts have taken, and whether they know that their boards remember it over resets, too. */
+    private final Map<Identity, Boolean> taken = new BoundedMap<>();
 
     HostCheck(Header header) {}
-
-    @Override
-    public String checked() {
-        return machines.checked();
-    }
-
-    @Override
-    public Set<String> covered() {
-        return machines.covered();
-    }
 
     private Side side(String board) {
         return sides.computeIfAbsent(board, added -> new Side());
@@ -98,18 +88,11 @@ final class HostCheck implements Check {
     @Override
     public void point(Point point) throws RefusedException {
         Side side = side(point.board());
-        side.declares = true;
         switch (point.name()) {
-            case "QUEUED" -> side.inbox.add(new Incoming());
-            case "HANDED" -> {
-                int index = side.indexOf(point.operand("message"));
-                require(index >= 0, point.board() + " declares HANDED of message " + point.operand("message"),
-                        "one that is in its inbox");
-                side.inbox.get(index).isDeclared = true;
-            }
+            case "QUEUED" -> side.inbox.add(null);
             case "TAKEN" -> take(side, point);
             case "SENT", "DELIVERED", "UNDELIVERED" -> {
-                if (hosts.contains(point.board())) {
+                if (addresses.containsKey(point.board())) {
                     end(side, point);
                 }
             }
@@ -120,105 +103,59 @@ final class HostCheck implements Check {
     /** The host has taken a message and all before it. */
     private void take(Side side, Point point) throws RefusedException {
         int number = point.operand("message");
-        int index = side.indexOf(number);
-        require(index >= 0 && side.inbox.get(index).mayBeTaken, point.board() + " declares message " + number
-                + " taken", "that its host takes it before");
-        require(side.unconfirmed.isEmpty(), point.board() + " declares message " + number + " taken",
-                "that it confirms what was taken before");
-        List<Incoming> all = side.inbox.subList(0, index + 1);
-        for (Incoming message : all) {
-            taken.put(point.board() + message.handed, false);
-            side.unconfirmed.add(message.handed);
-        }
-        all.clear();
+        String what = point.board() + " declares message " + number + " taken";
+        List<Identity> messages = side.upTo(number, what);
+        require(messages.size() <= side.mayBeTaken, what, "that its host takes it before");
+        require(side.unconfirmed.isEmpty(), what, "that it confirms what was taken before");
+        messages.forEach(message -> taken.put(message, false));
+        side.unconfirmed.addAll(messages);
+        side.mayBeTaken -= messages.size();
+        side.messagesLeftOut = Math.max(0, side.messagesLeftOut - messages.size());
+        messages.clear();
         side.first = (number + 1) % NUMBERS;
-    }
-
-    /** From now on it is remembered over resets, too. */
-    private void confirm(Side side, String board) {
-        for (String handed : side.unconfirmed) {
-            int id = Math.max(0, handed.length() - 2 * ID);
-            taken.put(board + handed, true);
-            last.put(board + handed.substring(0, id), Bytes.ofHex(handed.substring(id)));
-        }
-        side.unconfirmed.clear();
     }
 
     /** A message has its outcome: the oldest one to this device that had none. */
     private void end(Side side, Point point) throws RefusedException {
         int number = point.number();
-        Outgoing message = side.outgoing.get(number);
         String what = point.board() + " declares message " + number + " " + point.name();
-        require(message != null && message.outcome.isEmpty(), what, "a message under way");
-        Optional<Integer> oldest = side.outgoing.entrySet().stream().filter(other -> other.getValue().outcome.isEmpty()
-                && other.getValue().device.equals(message.device)).map(Map.Entry::getKey).findFirst();
-        require(oldest.get() == number, what, "the outcome of message " + oldest.get()
+        String device = side.devices.get(number);
+        require(device != null, what, "a message under way");
+        int oldest = side.devices.keySet().stream().filter(other -> side.devices.get(other).equals(device)).findFirst()
+                .get();
+        require(oldest == number, what, "the outcome of message " + oldest
                 + " first, which is older and for the same device");
-        require(point.is("SENT") == message.device.isEmpty() || point.is("UNDELIVERED"), what,
-                message.device.isEmpty() ? "SENT, as it is for many" : "DELIVERED or UNDELIVERED");
-        if (point.is("DELIVERED")) {
-            List<String> receivers = addresses.keySet().stream()
-                    .filter(board -> addresses.get(board).equals(message.device)).toList();
-            require(receivers.isEmpty() || message.frame != null && receivers.stream()
-                    .anyMatch(board -> taken.containsKey(board + link(message.frame) + message.frame.id())),
-                    what, "that a host of " + message.device + " has taken it");
-        }
-        message.outcome = point.name().toLowerCase(Locale.ROOT);
-        side.untold.add(message);
-    }
-
-    private static String link(Frame frame) {
-        return " " + frame.origin + frame.destination;
+        require(!point.is("DELIVERED") || !addresses.containsValue(device)
+                || taken.keySet().stream().anyMatch(one -> one.toString().equals(side.sent.get(number))),
+                what, "that a host of " + device + " has taken it");
+        side.devices.remove(number);
+        side.outcomes.add("message " + number + " " + point.name().toLowerCase(Locale.ROOT));
     }
 
     @Override
     public void begins(Transmission packet) {
         Side side = side(packet.board());
-        Point declared = side.declared;
-        side.declared = null;
-        if (declared != null && declared.name().startsWith("SEND") && packet.payload().isData()
+        if (side.declared != null && side.declared.name().startsWith("SEND") && packet.payload().isData()
                 && packet.payload().index() == 0) {
-            Outgoing message = side.outgoing.get(declared.number());
-            if (message != null) {
-                message.frame = new Frame(packet.payload());
-            }
+            Frame frame = new Frame(packet.payload());
+            side.sent.put(side.declared.number(), frame.origin + frame.destination + frame.id());
         }
     }
 
     @Override
     public void event(TraceEvent event) throws RefusedException {
         Side side = side(event.board());
-        if (event.name().startsWith("host-")) {
-            hosts.add(event.board());
-        }
         switch (event.name()) {
             case "reset" -> sides.remove(event.board());
-            case "host-id" -> {
-                addresses.put(event.board(), event.text("id"));
-                machines.greet(event);
+            case "host-id" -> addresses.put(event.board(), event.text("id"));
+            case "host-transmit" -> {
+                String destination = event.text("destination");
+                side.devices.put(event.number("number"), destination.startsWith("//") ? "" : destination);
             }
-            case "host-key" -> machines.give(event);
-            case "transition" -> machines.tell(event);
-            case "host-transmit", "host-relay" -> {
-                side.outgoing.remove(event.number("number"));
-                boolean isRelayed = event.is("host-relay");
-                side.outgoing.put(event.number("number"),
-                        new Outgoing(isRelayed ? Frame.ALL : event.text("destination")));
-                if (!isRelayed) {
-                    machines.say(event);
-                }
-            }
-            case "host-handed" -> {
-                hand(side, event);
-                machines.hear(event);
-            }
+            case "host-relay" -> side.devices.put(event.number("number"), "");
+            case "host-handed" -> hand(side, event);
             case "host-taking" -> taking(side, event);
-            case "host-taken" -> {
-                require(!side.declares || event.number("number") == Math.floorMod(side.first - 1, NUMBERS),
-                        event.board() + " confirms that message " + event.number("number") + " is taken",
-                        "that it declares so before");
-                confirm(side, event.board());
-            }
+            case "host-taken" -> confirm(side, event);
             case "host-outcome" -> outcome(side, event);
             case "host-nothing", "percepts" -> reply(side, event);
             default -> {}
@@ -226,72 +163,59 @@ final class HostCheck implements Check {
     }
 
     private void hand(Side side, TraceEvent event) throws RefusedException {
-        if (!side.declares) {
-            return;
+        String destination = event.text("destination");
+        String what =
+                event.board() + " hands its host message " + event.number("number") + " of " + event.text("origin");
+        List<Identity> messages = side.upTo(event.number("number"), what);
+        Identity before = messages.get(messages.size() - 1);
+        Identity handed = new Identity(event.board(), event.text("origin") + destination, event.text("id"));
+        require(before == null || before.equals(handed), what, "the same as before: " + before);
+        if (before == null && !destination.equals(Frame.ALL)) {
+            Stream<Identity> known = Stream.concat(messages.stream(), taken.keySet().stream().filter(taken::get));
+            require(known.allMatch(other -> other == null || handed.isAfter(other)), what,
+                    "a higher id than before, not " + handed.id);
         }
-        int number = event.number("number");
-        String what = event.board() + " hands its host message " + number + " of " + event.text("origin");
-        int index = side.indexOf(number);
-        require(index >= 0 && side.inbox.get(index).isDeclared, what, "one that it declares as handed");
-        Incoming message = side.inbox.get(index);
-        String link = " " + event.text("origin") + event.text("destination");
-        String handed = link + event.text("id");
-        require(message.handed.isEmpty() || message.handed.equals(handed), what,
-                "the same as before:" + message.handed);
-        if (message.handed.isEmpty() && !event.text("destination").equals(Frame.ALL)) {
-            require(!taken.getOrDefault(event.board() + handed, false), what, "another id than " + event.text("id")
-                    + ", which a host of it has taken");
-            Bytes id = Bytes.ofHex(event.text("id"));
-            List<Bytes> before = new ArrayList<>(IntStream.range(0, index).mapToObj(side.inbox::get)
-                    .filter(other -> other.handed.startsWith(link))
-                    .map(other -> Bytes.ofHex(other.handed.substring(link.length()))).toList());
-            Optional.ofNullable(last.get(event.board() + link)).ifPresent(before::add);
-            require(before.stream().allMatch(other -> isAfter(id, other)), what, "a higher id than before, not "
-                    + event.text("id"));
-        }
-        message.handed = handed;
-    }
-
-    /** Of two epochs only the last byte is known. */
-    private static boolean isAfter(Bytes id, Bytes before) {
-        long further = Math.floorMod(id.number(1, ID) - before.number(1, ID), COUNTERS);
-        return id.at(0) != before.at(0) || further > 0 && further < COUNTERS / 2;
+        messages.set(messages.size() - 1, handed);
     }
 
     private static void taking(Side side, TraceEvent event) throws RefusedException {
         int number = event.number("number");
-        int index = side.indexOf(number);
-        require(!side.declares || number == Math.floorMod(side.first - 1, NUMBERS)
-                || index >= 0 && !side.inbox.get(index).handed.isEmpty(),
-                event.board() + "'s host takes message " + number, "one that it was handed");
-        side.inbox.subList(0, index + 1).forEach(message -> message.mayBeTaken = true);
+        if (!side.wasTakenLast(number)) {
+            String what = event.board() + "'s host takes message " + number;
+            List<Identity> messages = side.upTo(number, what);
+            require(!messages.contains(null), what, "one that it was handed");
+            side.mayBeTaken = Math.max(side.mayBeTaken, messages.size());
+        }
+    }
+
+    private void confirm(Side side, TraceEvent event) throws RefusedException {
+        require(side.wasTakenLast(event.number("number")),
+                event.board() + " confirms that message " + event.number("number") + " is taken",
+                "that it declares so before");
+        side.unconfirmed.forEach(message -> taken.put(message, true));
+        side.unconfirmed.clear();
+        side.unconfirmedLeftOut = 0;
     }
 
     private static void outcome(Side side, TraceEvent event) throws RefusedException {
-        if (!side.declares) {
-            return;
-        }
-        Outgoing message = side.outgoing.get(event.number("number"));
-        String what = event.board() + " reports message " + event.number("number") + " " + event.text("outcome");
-        require(message != null && message.outcome.equals(event.text("outcome")), what,
-                message == null || message.outcome.isEmpty() ? "that it declares an outcome before"
-                        : message.outcome + ", as it has declared");
-        require(side.untold.indexOf(message) <= 0, what, "outcomes in the order in which they were");
-        side.untold.remove(message);
+        String told = "message " + event.number("number") + " " + event.text("outcome");
+        String what = event.board() + " reports " + told;
+        require(!side.outcomes.isEmpty(), what, "that it declares an outcome before");
+        String first = side.outcomes.remove(0);
+        side.outcomesLeftOut = Math.max(0, side.outcomesLeftOut - 1);
+        require(first.equals(told), what, first + " first, as it has declared");
     }
 
     /** A reply to a poll has told all that there was. What came while it was on its way is in the next one. */
     private static void reply(Side side, TraceEvent event) throws RefusedException {
         String what = event.board() + " replies with '" + event.name() + "' alone";
-        for (Outgoing message : side.untold) {
-            require(!message.wasLeftOut, what, "an outcome: " + message.outcome);
-            message.wasLeftOut = true;
-        }
-        require(side.unconfirmed.isEmpty() || !side.wasLeftOut, what, "that it confirms what its host has taken");
-        side.wasLeftOut = !side.unconfirmed.isEmpty();
-        for (Incoming message : event.is("host-nothing") ? side.inbox : List.<Incoming>of()) {
-            require(!message.wasLeftOut, what, "a message that waits for its host");
-            message.wasLeftOut = true;
+        require(side.outcomesLeftOut == 0, what, "the outcome: " + String.join(", ", side.outcomes));
+        require(side.unconfirmedLeftOut == 0, what, "that it confirms what its host has taken");
+        side.outcomesLeftOut = side.outcomes.size();
+        side.unconfirmedLeftOut = side.unconfirmed.size();
+        if (event.is("host-nothing")) {
+            require(side.messagesLeftOut == 0, what, "a message that waits for its host");
+            side.messagesLeftOut = side.inbox.size();
         }
     }
 }

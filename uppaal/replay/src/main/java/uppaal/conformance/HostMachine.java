@@ -1,14 +1,16 @@
 package uppaal.conformance;
 
+import static uppaal.conformance.RefusedException.require;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** One machine of a host, by what its host tells of it, says and was handed. */
 final class HostMachine {
@@ -27,45 +29,36 @@ final class HostMachine {
      * before. Each time it may have been in any of some states, as nobody tells that a host was killed.
      */
     private final List<Set<String>> states = new ArrayList<>();
-    /** Where it was ever. */
-    private final Set<String> been = new HashSet<>();
+    /** Where it may ever have been. */
+    final Set<String> been = new HashSet<>();
     private final Set<String> came = new HashSet<>();
-    /** Where it may have been when its host was killed, until it tells of a state. */
-    private Set<String> killed = Set.of();
-    private boolean isKnown;
+    /** Whether it may have begun before the trace did. */
+    boolean mayBeOld;
     /** What its agent is called here, as the host has said since it was started. */
     Optional<String> name = Optional.empty();
     /** The agent that moves; nothing where that is not known. */
     Optional<AgentParts> agent = Optional.empty();
 
-    HostMachine(Key key, MachineModel model) {
+    HostMachine(Key key, MachineModel model, boolean mayBeOld) {
         this.key = key;
         this.model = model;
-        states.add(Set.of(model.initial()));
-        been.add(model.initial());
+        this.mayBeOld = mayBeOld;
+        enter(Set.of(model.initial));
     }
 
-    private boolean isClone() {
-        return agent.filter(AgentParts::isClone).isPresent();
+    private void enter(Set<String> able) {
+        states.add(able);
+        been.addAll(able);
     }
 
-    private Set<String> now() {
+    /** Where it may be now. */
+    Set<String> now() {
         return states.get(states.size() - 1);
-    }
-
-    /** Whether it may be there now. */
-    boolean is(String state) {
-        return now().contains(state);
-    }
-
-    /** Whether it may ever have been there. */
-    boolean was(String state) {
-        return been.contains(state);
     }
 
     /** Whether it may have said that. */
     boolean maySay(String word) {
-        return been.stream().anyMatch(state -> model.says(state, any -> true).contains(word));
+        return been.stream().flatMap(state -> model.says(state, any -> true)).anyMatch(word::equals);
     }
 
     /** The host was handed a fragment of a word; where it has all, it has the word. */
@@ -80,70 +73,63 @@ final class HostMachine {
      * Its host tells where it is.
      *
      * @param meant which of the model's states that may be
-     * @param isRecorded whether it may have begun before the trace did
      * @param proved whether the other side may have said a word
-     * @return from where it came; nothing where it stays, or that is not known
+     * @return from where a step may have led to the first of those
      */
-    Optional<String> tell(String told, List<String> meant, boolean isRecorded, Predicate<String> proved)
-            throws RefusedException {
+    Set<String> tell(List<String> meant, Predicate<String> proved, String what) throws RefusedException {
         Predicate<String> known = word -> came.contains(word) && proved.test(word);
-        Set<String> able = meant.stream().filter(state -> is(state) || isRecorded && !isKnown && model.isRecorded(state)
-                || now().stream().anyMatch(from -> model.leads(from, state, isClone(), known)))
+        Set<String> before = now();
+        Set<String> able = Stream.of(before.stream(), before.stream().flatMap(from -> model.next(from, known)),
+                model.recorded.stream().filter(state -> mayBeOld)).flatMap(all -> all).filter(meant::contains)
                 .collect(Collectors.toSet());
-        if (able.isEmpty()) {
-            throw new RefusedException(key.host() + " tells that its " + key + " is '" + told + "'",
-                    now().stream().sorted().map(before -> "'" + before + "', or from there "
-                            + model.expected(before, isClone())).collect(Collectors.joining("; or ")));
-        }
-        Optional<String> from = (now().containsAll(able) ? killed : now()).stream()
-                .filter(before -> !before.equals(meant.get(0))
-                        && model.leads(before, meant.get(0), isClone(), known))
-                .findFirst();
-        killed = Set.of();
-        if (now().containsAll(able)) {
+        require(!able.isEmpty(), what,
+                before.stream().sorted().map(model::expected).collect(Collectors.joining("; or ")));
+        if (before.containsAll(able)) {
             states.remove(states.size() - 1);
         }
-        states.add(able);
-        been.addAll(able);
-        isKnown = true;
-        return from;
+        enter(able);
+        mayBeOld = false;
+        return before.stream().filter(from -> model.next(from, known).anyMatch(meant.get(0)::equals))
+                .collect(Collectors.toSet());
+    }
+
+    private Stream<String> says(String state) {
+        return model.says(state, came::contains);
     }
 
     /** Its host says a word. @return whether it may. */
     boolean say(String word) {
-        isKnown = true;
+        mayBeOld = false;
         for (int i = 0; i < states.size(); i++) {
-            Set<String> able = states.get(i).stream()
-                    .filter(state -> model.says(state, came::contains).contains(word)).collect(Collectors.toSet());
+            Set<String> able = states.get(i).stream().filter(state -> says(state).anyMatch(word::equals))
+                    .collect(Collectors.toSet());
             if (!able.isEmpty()) {
-                states.set(i, able);
                 states.subList(0, i).clear();
+                states.set(0, able);
                 return true;
             }
         }
         return false;
     }
 
+    /** What its host may say. */
+    Stream<String> words() {
+        return states.stream().flatMap(Set::stream).flatMap(this::says);
+    }
+
     /** It was over, and answers a message 1 that has come again: what the model calls its next answer. */
     void beginAgain() {
         states.clear();
-        states.add(Set.of(model.initial()));
+        enter(Set.of(model.initial));
         came.removeIf(word -> word.startsWith("third"));
     }
 
-    /** What its host may say. */
-    Set<String> words() {
-        return states.stream().flatMap(Set::stream).flatMap(state -> model.says(state, came::contains).stream())
-                .collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    /** Its host may have been killed and started again. */
+    /** Its host may have been killed and started again, perhaps behind a step of which it has not told. */
     void restart() {
-        killed = now();
-        Set<String> after = now().stream().flatMap(state -> model.killed(state, isClone(), came::contains).stream())
-                .collect(Collectors.toSet());
-        states.set(states.size() - 1, after);
-        been.addAll(after);
+        Set<String> after = now().stream().flatMap(state -> model.next(state, came::contains))
+                .filter(model.recorded::contains).collect(Collectors.toSet());
+        after.addAll(states.remove(states.size() - 1));
+        enter(after);
         name = Optional.empty();
     }
 }

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -25,10 +26,10 @@ import uppaal.document.Document;
  * step of its template, behind what the step needs, and each message of a host comes from a state that says it. The two
  * sides of a move or a handshake have one id. Hosts that tell nothing may say anything.
  */
-final class HostMachines {
-    private static final Map<String, String> OTHERS =
-            Map.of("departure", "arrival", "arrival", "departure", "initiator",
-                    "responder", "responder", "initiator");
+final class HostMachines implements Check {
+    private static final Map<String, String> OTHERS = Map.of("departure", "arrival", "arrival", "departure",
+            "initiator", "responder", "responder", "initiator");
+    private static final Set<String> OF_MOVES = Set.of("departure", "arrival");
     /** What hosts tell apart, and the models do not. */
     private static final Map<String, List<String>> REFINED = Map.ofEntries(Map.entry("sending", List.of("offered")),
             Map.entry("sent", List.of("offered")), Map.entry("cloned", List.of("gone")),
@@ -40,8 +41,8 @@ final class HostMachines {
             Map.entry("due", List.of("half_open")));
     private static final Map<String, MachineModel> MODELS = models();
     /** All transitions that a trace can tell: {@code machine: state -> state}. */
-    static final Set<String> TRANSITIONS = MODELS.entrySet().stream().flatMap(model -> model.getValue().transitions()
-            .stream().map(step -> model.getKey() + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
+    static final Set<String> TRANSITIONS = MODELS.keySet().stream().flatMap(machine -> MODELS.get(machine).transitions()
+            .map(step -> machine + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
     private static final String AWAY = "";
     /** Of the id of a move in a body; that of a handshake comes behind as many bytes. */
     private static final int ID = 4;
@@ -52,76 +53,97 @@ final class HostMachines {
     private final Set<String> telling = new HashSet<>();
     /** By a host that has told nothing, what it has said first. */
     private final Map<String, String> untold = new HashMap<>();
-    /** By host and hash: how many bytes of a part are there at most. Of what is not here all may be. */
+    /** Of {@link AgentParts}. */
     private final Map<String, Integer> kept = new BoundedMap<>();
     /** By agent, the host where it is awake. */
     private final Map<String, String> awake = new BoundedMap<>();
     private final Set<String> covered = new TreeSet<>();
     private int told;
 
+    HostMachines(Header header) {}
+
     private static Map<String, MachineModel> models() {
         Document moves = Model.read("handover.xml");
         Document handshakes = Model.read("handshake.xml");
         return OTHERS.keySet().stream().collect(Collectors.toMap(machine -> machine,
-                machine -> new MachineModel((isOfMove(machine) ? moves : handshakes)
+                machine -> new MachineModel((OF_MOVES.contains(machine) ? moves : handshakes)
                         .template(machine.substring(0, 1).toUpperCase(Locale.ROOT) + machine.substring(1)))));
     }
 
-    private static boolean isOfMove(String machine) {
-        return machine.equals("departure") || machine.equals("arrival");
+    @Override
+    public Set<String> covered() {
+        return covered;
     }
 
-    /** Those that were told. */
-    Set<String> covered() {
-        return Set.copyOf(covered);
-    }
-
-    /** How much was checked. */
-    String checked() {
+    @Override
+    public String checked() {
         return told == 0 ? "" : told + " states of hosts";
     }
 
+    @Override
+    public void event(TraceEvent event) throws RefusedException {
+        String host = hosts.getOrDefault(event.board(), "");
+        switch (event.name()) {
+            case "host-id" -> {
+                hosts.put(event.board(), event.text("id")); // perhaps of a host that has been started again
+                machines.values().stream().filter(machine -> machine.key.host().equals(event.text("id")))
+                        .forEach(HostMachine::restart);
+            }
+            case "host-key" -> require(!event.text("step").equals("session") || !telling.contains(host)
+                    || machines(host, event.text("address")).anyMatch(machine -> machine.now().contains("setting")),
+                    event.board() + " has a session key for " + event.text("address"),
+                    "a handshake with it that is 'setting'");
+            case "transition" -> tell(event);
+            case "host-transmit", "host-handed" -> message(host, event);
+            default -> {}
+        }
+    }
+
     private HostMachine machine(HostMachine.Key key) {
-        HostMachine machine = machines.get(key);
-        machine = machine == null ? new HostMachine(key, MODELS.get(key.machine())) : machine;
-        machines.put(key, machine);
-        return machine;
+        HostMachine known = machines.get(key);
+        machines.put(key, known != null ? known
+                : new HostMachine(key, MODELS.get(key.machine()), OF_MOVES.contains(key.machine())));
+        return machines.get(key);
+    }
+
+    private Stream<HostMachine> machines(String host, String peer) {
+        return machines.values().stream().filter(machine -> machine.key.host().equals(host)
+                && machine.key.peer().equals(peer));
     }
 
     // What a host tells of itself
 
-    void tell(TraceEvent event) throws RefusedException {
-        String host = event.text("host");
+    private void tell(TraceEvent event) throws RefusedException {
+        HostMachine.Key key = new HostMachine.Key(event.text("machine"), event.text("host"), event.text("peer"),
+                event.text("id"));
+        String host = key.host();
         String state = event.text("state");
-        HostMachine.Key key = new HostMachine.Key(event.text("machine"), host, event.text("peer"), event.text("id"));
-        List<String> meant = key.machine().equals("departure") && state.equals("none") ? List.of("over")
-                : REFINED.getOrDefault(state, List.of(state));
+        String what = host + " tells that its " + key + " is '" + state + "'";
         if (!hosts.containsValue(host)) {
             return; // of another emulator
         }
         if (key.machine().equals("session")) {
-            require(state.equals("none") || hasAgreed(host, key.peer(), "setting", true),
-                    host + " tells that its session with " + key.peer() + " is '" + state + "'",
-                    "a handshake with it that was 'setting'");
+            require(state.equals("none") || machines(host, key.peer()).anyMatch(one -> one.been.contains("setting")),
+                    what, "a handshake with it that was 'setting'");
             return;
         }
-        require(OTHERS.containsKey(key.machine()), host + " tells of a machine '" + key.machine() + "'",
-                "one of " + new TreeSet<>(OTHERS.keySet()));
-        require(!telling.add(host) || !untold.containsKey(host),
-                untold.get(host), "that it tells first of a machine");
+        require(OTHERS.containsKey(key.machine()), what, "one of " + new TreeSet<>(OTHERS.keySet()));
+        require(!telling.add(host) || !untold.containsKey(host), untold.get(host), "that it tells first of a machine");
         told++;
         HostMachine machine = machine(key);
-        if (key.machine().equals("responder") && state.equals("answering") && machine.is("over")) {
+        if (key.machine().equals("responder") && state.equals("answering") && machine.now().contains("over")) {
             machine.beginAgain();
         }
-        boolean isRecorded =
-                key.machine().equals("departure") || key.machine().equals("arrival") && machine.agent.isEmpty();
-        Optional<String> from = machine.tell(state, meant, isRecorded, word -> mayHaveSaid(
-                new HostMachine.Key(OTHERS.get(key.machine()), key.peer(), host, key.id()), word));
-        from.map(before -> key.machine() + ": " + before + " -> " + meant.get(0)).filter(TRANSITIONS::contains)
-                .ifPresent(covered::add);
-        if (machine.agent.isPresent() && from.isPresent()) {
-            follow(machine, machine.agent.get(), from.get(), meant.get(0));
+        List<String> meant = key.machine().equals("departure") && state.equals("none") ? List.of("over")
+                : REFINED.getOrDefault(state, List.of(state));
+        HostMachine.Key other = new HostMachine.Key(OTHERS.get(key.machine()), key.peer(), host, key.id());
+        List<String> steps = machine.tell(meant, word -> mayHaveSaid(other, word), what).stream()
+                .map(from -> key.machine() + ": " + from + " -> " + meant.get(0)).filter(TRANSITIONS::contains)
+                .toList();
+        covered.addAll(steps);
+        if (machine.agent.isPresent() && !steps.isEmpty()) {
+            boolean stays = meant.get(0).equals("here") || steps.contains("departure: offered -> over");
+            follow(machine.agent.get(), host, meant.get(0), stays, what);
         }
     }
 
@@ -131,136 +153,55 @@ final class HostMachines {
                 || machines.containsKey(key) && machines.get(key).maySay(word);
     }
 
-    private void follow(HostMachine machine, AgentParts agent, String from, String state) throws RefusedException {
-        String host = machine.key.host();
+    /** @param isAwake whether the agent is awake there now */
+    private void follow(AgentParts agent, String host, String state, boolean isAwake, String what)
+            throws RefusedException {
         String where = awake.getOrDefault(agent.identity(), AWAY);
-        String what = host + " tells that its " + machine.key + " is '" + state + "'";
-        require(!state.equals("ready") || agent.isWhole(kept, host),
-                what, "it as a whole; of its parts these bytes are there: " + agent.here(kept, host));
+        require(!state.equals("ready") || agent.isWhole(), what,
+                "it as a whole; of its parts these bytes are there: " + agent.here());
         require(!state.equals("here") || agent.isClone() || where.equals(AWAY) || where.equals(host),
                 what, agent.identity() + " nowhere else; it is awake at " + where);
-        if (!agent.isClone() && (state.equals("here") || state.equals("over") && from.equals("offered"))) {
+        if (isAwake && !agent.isClone()) {
             awake.put(agent.identity(), host);
         } else if (state.equals("left") && where.equals(host)) {
             awake.remove(agent.identity());
         }
     }
 
-    private boolean hasAgreed(String host, String peer, String state, boolean ever) {
-        return machines.values().stream().anyMatch(machine -> machine.key.host().equals(host)
-                && machine.key.peer().equals(peer) && (ever ? machine.was(state) : machine.is(state)));
-    }
+    // What hosts say to each other
 
-    /** A board has a session key: a handshake with that device must be about to give it. */
-    void give(TraceEvent event) throws RefusedException {
-        String host = hosts.getOrDefault(event.board(), "");
-        require(!event.text("step").equals("session") || !telling.contains(host)
-                || hasAgreed(host, event.text("address"), "setting", false),
-                event.board() + " has a session key for " + event.text("address"),
-                "a handshake with it that is 'setting'");
-    }
-
-    /** A board says hello, perhaps to a host that has been started again. */
-    void greet(TraceEvent event) {
-        hosts.put(event.board(), event.text("id"));
-        machines.values().stream().filter(machine -> machine.key.host().equals(event.text("id")))
-                .forEach(HostMachine::restart);
-    }
-
-    // What hosts say
-
-    /** A host wants a message to be sent. */
-    void say(TraceEvent event) throws RefusedException {
-        String host = hosts.getOrDefault(event.board(), "");
-        Bytes said = Bytes.copyOf(event.said().orElse(new byte[0]));
-        Optional<HostMessage> message = message(said);
-        require(message.isPresent() || !HostMessage.isHostMessage(said) || !telling.contains(host),
+    /** A host wants a message to be sent, or is handed one. */
+    private void message(String host, TraceEvent event) throws RefusedException {
+        Bytes bytes = Bytes.copyOf(event.said().orElse(new byte[0]));
+        Optional<HostMessage> decoded = decode(bytes);
+        boolean isSaid = event.is("host-transmit");
+        require(decoded.isPresent() || !HostMessage.isHostMessage(bytes) || !isSaid || !telling.contains(host),
                 event.board() + "'s host says what is no host message", "one as in SPEC 3.1");
-        String word = message.map(HostMachines::word).orElse("");
-        if (word.isEmpty()) {
+        if (decoded.isEmpty() || word(decoded.get()).isEmpty()) {
             return;
         }
-        boolean isMove = message.get().kind().use() == Use.MOVE;
-        String to = message.get().to().map(Address::toString).orElse(event.text("destination"));
-        String what = event.board() + "'s host says '" + word + "' to " + to;
-        if (!telling.contains(host)) {
-            untold.putIfAbsent(host, what);
-            return;
-        }
-        require(isMove != event.text("destination").startsWith("//"),
-                what, "it " + (isMove ? "to one device alone" : "in a broadcast"));
-        List<HostMachine> able = machines(host, to, message.get(), true);
-        what += able.isEmpty() ? "" : " of " + able.get(able.size() - 1).key;
-        Set<String> words = new TreeSet<>();
-        able.forEach(machine -> words.addAll(machine.words()));
-        require(able.stream().anyMatch(machine -> machine.say(word)), what, "one of " + words);
-        String right = isMove ? right(able.get(0), message.get()) : "";
-        require(right.isEmpty(), what, right);
-    }
-
-    /** What is right in place of the bytes of a message; nothing where they are. */
-    private String right(HostMachine machine, HostMessage message) {
-        String host = machine.key.host();
-        if (message.kind() == Kind.MOVE_OFFER && machine.agent.isEmpty()) {
-            return leave(machine, AgentParts.of(message.body()));
-        }
-        if (message.kind() == Kind.MOVE_AWAKE && !machine.is("none")) {
-            String name = message.body().from(ID).hex();
-            machine.name = machine.name.or(() -> Optional.of(name));
-            return !name.isEmpty() && name.equals(machine.name.get()) ? "" : "a name, and the same as before";
-        }
-        return machine.agent.map(agent -> switch (message.kind()) {
-            case MOVE_OFFER -> agent.isOf(message.body()) ? "" : "the offer that it has made before";
-            case MOVE_DATA -> agent.send(message.body()) ? "" : "bytes that were asked for";
-            case MOVE_WANT -> agent.want(kept, host, message.body()) ? ""
-                    : "less; of its parts these bytes are there: " + agent.here(kept, host);
-            default -> "";
-        }).orElse("");
-    }
-
-    /** An agent is offered for the first time: it must not sleep or be away by another move. */
-    private String leave(HostMachine machine, Optional<AgentParts> offered) {
-        machine.agent = offered;
-        if (offered.isEmpty()) {
-            return "an offer as in SPEC 9.1";
-        }
-        String identity = offered.get().identity();
-        offered.get().has(kept, machine.key.host());
-        boolean isAway = AWAY.equals(awake.get(identity));
-        if (!offered.get().isClone()) {
-            awake.put(identity, AWAY);
-        }
-        return isAway ? "none of " + identity + ", which sleeps or is away by another move" : "";
-    }
-
-    /** A board hands a message to its host. */
-    void hear(TraceEvent event) {
-        String host = hosts.getOrDefault(event.board(), "");
-        message(Bytes.copyOf(event.said().orElse(new byte[0]))).filter(message -> !word(message).isEmpty()
-                && event.text("destination").equals(message.to().isPresent() ? Address.BROADCAST.toString() : host)
-                && message.to().map(Address::toString).orElse(host).equals(host))
-                .ifPresent(message -> machines(host, event.text("origin"), message, false)
-                        .forEach(machine -> hear(machine, message)));
-    }
-
-    private void hear(HostMachine machine, HostMessage message) {
-        machine.hear(word(message), message.fragment(), message.kind().fragments());
-        switch (message.kind()) {
-            case MOVE_OFFER -> machine.agent = machine.agent.or(() -> AgentParts.of(message.body()));
-            case MOVE_WANT -> machine.agent.ifPresent(agent -> agent.wanted(message.body()));
-            case MOVE_DATA -> machine.agent.ifPresent(agent -> agent.come(kept, machine.key.host(), message.body()));
-            default -> {}
+        HostMessage message = decoded.get();
+        String destination = event.text("destination");
+        String to = message.to().map(Address::toString).orElse(destination);
+        boolean isCast = isMove(message) ? !destination.startsWith("//") : destination.equals(Frame.ALL);
+        if (isSaid) {
+            say(host, to, message, isCast, event.board() + "'s host says '" + word(message) + "' to " + to);
+        } else if (isCast && to.equals(host)) {
+            String machine = OTHERS.get(speaker(message));
+            machines(machine, host, event.text("origin"), message).forEach(each -> hear(each, message));
         }
     }
 
-    // Messages
-
-    private static Optional<HostMessage> message(Bytes said) {
+    private static Optional<HostMessage> decode(Bytes said) {
         try {
             return Optional.of(HostMessage.decode(said));
         } catch (ProtocolException none) {
             return Optional.empty();
         }
+    }
+
+    private static boolean isMove(HostMessage message) {
+        return message.kind().use() == Use.MOVE;
     }
 
     /** What the models call a message; empty where they do not speak of it. */
@@ -274,21 +215,80 @@ final class HostMachines {
         };
     }
 
-    /** Those of a host that may have said a message, or that it may be for. Only a first one has the handshake's id. */
-    private List<HostMachine> machines(String host, String peer, HostMessage message, boolean said) {
-        String sender = switch (message.kind()) {
-            case MOVE_OFFER, MOVE_DATA, MOVE_GO, MOVE_CANCELLED -> "departure";
-            case MOVE_WANT, MOVE_READY, MOVE_AWAKE, MOVE_REFUSED -> "arrival";
-            case MESSAGE_2, RENEWAL_2 -> "responder";
-            default -> "initiator";
-        };
-        String name = said ? sender : OTHERS.get(sender);
-        if (isOfMove(name) || word(message).equals("first")) {
-            int at = isOfMove(name) ? 0 : ID;
+    /** Which machine says it. */
+    private static String speaker(HostMessage message) {
+        return MODELS.keySet().stream().filter(machine -> MODELS.get(machine).says(word(message))).findFirst().get();
+    }
+
+    /** Those of a host that a message may be of. Of a handshake only the first one has its id. */
+    private List<HostMachine> machines(String machine, String host, String peer, HostMessage message) {
+        if (isMove(message) || word(message).equals("first")) {
+            int at = isMove(message) ? 0 : ID;
             return message.body().length() < at + ID ? List.of() : List.of(machine(
-                    new HostMachine.Key(name, host, peer, message.body().slice(at, at + ID).hex())));
+                    new HostMachine.Key(machine, host, peer, message.body().slice(at, at + ID).hex())));
         }
-        return machines.values().stream().filter(machine -> machine.key.machine().equals(name)
-                && machine.key.host().equals(host) && machine.key.peer().equals(peer)).toList();
+        return machines(host, peer).filter(each -> each.key.machine().equals(machine)).toList();
+    }
+
+    private void say(String host, String to, HostMessage message, boolean isCast, String what)
+            throws RefusedException {
+        if (!telling.contains(host)) {
+            untold.putIfAbsent(host, what);
+            return;
+        }
+        require(isCast, what, "it " + (isMove(message) ? "to one device alone" : "in a broadcast"));
+        List<HostMachine> able = machines(speaker(message), host, to, message);
+        String whose = what + (able.isEmpty() ? "" : " of " + able.get(able.size() - 1).key);
+        Set<String> words = able.stream().flatMap(HostMachine::words).collect(Collectors.toCollection(TreeSet::new));
+        require(able.stream().anyMatch(machine -> machine.say(word(message))), whose, "one of " + words);
+        String right = isMove(message) ? right(able.get(0), message) : "";
+        require(right.isEmpty(), whose, right);
+    }
+
+    /** What is right in place of the bytes of a message; nothing where they are. */
+    private String right(HostMachine machine, HostMessage message) {
+        Bytes body = message.body();
+        if (message.kind() == Kind.MOVE_OFFER && machine.agent.isEmpty()) {
+            return leave(machine, body);
+        }
+        if (message.kind() == Kind.MOVE_AWAKE && !machine.now().contains("none")) {
+            String name = body.from(ID).hex();
+            machine.name = machine.name.or(() -> Optional.of(name));
+            return !name.isEmpty() && name.equals(machine.name.get()) ? "" : "a name, and the same as before";
+        }
+        return machine.agent.map(agent -> switch (message.kind()) {
+            case MOVE_OFFER -> agent.offer.equals(body) ? "" : "the offer that it has made before";
+            case MOVE_DATA -> agent.send(body) ? "" : "bytes that were asked for";
+            case MOVE_WANT -> agent.want(body) ? "" : "less; of its parts these bytes are there: " + agent.here();
+            default -> "";
+        }).orElse("");
+    }
+
+    /** An agent is offered for the first time: it must not sleep or be away by another move. */
+    private String leave(HostMachine machine, Bytes offer) {
+        machine.agent = AgentParts.of(offer, machine.key.host(), kept);
+        if (machine.agent.isEmpty()) {
+            return "an offer as in SPEC 9.1";
+        }
+        AgentParts agent = machine.agent.get();
+        agent.has();
+        boolean isAway = AWAY.equals(awake.get(agent.identity()));
+        if (!agent.isClone()) {
+            awake.put(agent.identity(), AWAY);
+        }
+        return isAway ? "none of " + agent.identity() + ", which sleeps or is away by another move" : "";
+    }
+
+    private void hear(HostMachine machine, HostMessage message) {
+        machine.hear(word(message), message.fragment(), message.kind().fragments());
+        switch (message.kind()) {
+            case MOVE_OFFER -> {
+                machine.agent = machine.agent.or(() -> AgentParts.of(message.body(), machine.key.host(), kept));
+                machine.mayBeOld &= machine.agent.isEmpty();
+            }
+            case MOVE_WANT -> machine.agent.ifPresent(agent -> agent.wanted(message.body()));
+            case MOVE_DATA -> machine.agent.ifPresent(agent -> agent.come(message.body()));
+            default -> {}
+        }
     }
 }

@@ -51,36 +51,30 @@ class HostCheckTest {
     @CsvSource(delimiter = '|', value = {
             "HANDED; police DELIVERED number=0 | police declares message 0 DELIVERED; "
                     + "expected that a host of SUPP has taken it",
-            "TAKEN; police SENT number=0 | expected DELIVERED or UNDELIVERED",
-            "police asks //SU help; police DELIVERED number=0 | expected SENT, as it is for many",
             "police DELIVERED number=0 | expected a message under way",
             "SENT; police UNDELIVERED number=0; police UNDELIVERED number=0 | expected a message under way",
             "TWO; police UNDELIVERED number=1 | expected the outcome of message 0 first",
             "police asks //SU a; police asks //// b; police SENT number=1 | expected the outcome of message 0 first",
             "SENT; police does host-outcome number=0 outcome=undelivered | expected that it declares an outcome before",
             "SENT; police UNDELIVERED number=0; police does host-outcome number=0 outcome=delivered"
-                    + " | undelivered, as it has d",
+                    + " | message 0 undelivered first, as it has d",
             "police does host-outcome number=0 outcome=undelivered | police reports message 0 undelivered",
             "SENT; police UNDELIVERED number=0; police does host-nothing; police does host-nothing"
-                    + " | expected an outcome: "
-                    + "undelivered",
+                    + " | expected the outcome: message 0 undelivered",
             "TWO; police UNDELIVERED number=0; police UNDELIVERED number=1; "
                     + "police does host-outcome number=1 outcome=undelivered "
-                    + "| expected outcomes in the order in which they were",
+                    + "| expected message 0 undelivered first",
             "HANDED; support does host-taking number=0; support TAKEN message=0; support queues 1; "
                     + "support hands 1 SUPP 010001 a; support does host-taking number=1; support TAKEN message=1 "
                     + "| that it confirms what was taken before",
             "support queues 0; support does host-nothing; support does host-nothing"
                     + " | a message that waits for its host",
             "support does host-handed number=0 destination=SUPP origin=SUPO id=010000"
-                    + " | hands its host message 0 of SUPO; expe",
-            "support queues 0; support does host-handed number=0 destination=SUPP origin=SUPO id=010000"
-                    + " | one that it declares",
-            "support HANDED message=0 | one that is in its inbox",
+                    + " | hands its host message 0 of SUPO; expected one that is in its inbox",
             "HANDED; support hands 0 SUPP 010001 help | the same as before: SUPOSUPP010000",
             "TAKEN; support queues 0; support hands 1 SUPP 010000 help"
-                    + " | another id than 010000, which a host of it has taken",
-            "TAKEN; support does reset why=power; support queues 0; support hands 0 SUPP 010000 help | has taken",
+                    + " | a higher id than before, not 010000",
+            "TAKEN; support does reset why=power; support queues 0; support hands 0 SUPP 010000 help | a higher id",
             "HANDED; support queues 0; support hands 1 SUPP 010000 help | a higher id than before, not 010000",
             "support queues 1; support queues 0; support hands 0 SUPP 010001 b; support hands 1 SUPP 010000 a"
                     + " | a higher id",
