@@ -79,9 +79,10 @@ final class HostMachine {
     Set<String> tell(List<String> meant, Predicate<String> proved, String what) throws RefusedException {
         Predicate<String> known = word -> came.contains(word) && proved.test(word);
         Set<String> before = now();
-        Set<String> able = Stream.of(before.stream(), before.stream().flatMap(from -> model.next(from, known)),
-                model.recorded.stream().filter(state -> mayBeOld)).flatMap(all -> all).filter(meant::contains)
-                .collect(Collectors.toSet());
+        Set<String> able = new HashSet<>(before);
+        before.forEach(from -> able.addAll(model.next(from, known)));
+        able.addAll(mayBeOld ? model.recorded : Set.of());
+        able.retainAll(meant);
         require(!able.isEmpty(), what,
                 before.stream().sorted().map(model::expected).collect(Collectors.joining("; or ")));
         if (before.containsAll(able)) {
@@ -89,7 +90,7 @@ final class HostMachine {
         }
         enter(able);
         mayBeOld = false;
-        return before.stream().filter(from -> model.next(from, known).anyMatch(meant.get(0)::equals))
+        return before.stream().filter(from -> model.next(from, known).contains(meant.get(0)))
                 .collect(Collectors.toSet());
     }
 
@@ -126,8 +127,9 @@ final class HostMachine {
 
     /** Its host may have been killed and started again, perhaps behind a step of which it has not told. */
     void restart() {
-        Set<String> after = now().stream().flatMap(state -> model.next(state, came::contains))
-                .filter(model.recorded::contains).collect(Collectors.toSet());
+        Set<String> after = new HashSet<>();
+        now().forEach(state -> after.addAll(model.next(state, came::contains)));
+        after.retainAll(model.recorded);
         after.addAll(states.remove(states.size() - 1));
         enter(after);
         name = Optional.empty();

@@ -91,10 +91,10 @@ final class MachineModel {
     }
 
     /** Where a step leads, behind what came; to {@code over} also before the first and behind the last. */
-    Stream<String> next(String state, Predicate<String> came) {
+    Set<String> next(String state, Predicate<String> came) {
         boolean mayEnd = state.equals(initial) || from(state).findAny().isEmpty();
         return Stream.concat(from(state).filter(step -> step.isBehind(came)).map(Step::to),
-                Stream.of("over").filter(end -> mayEnd));
+                Stream.of("over").filter(end -> mayEnd)).collect(Collectors.toSet());
     }
 
     /** What may be said in a state, behind what came. */
