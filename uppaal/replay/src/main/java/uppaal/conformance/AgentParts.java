@@ -38,10 +38,8 @@ final class AgentParts {
     private AgentParts(Bytes offer, String host, Map<String, Integer> kept) {
         this.offer = offer;
         this.kept = kept;
-        parts = IntStream.range(0, offer.at(MOVE + 1)).map(i -> PARTS + i * PART)
-                .mapToObj(at -> new Part(host + offer.slice(at, at + HASH).hex(), number(offer, at + HASH),
-                        new TreeSet<>()))
-                .toList();
+        parts = offer.slice(PARTS, PARTS + offer.at(MOVE + 1) * PART).split(PART)
+                .map(part -> new Part(host + part.slice(0, HASH).hex(), number(part, HASH), new TreeSet<>())).toList();
     }
 
     /** @param offer the body of its offer; nothing where it has not the form of one. */
@@ -83,7 +81,7 @@ final class AgentParts {
 
     private List<Integer> offsets(Bytes want) {
         return want.length() != MOVE + parts.size() * NUMBER ? List.of()
-                : IntStream.range(0, parts.size()).mapToObj(i -> number(want, MOVE + i * NUMBER)).toList();
+                : want.from(MOVE).split(NUMBER).map(offset -> number(offset, 0)).toList();
     }
 
     /** The host says from which bytes on it wants the parts. @return whether those before may be there. */

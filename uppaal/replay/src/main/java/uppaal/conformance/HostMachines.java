@@ -20,7 +20,6 @@ import javino.protocol.HostMessage.Kind;
 import javino.protocol.HostMessage.Use;
 import javino.protocol.ProtocolException;
 import trace.TraceEvent;
-import uppaal.document.Document;
 
 /**
  * Holds the machines of hosts to {@code handover.xml} and {@code handshake.xml}: each transition that a host tells is a
@@ -37,7 +36,8 @@ final class HostMachines implements Check {
             entry("repeating", "coming none"), entry("waking", "here"), entry("waiting", "idle"),
             entry("asking", "open"), entry("closing", "done"), entry("closed", "done"), entry("due", "half_open"),
             entry("answering", "half_open"), entry("answered", "half_open"));
-    private static final Map<String, MachineModel> MODELS = models();
+    private static final Map<String, MachineModel> MODELS =
+            OTHERS.keySet().stream().collect(Collectors.toMap(machine -> machine, HostMachines::model));
     /** All transitions that a trace can tell: {@code machine: state -> state}. */
     static final Set<String> TRANSITIONS = MODELS.keySet().stream().flatMap(machine -> MODELS.get(machine).transitions()
             .map(step -> machine + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
@@ -60,12 +60,10 @@ final class HostMachines implements Check {
 
     HostMachines(Header header) {}
 
-    private static Map<String, MachineModel> models() {
-        Document moves = Model.read("handover.xml");
-        Document handshakes = Model.read("handshake.xml");
-        return OTHERS.keySet().stream().collect(Collectors.toMap(machine -> machine,
-                machine -> new MachineModel((OF_MOVES.contains(machine) ? moves : handshakes)
-                        .template(machine.substring(0, 1).toUpperCase(Locale.ROOT) + machine.substring(1)))));
+    private static MachineModel model(String machine) {
+        String template = machine.substring(0, 1).toUpperCase(Locale.ROOT) + machine.substring(1);
+        return new MachineModel(
+                Model.read(OF_MOVES.contains(machine) ? "handover.xml" : "handshake.xml").template(template));
     }
 
     @Override
@@ -170,31 +168,25 @@ final class HostMachines implements Check {
 
     /** A host wants a message to be sent, or is handed one. */
     private void message(String host, TraceEvent event) throws RefusedException {
-        Bytes bytes = Bytes.copyOf(event.said().orElse(new byte[0]));
-        Optional<HostMessage> decoded = decode(bytes);
-        boolean isSaid = event.is("host-transmit");
-        require(decoded.isPresent() || !HostMessage.isHostMessage(bytes) || !isSaid || !telling.contains(host),
-                event.board() + "'s host says what is no host message", "one as in SPEC 3.1");
-        if (decoded.isEmpty() || word(decoded.get()).isEmpty()) {
-            return;
-        }
-        HostMessage message = decoded.get();
-        String destination = event.text("destination");
-        String to = message.to().map(Address::toString).orElse(destination);
-        boolean isCast = isMove(message) ? !destination.startsWith("//") : destination.equals(Frame.ALL);
-        if (isSaid) {
-            say(host, to, message, isCast, event.board() + "'s host says '" + word(message) + "' to " + to);
-        } else if (isCast && to.equals(host)) {
-            String machine = OTHERS.get(speaker(message));
-            machines(machine, host, event.text("origin"), message).forEach(each -> hear(each, message));
+        Bytes message = Bytes.copyOf(event.said().orElse(new byte[0]));
+        try {
+            message(host, event, HostMessage.decode(message));
+        } catch (ProtocolException none) {
+            require(!HostMessage.isHostMessage(message) || event.is("host-handed") || !telling.contains(host),
+                    event.board() + "'s host says what is no host message", "one as in SPEC 3.1");
         }
     }
 
-    private static Optional<HostMessage> decode(Bytes said) {
-        try {
-            return Optional.of(HostMessage.decode(said));
-        } catch (ProtocolException none) {
-            return Optional.empty();
+    private void message(String host, TraceEvent event, HostMessage message) throws RefusedException {
+        String word = word(message);
+        String destination = event.text("destination");
+        String to = message.to().map(Address::toString).orElse(destination);
+        boolean isCast = isMove(message) ? !destination.startsWith("//") : destination.equals(Frame.ALL);
+        if (event.is("host-transmit") && !word.isEmpty()) {
+            say(host, to, message, isCast, event.board() + "'s host says '" + word + "' to " + to);
+        } else if (!word.isEmpty() && isCast && to.equals(host)) {
+            String machine = OTHERS.get(speaker(message));
+            machines(machine, host, event.text("origin"), message).forEach(each -> hear(each, message));
         }
     }
 
