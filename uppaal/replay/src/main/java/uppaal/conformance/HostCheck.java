@@ -72,7 +72,7 @@ final class HostCheck implements Check {
     }
 
     private final Map<String, Side> sides = new HashMap<>();
-    /** By board with a host: another's sketch sends what it likes. */
+    /** By board with a host, empty until it said hello: another's sketch sends what it likes. */
     private final Map<String, String> addresses = new HashMap<>();
     /** What hosts have taken, and whether they know that their boards remember it over resets, too. */
     private final Map<Identity, Boolean> taken = new BoundedMap<>();
@@ -142,6 +142,9 @@ final class HostCheck implements Check {
     @Override
     public void event(TraceEvent event) throws RefusedException {
         Side side = side(event.board());
+        if (event.name().startsWith("host-")) {
+            addresses.putIfAbsent(event.board(), "");
+        }
         switch (event.name()) {
             case "reset" -> sides.remove(event.board());
             case "host-id" -> addresses.put(event.board(), event.text("id"));

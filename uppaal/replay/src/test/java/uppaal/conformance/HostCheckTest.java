@@ -20,14 +20,14 @@ class HostCheckTest {
     @ParameterizedTest
     @ValueSource(strings = {
             "TAKEN; police DELIVERED number=0; police does host-outcome number=0 outcome=delivered; "
-                    + "police does host-nothing; "
-                    + "police does host-nothing",
+                    + "police does host-nothing; police does host-nothing",
             "TAKEN; police DELIVERED number=0; police does host-nothing; "
                     + "police does host-outcome number=0 outcome=delivered",
             "SENT; police UNDELIVERED number=0; police does host-outcome number=0 outcome=undelivered",
             "police asks //SU help; police SENT number=0",
             "police asks CAFE help; police DELIVERED number=0", // of another run
             "bus SENT number=0", // no host's
+            "bus asks //SU help; bus SENT number=0; bus does host-outcome number=0 outcome=sent", // without hello
             "HANDED; support hands 0 SUPP 010000 help; support does host-nothing",
             "TAKEN; support does host-taking number=0; support does host-nothing; support does host-nothing",
             "TAKEN; support queues 1; support queues 2; support hands 1 SUPP 010001 a; support hands 2 SUPP 010002 b; "
