@@ -84,7 +84,7 @@ class HostCheckTest {
             "HANDED; support does host-taking number=0; support TAKEN message=0; support does percepts; "
                     + "support does percepts "
                     + "| support replies with 'percepts' alone; expected that it confirms what its host has taken",
-            "support queues 0; support TAKEN message=0 | declares message 0 taken; expected one that its host was handed",
+            "support queues 0; support TAKEN message=0 | message 0 taken; expected one that its host was handed",
             "HANDED; support does host-taking number=0; support does host-taken number=0"
                     + " | confirms that message 0 is taken; e",
     })

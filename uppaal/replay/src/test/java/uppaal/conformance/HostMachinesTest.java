@@ -211,6 +211,8 @@ class HostMachinesTest {
             "after away hears D 1; away hears O 1; away says W 1 00012f000001 | expected less; of its parts these",
             "after away hears D 1; away hears O 1; away says W 1 0000 | expected less",
             "after home says G 1; home says G 1 00 | what is no host message",
+            "after home says O 1; home tells departure over 1; home says C 1 | 'cancelled'",
+            "drop home tells arrival coming 2; after home hears O 2; home is SUSS | home's host says 'want'",
             "after home says G 1; home tells departure offered 3; home says O 3 LARGE; home hears W 3 000000; "
                     + "home says D 3 FIRST; home says D 3 LATE | expected bytes that were asked for",
             // To whom it is said.
