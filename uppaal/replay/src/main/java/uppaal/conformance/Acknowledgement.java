@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import javino.protocol.Bytes;
 import javino.protocol.Payload;
 
 /** The bytes of an acknowledgement (SPEC 7.3). */
@@ -15,16 +16,13 @@ record Acknowledgement(Payload payload, String kind) {
     static final String STALE = "stale";
     /** By the length of the message. */
     private static final Map<Integer, String> KINDS = Map.of(8, DELIVERED, 9, FRAGMENTS, 16, STALE);
-    private static final int UNITS_A_SECOND = 10;
-    private static final int MOST_UNITS = 0xFFFF;
     private static final Map<String, Integer> TYPES = Map.of(DELIVERED, 6, FRAGMENTS, 7, STALE, 8);
-
-    static Optional<String> kind(Payload payload) {
-        return Optional.ofNullable(KINDS.get(payload.message().length()));
-    }
+    private static final double UNITS_A_SECOND = 10;
+    private static final int MOST_UNITS = 0xFFFF;
 
     static Optional<Acknowledgement> of(Payload payload) {
-        return kind(payload).map(kind -> new Acknowledgement(payload, kind));
+        return Optional.ofNullable(KINDS.get(payload.message().length()))
+                .map(kind -> new Acknowledgement(payload, kind));
     }
 
     boolean is(String wanted) {
@@ -33,7 +31,8 @@ record Acknowledgement(Payload payload, String kind) {
 
     /** Whether it may be about a frame. */
     boolean mayMean(Frame frame) {
-        return frame.mayBeMeant(payload, tellsFloor());
+        return !frame.nonce.isEmpty() && (frame.isUnicast() || is(STALE)) && frame.concerns(payload.origin())
+                && Integer.parseInt(frame.nonce.substring(9), 16) == payload.answered();
     }
 
     boolean isProved(Frame frame, List<SharedKey> keys) {
@@ -45,7 +44,7 @@ record Acknowledgement(Payload payload, String kind) {
     }
 
     private boolean isProof(Frame frame, List<SharedKey> keys, int parity) {
-        return keys.stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, frame.nonceBytes(),
+        return keys.stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, Bytes.ofHex(frame.nonce).toArray(),
                 frame.origin + payload.origin(), payload.message().toArray()));
     }
 
@@ -58,32 +57,38 @@ record Acknowledgement(Payload payload, String kind) {
         return payload.message().number(0, Payload.NONCE_LENGTH);
     }
 
-    boolean tellsFloor() {
-        return is(STALE);
-    }
-
-    /** In tenths of a second. */
-    int uptime() {
-        return (int) payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
-    }
-
     /** As {@link Frame#answers} has it. */
     String answer() {
         return is(FRAGMENTS) ? FRAGMENTS + fragments() : kind;
     }
 
+    /** Some fragments that have come, with the first, but not all: that would be delivered. */
+    void checkFragments(BoardFrames board, List<Frame> proved) throws RefusedException {
+        int told = fragments();
+        int possible = 0;
+        for (Frame frame : proved) {
+            int come = frame.reached.getOrDefault(board.name, 0);
+            boolean isPossible = (told & ~come) == 0 && told != frame.all()
+                    && ((told & 1) != 0 || come == frame.all());
+            if (frame.isCut() && isPossible) {
+                return;
+            }
+            possible |= come;
+        }
+        throw new RefusedException(String.format("%s answers that it has the fragments %02x of %s", board.name, told,
+                proved.get(proved.size() - 1)), String.format("%02x or fewer, with the first, and not all", possible));
+    }
+
     /** A floor is not below what is stale. How far above it may be, and which it is, tells the memory. */
-    void checkStale(BoardFrames board, double now, List<Frame> meant) throws RefusedException {
-        require(meant.stream().anyMatch(frame -> floor() >= frame.nonceNumber()), String.format(
-                "%s tells the floor %012x for %s", board.name, floor(), meant.get(meant.size() - 1)),
+    void checkStale(BoardFrames board, double now, List<Frame> proved) throws RefusedException {
+        require(proved.stream().anyMatch(frame -> floor() >= frame.nonceNumber()), String.format(
+                "%s tells the floor %012x for %s", board.name, floor(), proved.get(proved.size() - 1)),
                 "at least that nonce");
+        int uptime = (int) payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
         double most = UNITS_A_SECOND * (now - board.resetAt) / board.second + 1;
-        double since = board.runsSince < 0 ? 0
-                : UNITS_A_SECOND * (now - board.runsSince) / board.second - 1;
-        double least = Math.max(board.uptime, Math.min(since, MOST_UNITS));
-        require(uptime() <= most && uptime() >= least, String.format(Locale.ROOT,
-                "%s says that it has been up for %.1f s", board.name, uptime() / (double) UNITS_A_SECOND),
+        double least = Math.min(UNITS_A_SECOND * (now - board.runsSince) / board.second - 1, MOST_UNITS);
+        require(uptime <= most && uptime >= least, String.format(Locale.ROOT,
+                "%s says that it has been up for %.1f s", board.name, uptime / UNITS_A_SECOND),
                 String.format(Locale.ROOT, "%.1f to %.1f s", least / UNITS_A_SECOND, most / UNITS_A_SECOND));
-        board.uptime = uptime();
     }
 }

@@ -2,17 +2,14 @@ package uppaal.conformance;
 
 import static uppaal.conformance.RefusedException.require;
 
-import java.util.ArrayDeque;
-import java.util.Arrays;
-import java.util.Deque;
 import java.util.HashSet;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import trace.TraceEvent;
 
@@ -21,31 +18,24 @@ import trace.TraceEvent;
  * seal is opened if the run's keys are known. Others may send anything; it is only remembered.
  */
 final class ByteCheck implements Check {
-    private static final Set<String> BOOTS = Set.of("MEMORY", "EPOCH_STORED", "QUIET", "BUSY");
-    private static final int MOST_RECENT = 64;
     private static final int LOW_BYTE = 0xFF;
-
-    /** A packet at a board that it has reached. */
-    private record Heard(String board, Payload payload) {}
 
     private final Map<String, BoardFrames> boards = new LinkedHashMap<>();
     private final FrameDecryptor decryptor;
-    /** By origin and nonce, or by what they begin with. */
+    /** By what they begin with. */
     private final Map<String, Frame> frames = new BoundedMap<>();
     /** By origin and id, of what others have sent fragments: nothing proves those of a broadcast. */
     private final Set<String> touched = new HashSet<>();
-    private final Deque<Transmission> recent = new ArrayDeque<>();
-    private final Map<Heard, Boolean> fragments = new BoundedMap<>();
     /** Who has sent something with a trailer, and to whom; and whose partner has asked for parity. */
     private final Set<String> trailed = new HashSet<>();
     private final Set<String> askedForParity = new HashSet<>();
     private final Header header;
-    private final double tolerance;
+    private final Air air;
     private int proofs;
 
     ByteCheck(Header header) {
         this.header = header;
-        tolerance = PhysicalLimits.ARRIVAL_BITS * header.bit();
+        air = new Air(header);
         decryptor = new FrameDecryptor(header.keys().map(Keys::new), boards.values());
     }
 
@@ -55,16 +45,17 @@ final class ByteCheck implements Check {
     }
 
     private BoardFrames board(String name) {
-        return boards.computeIfAbsent(name, added -> new BoardFrames(added, header.second(added)));
+        return boards.computeIfAbsent(name, added -> new BoardFrames(added, header));
     }
 
     @Override
     public void point(Point point) throws RefusedException {
         BoardFrames board = board(point.board());
+        board.runsSince = board.runsSince < 0 ? point.seconds() : board.runsSince;
         board.declares = true;
-        board.runsSince = board.runsSince < 0 && BOOTS.contains(point.name()) ? point.seconds() : board.runsSince;
+        board.eeprom.point(point);
         switch (point.name()) {
-            case "EPOCH_STORED" -> board.storeEpoch(point.operand("low"));
+            case "EPOCH_STORED" -> board.storeEpoch();
             case "TAKE_UP", "RESEAL" -> board.seal(point);
             case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> board.owe(point);
             case "OWE_TWICE" -> board.oweTwice();
@@ -86,141 +77,112 @@ final class ByteCheck implements Check {
 
     @Override
     public void begins(Transmission packet) throws RefusedException {
+        air.begins(packet);
+        Fields.check(packet.event(), packet.payload());
         BoardFrames board = board(packet.board());
-        Payload payload = Fields.payload(packet.event());
-        recent.addLast(packet);
-        if (recent.size() > MOST_RECENT) {
-            recent.removeFirst();
+        Payload payload = packet.payload();
+        boolean isOfSketch = board.ids.isEmpty() && payload.kind() == Payload.Kind.BROADCAST;
+        boolean isSend = board.declared != null && board.declared.name().startsWith("SEND") && !isOfSketch;
+        if (isSend && board.isRelayed(board.declared)) {
+            require(payload.bytes().equals(board.message(board.declared).content),
+                    board.name + " sends " + payload.hex(), "the bytes that its host wants to be relayed");
+        } else if (isSend) {
+            send(board, packet);
+            return;
         }
-        Point declared = board.declared;
-        board.declared = null;
-        boolean isE32 = packet.event().textOrEmpty("radio").equals("e32");
-        board.fragmentLength = isE32 ? Payload.E32_PART_LENGTH : Payload.PART_LENGTH;
-        boolean isSend = declared != null && declared.name().startsWith("SEND");
-        boolean isRelayed = isSend && board.isRelayed(declared);
-        require(!isRelayed || board.message(declared).isOf(payload), board.name + " sends " + payload.hex(),
-                "the bytes that its host wants to be relayed");
-        if (isSend && !isRelayed) {
-            send(board, packet, declared);
-        } else if (payload.isAcknowledgement()) {
-            answer(board, payload, packet.start(), declared);
+        if (payload.isAcknowledgement()) {
+            answer(board, packet);
         } else if (payload.isData()) {
-            remember(payload);
+            overhear(payload);
         }
     }
 
-    /** A board of ours sends a frame of its own, a fragment of one, or another device's for its host. */
-    private void send(BoardFrames board, Transmission packet, Point declared) throws RefusedException {
+    /** A board of ours sends a frame of its own, or a fragment of one. */
+    private void send(BoardFrames board, Transmission packet) throws RefusedException {
         Payload payload = packet.payload();
-        if (board.ids.isEmpty() && payload.kind() == Payload.Kind.BROADCAST) {
-            remember(payload); // a sketch without a host
-            return;
-        }
-        BoardFrames.Outgoing message = board.message(declared);
-        require(payload.isData() && 1 << payload.index() == Integer.lowestOneBit(declared.operand("pending")),
+        BoardFrames.Outgoing message = board.message(board.declared);
+        require(payload.isData()
+                && 1 << payload.index() == Integer.lowestOneBit(board.declared.operand("pending")),
                 board.name + " sends " + packet, "fragments of its attempt in their order");
         if (message.frame == null) {
-            first(board, message, payload);
+            require(payload.index() == 0,
+                    board.name + " sends fragment " + payload.index() + " of a message first", "fragment 0");
+            board.begin(message, payload);
+            if (message.destination == null) {
+                decryptor.open(message.frame);
+            } else {
+                decryptor.check(board.name, message);
+            }
+            frames.put(payload.identity(), message.frame);
         }
         Frame frame = message.frame;
-        boolean isCut = frame.fragmentId != Frame.NO_ID;
-        boolean isSame = payload.isFragment() == isCut && (isCut
-                ? payload.fragmentId() == frame.fragmentId
-                        && frame.hasFragment(payload.index(), payload.message().toArray())
-                : Arrays.equals(payload.bytes().toArray(), frame.first));
-        require(isSame, board.name + " sends other bytes as " + (payload.isFragment()
+        require(frame.isPart(payload), board.name + " sends other bytes as " + (payload.isFragment()
                 ? "fragment " + payload.index() + " of " : "") + frame,
-                "those of the whole that it has sealed" + (isCut ? " and cut" : ""));
-        require(!isCut || payload.asks() == (frame.isUnicast() && declared.is("SEND")), board.name + " sends fragment "
-                + payload.index() + " of " + frame + (payload.asks() ? " and asks" : " and does not ask")
-                + " for an answer", "that the last one of an attempt asks, if it is for one device");
+                "those of the whole that it has sealed" + (frame.isCut() ? " and cut" : ""));
+        require(!frame.isCut() || payload.asks() == (frame.isUnicast() && board.declared.is("SEND")),
+                board.name + " sends fragment " + payload.index() + " of " + frame
+                        + (payload.asks() ? " and asks" : " and does not ask") + " for an answer",
+                "that the last one of an attempt asks, if it is for one device");
         checkTrailer(board, frame, packet);
+        frame.sent |= 1 << payload.index();
     }
 
     private void checkTrailer(BoardFrames board, Frame frame, Transmission packet) throws RefusedException {
-        int index = packet.payload().index();
-        String expected = switch (packet.trailer()) {
-            case "" -> "";
-            case "parity" -> !decryptor.hasKeys() || askedForParity.contains(frame.pair()) ? ""
-                    : "that its partner asks for parity first";
-            default -> (frame.sent & 1 << index) != 0 ? "" : "one only behind a packet that is sent again";
-        };
-        require(expected.isEmpty(), board.name + " sends a trailer '" + packet.trailer() + "' behind " + frame,
-                expected);
         require(packet.told() == 0 || frame.sent == 0, board.name + " tells a distance again with " + frame, "none");
-        require(packet.trailer().isEmpty() || frame.isUnicast(), board.name + " sends a trailer behind " + frame,
-                "none behind a frame to many");
-        if (!packet.trailer().isEmpty()) {
-            trailed.add(frame.pair());
+        if (packet.trailer().isEmpty()) {
+            return;
         }
-        frame.sent |= 1 << index;
-    }
-
-    private void first(BoardFrames board, BoardFrames.Outgoing message, Payload payload) throws RefusedException {
-        require(payload.index() == 0, board.name + " sends fragment " + payload.index() + " of a message first",
-                "fragment 0");
-        Frame frame = new Frame(payload);
-        boolean isForeign = message.destination != null && !board.ids.contains(frame.origin);
-        String form = isForeign ? "the origin " + frame.origin : frame.wrongForm(payload, board.fragmentLength);
-        require(form.isEmpty(), board.name + " sends a " + payload.kind() + " with " + form,
-                "a frame as in SPEC 2 and 7.1");
-        message.frame = frame;
-        if (message.isSealed) {
-            require(frame.isSealed(), board.name + " sends a message to many that it has sealed",
-                    "an address for that");
-            Frame known = frames.get(frame.origin + frame.nonce);
-            require(known == null, board.name + " uses the nonce of an earlier message again: " + known, "the next");
-            board.checkNonce(message);
-        }
-        if (frame.fragmentId != Frame.NO_ID) {
-            board.checkId(message);
-        }
-        if (message.destination != null) {
-            decryptor.check(board.name, frame, message);
-        }
-        if (board.ids.contains(frame.origin)) {
-            frames.put(frame.isSealed() ? frame.origin + frame.nonce : payload.identity(), frame);
+        String what = board.name + " sends a trailer '" + packet.trailer() + "' behind " + frame;
+        require(frame.isUnicast(), what, "none behind a frame to many");
+        if (packet.trailer().equals("parity")) {
+            require(!decryptor.hasKeys() || askedForParity.contains(frame.pair()), what,
+                    "that its partner asks for parity first");
         } else {
-            remember(payload);
+            require((frame.sent & 1 << packet.payload().index()) != 0, what,
+                    "one only behind a packet that is sent again");
         }
+        trailed.add(frame.pair());
     }
 
     /** Somebody else begins to send a frame: one of ours again, or anything. */
-    private void remember(Payload payload) {
+    private void overhear(Payload payload) {
         if (payload.index() != 0) {
             touched.add(payload.origin() + payload.fragmentId());
             return;
         }
         Frame frame = new Frame(payload);
-        Frame ours = frames.get(frame.origin + frame.nonce);
-        boolean isNone = frame.length == 0 || frame.isSealed() && (frame.contentLength() < 0 || frame.nonce.isEmpty());
-        if (!isNone && (ours == null || !ours.isSame(frame))) {
-            boolean isOurs =
-                    boards.values().stream().anyMatch(board -> board.declares && board.ids.contains(frame.origin));
-            frame.isForged = frame.isSealed() && isOurs && (!decryptor.hasKeys() || frame.bytes == null);
+        if (frame.length != 0 && frame.contentLength() >= 0 && !frames.containsKey(payload.identity())) {
             decryptor.open(frame);
-            frames.put("strange " + payload.identity(), frame);
+            frame.isForged |= frame.isSealed() && frame.content == null
+                    && boards.values().stream().anyMatch(board -> board.declares && board.ids.contains(frame.origin));
+            frames.put(payload.identity(), frame);
         }
     }
 
     /** A board acknowledges, or somebody tries to. */
-    private void answer(BoardFrames board, Payload payload, double start, Point declared) throws RefusedException {
-        Optional<Acknowledgement> read = Acknowledgement.of(payload);
-        boolean isOwn = declared != null && declared.is("ANSWER");
-        require(!isOwn || read.isPresent(), board.name + " acknowledges with " + payload.message().length() + " bytes",
-                "8, 9 or 16");
+    private void answer(BoardFrames board, Transmission packet) throws RefusedException {
+        Optional<Acknowledgement> read = Acknowledgement.of(packet.payload());
+        boolean isOwn = board.declared != null && board.declared.is("ANSWER");
+        require(!isOwn || read.isPresent(),
+                board.name + " acknowledges with " + packet.payload().message().length() + " bytes", "8, 9 or 16");
         if (read.isEmpty()) {
             return;
         }
         Acknowledgement answer = read.get();
         List<Frame> meant = frames.values().stream().filter(answer::mayMean).toList();
-        List<Frame> proved = proved(answer, meant);
+        List<Frame> proved = meant.stream() // without keys all that may be
+                .filter(frame -> !decryptor.hasKeys() || answer.isProved(frame, decryptor.keysOf(frame))).toList();
         if (isOwn) {
-            check(board, answer, start, declared, meant, proved);
+            checkOwn(board, answer, meant, proved);
+            switch (answer.kind()) {
+                case Acknowledgement.FRAGMENTS -> answer.checkFragments(board, proved);
+                case Acknowledgement.STALE -> answer.checkStale(board, packet.start(), proved);
+                default -> {}
+            }
         }
         for (Frame frame : proved) {
             frame.answers.add(answer.answer());
-            if (decryptor.hasKeys() && answer.asksParity(frame, decryptor.keysOf(frame))) {
+            if (asksParity(answer, frame)) {
                 askedForParity.add(frame.pair());
             }
             boards.values().stream().filter(sender -> sender.ids.contains(frame.origin))
@@ -228,121 +190,85 @@ final class ByteCheck implements Check {
         }
     }
 
-    /** Without keys all that may be. */
-    private List<Frame> proved(Acknowledgement answer, List<Frame> meant) {
-        List<Frame> proved = !decryptor.hasKeys() ? meant
-                : meant.stream().filter(frame -> answer.isProved(frame, decryptor.keysOf(frame))).toList();
-        return proved.isEmpty() && decryptor.refresh() ? proved(answer, meant) : proved;
-    }
-
-    private void check(BoardFrames board, Acknowledgement answer, double start, Point declared, List<Frame> meant,
-            List<Frame> proved) throws RefusedException {
+    private void checkOwn(BoardFrames board, Acknowledgement answer, List<Frame> meant, List<Frame> proved)
+            throws RefusedException {
         Payload payload = answer.payload();
-        String bits = String.format("%03x", payload.answered());
         require(board.ids.contains(payload.origin()), board.name + " acknowledges as " + payload.origin(),
                 "" + board.ids);
-        require(!meant.isEmpty(), board.name + " acknowledges a nonce that ends in " + bits,
-                "that of a message to it");
-        int key = declared.operand("key");
-        int nonce = payload.answered() & LOW_BYTE;
-        require(board.pays(key, nonce, answer.kind()), board.name + " sends '" + answer.kind()
-                + "' about a nonce that ends in " + bits, board.owes(key, nonce));
+        require(!meant.isEmpty(), String.format("%s acknowledges a nonce that ends in %03x", board.name,
+                payload.answered()), "that of a message to it");
+        board.pay(answer.kind(), board.declared.operand("key"), payload.answered() & LOW_BYTE);
         require(!proved.isEmpty(), board.name + " acknowledges with a wrong proof",
                 "that of " + meant.get(meant.size() - 1));
         proofs += decryptor.hasKeys() ? 1 : 0;
-        boolean mayAsk = !decryptor.hasKeys() || proved.stream().anyMatch(frame -> trailed.contains(frame.pair())
-                || !answer.asksParity(frame, decryptor.keysOf(frame)));
-        require(mayAsk, board.name + " asks for parity of " + proved.get(0),
-                "that a packet with a trailer comes first");
-        switch (answer.kind()) {
-            case Acknowledgement.FRAGMENTS -> checkFragments(board, answer, proved);
-            case Acknowledgement.STALE -> answer.checkStale(board, start, proved);
-            default -> {}
-        }
+        require(proved.stream().anyMatch(frame -> trailed.contains(frame.pair()) || !asksParity(answer, frame)),
+                board.name + " asks for parity of " + proved.get(0), "that a packet with a trailer comes first");
     }
 
-    private void checkFragments(BoardFrames board, Acknowledgement answer, List<Frame> proved)
-            throws RefusedException {
-        int told = answer.fragments();
-        int possible = 0;
-        for (Frame frame : proved) {
-            int come = fragments.keySet().stream().filter(heard -> heard.board.equals(board.name)
-                    && heard.payload.origin().equals(frame.origin) && heard.payload.fragmentId() == frame.fragmentId)
-                    .mapToInt(heard -> 1 << heard.payload.index()).reduce(0, (one, other) -> one | other);
-            int all = (1 << frame.fragments()) - 1;
-            if (frame.fragmentId != Frame.NO_ID && (told & ~come) == 0 && told != all
-                    && ((told & 1) != 0 || come == all)) {
-                return;
-            }
-            possible |= come;
-        }
-        throw new RefusedException(String.format("%s answers that it has the fragments %02x of %s", board.name, told,
-                proved.get(proved.size() - 1)), String.format("%02x or fewer, with the first, and not all", possible));
+    private boolean asksParity(Acknowledgement answer, Frame frame) {
+        return answer.asksParity(frame, decryptor.keysOf(frame));
     }
 
     @Override
     public void event(TraceEvent event) throws RefusedException {
+        BoardFrames board = board(event.board());
+        board.eeprom.event(event);
         switch (event.name()) {
             case "reset" -> {
-                BoardFrames board = board(event.board());
                 board.reset(event.seconds());
-                fragments.keySet().removeIf(
-                        heard -> heard.board.equals(board.name) || board.ids.contains(heard.payload.origin()));
+                frames.values().forEach(frame -> frame.reached.remove(board.name));
             }
             case "host-id" -> {
-                BoardFrames board = board(event.board());
                 board.ids.add(event.text("id"));
                 if (event.has("epoch") && board.declares) {
-                    board.tellEpoch(HexFormat.fromHexDigits(event.text("epoch")));
+                    require(HexFormat.fromHexDigits(event.text("epoch")) == board.eeprom.epoch(),
+                            board.name + " says that it has epoch " + event.text("epoch"),
+                            String.format("%06x, as stored", board.eeprom.epoch()));
                 }
             }
-            case "host-transmit", "host-relay" -> accept(event);
+            case "host-transmit", "host-relay" -> accept(board, event);
             case "rf-rx", "rf-damaged" -> reach(event);
             case "host-handed" -> hand(event);
             default -> {}
         }
     }
 
-    private void accept(TraceEvent event) throws RefusedException {
-        BoardFrames board = board(event.board());
+    private void accept(BoardFrames board, TraceEvent event) {
         BoardFrames.Outgoing message = board.accept(event.number("number"));
         message.isRelayed = event.is("host-relay");
         message.destination = message.isRelayed ? Frame.ALL : event.text("destination");
-        message.content = message.isRelayed ? event.bytes("payload") : content(event);
-        if (message.frame != null) {
-            decryptor.check(board.name, message.frame, message);
-        }
+        message.content = message.isRelayed ? Bytes.copyOf(event.bytes("payload")) : content(event);
     }
 
     /** What the event says was said; null where it does not say that, and without keys it need not. */
-    private byte[] content(TraceEvent event) {
+    private Bytes content(TraceEvent event) {
         Optional<byte[]> said = event.said();
         if (said.isEmpty() && decryptor.hasKeys()) {
             throw event.wrong("an event '" + event.name() + "' without 'content'");
         }
-        return said.orElse(null);
+        return said.map(Bytes::copyOf).orElse(null);
     }
 
     /** A packet has come to a board, perhaps damaged. */
     private void reach(TraceEvent event) throws RefusedException {
         if (event.has("payload")) {
-            Fields.payload(event);
+            Fields.check(event, Payload.of(Bytes.copyOf(event.bytes("payload"))));
         }
-        recent.stream().filter(packet -> packet.board().equals(event.textOrEmpty("from"))
-                && packet.payload().isFragment() && Math.abs(packet.start() - event.real("start")) < tolerance)
-                .forEach(packet -> fragments.put(new Heard(event.board(), packet.payload()), true));
+        air.sent(event).map(Transmission::payload).filter(Payload::isFragment).ifPresent(fragment -> frames.values()
+                .stream().filter(frame -> frame.isOfId(fragment))
+                .forEach(frame -> frame.reached.merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
     }
 
     /** A board hands its host a message: what was said, and to whom. */
     private void hand(TraceEvent event) throws RefusedException {
-        byte[] content = content(event);
+        Bytes content = content(event);
         List<Frame> meant = frames.values().stream().filter(frame -> frame.origin.equals(event.text("origin"))
                 && frame.destination.equals(event.text("destination"))
                 && frame.id().equals(event.text("id")) && !frame.isForged)
                 .toList();
         require(content == null || meant.stream().anyMatch(frame -> frame.content == null
-                || frame.isBroadcast() && touched.contains(frame.origin + frame.fragmentId)
-                || Arrays.equals(frame.content, content)),
+                || !frame.isSealed() && touched.contains(frame.origin + frame.fragmentId)
+                || frame.content.equals(content)),
                 event.board() + " hands its host " + Fields.shown(content) + " from " + event.text("origin"),
                 meant.isEmpty() ? "nothing that any key opens" : Fields.shown(meant.get(meant.size() - 1).content));
     }

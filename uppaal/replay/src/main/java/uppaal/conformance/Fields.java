@@ -1,5 +1,7 @@
 package uppaal.conformance;
 
+import static uppaal.conformance.RefusedException.require;
+
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -14,35 +16,34 @@ final class Fields {
     private Fields() {
     }
 
-    /** The packet of an event. */
-    static Payload payload(TraceEvent event) throws RefusedException {
-        Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
+    static void check(TraceEvent event, Payload payload) throws RefusedException {
         event.text("kind");
-        Map<String, String> said = new LinkedHashMap<>();
-        said.put("kind", payload.kind().toString());
+        for (Map.Entry<String, String> field : fields(payload).entrySet()) {
+            String told = event.textOrEmpty(field.getKey());
+            require(!event.has(field.getKey()) || told.equals(field.getValue()),
+                    event.board() + "'s packet is told with the " + field.getKey() + " '" + shown(told) + "'",
+                    "'" + shown(field.getValue()) + "', as its bytes say" + (field.getValue().equals("no frame")
+                            ? ": the size in their header is not theirs" : ""));
+        }
+    }
+
+    private static Map<String, String> fields(Payload payload) {
+        Map<String, String> fields = new LinkedHashMap<>();
+        fields.put("kind", payload.kind().toString());
         if (payload.kind() != Payload.Kind.NO_FRAME) {
-            said.put("destination", payload.destination());
-            said.put("origin", payload.origin());
+            fields.put("destination", payload.destination());
+            fields.put("origin", payload.origin());
         }
         if (payload.isFragment()) {
-            said.put("id", "" + payload.fragmentId());
-            said.put("index", "" + payload.index());
-            said.put("asks", "" + payload.asks());
+            fields.put("id", "" + payload.fragmentId());
+            fields.put("index", "" + payload.index());
+            fields.put("asks", "" + payload.asks());
         } else if (payload.isAcknowledgement()) {
-            said.put("answers", Acknowledgement.kind(payload).orElse("unknown"));
-        } else if (event.has("content")) {
-            said.put("content", new String(payload.message().toArray(), StandardCharsets.UTF_8));
+            fields.put("answers", Acknowledgement.of(payload).map(Acknowledgement::kind).orElse("unknown"));
+        } else {
+            fields.put("content", new String(payload.message().toArray(), StandardCharsets.UTF_8));
         }
-        for (Map.Entry<String, String> field : said.entrySet()) {
-            String told = event.textOrEmpty(field.getKey());
-            if (event.has(field.getKey()) && !told.equals(field.getValue())) {
-                throw new RefusedException(
-                        event.board() + "'s packet is told with the " + field.getKey() + " '" + shown(told) + "'",
-                        "'" + shown(field.getValue()) + "', as its bytes say" + (field.getValue().equals("no frame")
-                                ? ": the size in their header is not theirs" : ""));
-            }
-        }
-        return payload;
+        return fields;
     }
 
     /** Text of somebody else's in one short line. */
@@ -52,6 +53,10 @@ final class Fields {
     }
 
     static String shown(byte[] content) {
-        return content == null ? "what nobody knows" : "'" + shown(new String(content, StandardCharsets.UTF_8)) + "'";
+        return "'" + shown(new String(content, StandardCharsets.UTF_8)) + "'";
+    }
+
+    static String shown(Bytes content) {
+        return content == null ? "what nobody knows" : shown(content.toArray());
     }
 }

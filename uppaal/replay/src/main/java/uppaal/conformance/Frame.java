@@ -1,11 +1,10 @@
 package uppaal.conformance;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.Set;
+import javino.protocol.Bytes;
 import javino.protocol.Payload;
 
 /** A frame of which the first packet was on the air: what is known of its bytes. */
@@ -13,8 +12,6 @@ final class Frame {
     static final int HEADER = javino.protocol.Frame.HEADER_LENGTH;
     /** Where a sealed content begins. */
     static final int CONTENT_AT = HEADER + Payload.NONCE_LENGTH;
-    static final int COUNTER_BITS = 24;
-    static final int NO_ID = -1;
     static final String ALL = "////";
 
     final String origin;
@@ -22,14 +19,10 @@ final class Frame {
     /** In hexadecimal digits; of a broadcast empty. */
     final String nonce;
     final int length;
-    /** What its first packet has of it: all, or the first fragment. */
-    final byte[] first;
-    /** The id of its fragments, or {@link #NO_ID}. */
+    /** The id of its fragments; negative if it is in one packet. */
     final int fragmentId;
-    /** All of it; null where that is not known. */
-    byte[] bytes;
     /** What it says; null where that is not known. */
-    byte[] content;
+    Bytes content;
     /** What it is sealed with; null where that is not known. */
     SharedKey key;
     /** Whether no key opens it: nobody may hand it to a host. */
@@ -38,32 +31,39 @@ final class Frame {
     final Set<String> answers = new HashSet<>();
     /** Bit k for fragment k: what was on the air. */
     int sent;
-    private final Map<Integer, byte[]> later = new HashMap<>();
+    /** The same by board: what has reached it, perhaps damaged. */
+    final Map<String, Integer> reached = new HashMap<>();
+    /** What its packets have of it; null where that is not known. */
+    private final Bytes[] parts;
 
     /** @param packet its first one */
     Frame(Payload packet) {
         Payload whole = packet.whole();
-        var part = packet.isFragment() ? packet.message() : packet.bytes();
-        first = part.toArray();
+        Bytes first = part(packet);
         origin = whole.origin();
         destination = whole.destination();
-        length = Payload.lengthIn(part);
-        nonce = isSealed() && first.length >= CONTENT_AT ? HexFormat.of().formatHex(nonceBytes()) : "";
-        fragmentId = packet.isFragment() ? packet.fragmentId() : NO_ID;
-        bytes = packet.isFragment() ? null : first;
-        content = packet.isFragment() || isSealed() ? null : Arrays.copyOfRange(first, HEADER, first.length);
+        length = Payload.lengthIn(first);
+        nonce = isSealed() && first.length() >= CONTENT_AT ? first.slice(HEADER, CONTENT_AT).hex() : "";
+        fragmentId = packet.isFragment() ? packet.fragmentId() : -1;
+        parts = new Bytes[Math.max(1, (int) Math.ceil((double) length / first.length()))];
+        parts[0] = first;
+        content = isCut() || isSealed() ? null : first.from(HEADER);
     }
 
-    boolean isBroadcast() {
-        return destination.equals(ALL);
+    private static Bytes part(Payload packet) {
+        return packet.isFragment() ? packet.message() : packet.bytes();
     }
 
     boolean isSealed() {
-        return !isBroadcast();
+        return !destination.equals(ALL);
     }
 
     boolean isUnicast() {
         return !destination.startsWith("//");
+    }
+
+    boolean isCut() {
+        return fragmentId >= 0;
     }
 
     /** Who may ask for parity of whom. */
@@ -71,12 +71,9 @@ final class Frame {
         return origin + destination;
     }
 
+    /** Negative where there is no room for nonce and tag. */
     int contentLength() {
         return length - (isSealed() ? CONTENT_AT + Payload.TAG_LENGTH : HEADER);
-    }
-
-    byte[] nonceBytes() {
-        return Arrays.copyOfRange(first, HEADER, CONTENT_AT);
     }
 
     long nonceNumber() {
@@ -88,51 +85,60 @@ final class Frame {
         return nonce.isEmpty() ? "000000" : nonce.substring(4, 6) + nonce.substring(8);
     }
 
+    /** What its first packet has: all, or the first fragment. */
+    Bytes first() {
+        return parts[0];
+    }
+
+    /** Bit k for each fragment k. */
+    int all() {
+        return (1 << parts.length) - 1;
+    }
+
+    /** Whether a device with this address is meant. */
+    boolean concerns(String id) {
+        return !isSealed() || destination.equals(id) || !isUnicast() && id.startsWith(destination.substring(2));
+    }
+
+    boolean isOfId(Payload fragment) {
+        return origin.equals(fragment.origin()) && fragmentId == fragment.fragmentId();
+    }
+
+    /** Whether these are all its bytes, as far as its first packet shows. */
+    boolean isWhole(Bytes bytes) {
+        Bytes[] cut = bytes.split(first().length()).toArray(Bytes[]::new);
+        if (!cut[0].equals(first())) {
+            return false;
+        }
+        System.arraycopy(cut, 0, parts, 0, parts.length);
+        return true;
+    }
+
+    /** Whether a packet has what it must have of this: what is known, or as many bytes, and the same each time. */
+    boolean isPart(Payload packet) {
+        int index = packet.index();
+        if (packet.isFragment() != isCut() || isCut() && packet.fragmentId() != fragmentId || index >= parts.length) {
+            return false;
+        }
+        Bytes part = part(packet);
+        boolean isNew = part.length() == Math.min(first().length(), length - index * first().length());
+        parts[index] = parts[index] == null && isNew ? part : parts[index];
+        return part.equals(parts[index]);
+    }
+
     /** What is wrong with its first packet; nothing where that may be. */
     String wrongForm(Payload packet, int fragmentLength) {
         if (length == 0 || !origin.equals(packet.origin())) {
             return "no header of a frame of its own";
         }
-        if (isSealed() && contentLength() < 0) {
+        if (contentLength() < 0) {
             return "no room for nonce and tag";
         }
-        if (packet.isFragment() && length <= fragmentLength + HEADER) {
+        if (isCut() && length <= fragmentLength + HEADER) {
             return "a frame that fits one packet";
         }
-        return packet.isFragment() && first.length != fragmentLength
-                ? first.length + " bytes in place of " + fragmentLength : "";
-    }
-
-    int fragments() {
-        return (length + first.length - 1) / first.length;
-    }
-
-    /** Whether an acknowledgement may be meant for it. */
-    boolean mayBeMeant(Payload answer, boolean isStale) {
-        return !nonce.isEmpty() && (isUnicast() || isStale)
-                && Integer.parseInt(nonce.substring(9), 16) == answer.answered()
-                && concerns(answer.origin());
-    }
-
-    /** Whether a device with this address is meant. */
-    boolean concerns(String id) {
-        return isBroadcast() || destination.equals(id) || !isUnicast() && id.startsWith(destination.substring(2));
-    }
-
-    boolean isSame(Frame other) {
-        return other.fragmentId == fragmentId && Arrays.equals(other.first, first);
-    }
-
-    /** Whether these are the bytes of a fragment: those of the frame, or as many, and the same each time. */
-    boolean hasFragment(int index, byte[] fragment) {
-        int from = index * first.length;
-        int to = Math.min(length, from + first.length);
-        if (index >= fragments() || fragment.length != to - from) {
-            return false;
-        }
-        byte[] whole = bytes != null ? Arrays.copyOfRange(bytes, from, to)
-                : index == 0 ? first : later.computeIfAbsent(index, k -> fragment);
-        return Arrays.equals(whole, fragment);
+        return isCut() && first().length() != fragmentLength
+                ? first().length() + " bytes in place of " + fragmentLength : "";
     }
 
     @Override

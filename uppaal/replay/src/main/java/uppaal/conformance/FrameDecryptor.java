@@ -2,13 +2,12 @@ package uppaal.conformance;
 
 import static uppaal.conformance.RefusedException.require;
 
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
-import javino.protocol.Payload;
+import java.util.stream.IntStream;
+import javino.protocol.Bytes;
 
 /** Compares frames with what hosts wanted to be sent, with the run's keys or without. */
 final class FrameDecryptor {
@@ -31,11 +30,6 @@ final class FrameDecryptor {
         return opened;
     }
 
-    /** Whether there are other keys now. */
-    boolean refresh() {
-        return keys.isPresent() && keys.get().refresh();
-    }
-
     /** Those that may have sealed a frame. */
     List<SharedKey> keysOf(Frame frame) {
         return frame.key != null ? List.of(frame.key) : keys.isEmpty() || !frame.isSealed() ? List.of()
@@ -49,77 +43,62 @@ final class FrameDecryptor {
     }
 
     /** A frame must be what is made of its message, as far as its first packet shows. Finds out all about it. */
-    void check(String board, Frame frame, BoardFrames.Outgoing message) throws RefusedException {
-        byte[] content = message.content;
+    void check(String board, BoardFrames.Outgoing message) throws RefusedException {
+        Frame frame = message.frame;
+        Bytes content = message.content;
         String what = board + " sends a message to " + frame.destination
                 + (frame.nonce.isEmpty() ? "" : " under nonce " + frame.nonce);
-        require(message.destination.equals(frame.destination), what, "" + message.destination);
+        require(message.destination.equals(frame.destination), what, message.destination);
         if (content == null) {
             return;
         }
-        require(content.length == frame.contentLength(),
-                what + " with a content of " + frame.contentLength() + " bytes", "" + content.length);
-        if (!frame.isSealed()) {
-            frame.bytes = SharedKey.join(SharedKey.header(frame.destination, frame.origin, content.length), content);
-            require(begins(frame.bytes, frame), what + " that says " + Fields.shown(frame.content),
-                    Fields.shown(content));
-        } else {
-            require(content.length == 0 || !isInTheClear(frame, content),
+        require(content.length() == frame.contentLength(),
+                what + " with a content of " + frame.contentLength() + " bytes", "" + content.length());
+        if (frame.isSealed()) {
+            require(content.length() == 0 || !isInTheClear(frame.first(), content),
                     what + " in the clear: " + Fields.shown(content), "it sealed");
-            if (keys.isPresent() && !isOpened(frame, content) && !(refresh() && isOpened(frame, content))) {
-                throw new RefusedException(what + why(frame, content), Fields.shown(content));
-            }
+            require(!hasKeys() || isOpened(frame, content), what + why(frame), Fields.shown(content));
+        } else {
+            byte[] header = SharedKey.header(frame.destination, frame.origin, content.length());
+            require(frame.isWhole(Bytes.join(Bytes.copyOf(header), content)),
+                    what + " that says " + Fields.shown(frame.content), Fields.shown(content));
         }
         frame.content = content;
     }
 
-    private static boolean begins(byte[] whole, Frame frame) {
-        return Arrays.equals(Arrays.copyOf(whole, frame.first.length), frame.first);
-    }
-
-    private static boolean isInTheClear(Frame frame, byte[] content) {
-        return Stream.of(Frame.HEADER, Frame.CONTENT_AT).anyMatch(from -> {
-            int length = Math.min(content.length, frame.first.length - from);
-            return length > 0 && Arrays.equals(frame.first, from, from + length, content, 0, length);
+    private static boolean isInTheClear(Bytes first, Bytes content) {
+        return IntStream.of(Frame.HEADER, Frame.CONTENT_AT).filter(from -> from < first.length()).anyMatch(from -> {
+            int length = Math.min(content.length(), first.length() - from);
+            return first.slice(from, from + length).equals(content.slice(0, length));
         });
     }
 
-    private boolean isOpened(Frame frame, byte[] content) {
-        for (SharedKey key : keysOf(frame)) {
-            byte[] whole = key.seal(frame, content);
-            if (begins(whole, frame)) {
-                frame.bytes = whole;
-                frame.key = key;
-                opened++;
-                return true;
-            }
-        }
-        return false;
+    private boolean isOpened(Frame frame, Bytes content) {
+        frame.key = keysOf(frame).stream().filter(key -> frame.isWhole(key.seal(frame, content))).findFirst()
+                .orElse(null);
+        opened += frame.key == null ? 0 : 1;
+        return frame.key != null;
     }
 
-    private String why(Frame frame, byte[] content) {
-        List<SharedKey> shared = keysOf(frame);
-        for (SharedKey key : shared) {
-            Optional<byte[]> said = frame.bytes == null ? Optional.empty() : key.open(frame.bytes);
-            if (said.isPresent()) {
-                return " that says " + Fields.shown(said.get());
-            }
-            int end = Math.min(frame.length - Payload.TAG_LENGTH, frame.first.length);
-            if (Arrays.equals(key.seal(frame, content), 0, end, frame.first, 0, end)) {
-                return " with a wrong tag";
-            }
-        }
-        return shared.isEmpty() ? ", and no key was given for " + frame.origin + " and " + frame.destination
-                : " that opens under none of the " + shared.size() + " keys for it";
+    private String why(Frame frame) {
+        int shared = keysOf(frame).size();
+        return said(frame).map(said -> " that says " + Fields.shown(said)).orElse(shared == 0
+                ? ", and no key was given for " + frame.origin + " and " + frame.destination
+                : " that opens under none of the " + shared + " keys for it");
     }
 
-    /** Opens what somebody has sent that is none of our boards. */
+    /** What a frame in one packet says, if a key opens it. */
+    private Optional<Bytes> said(Frame frame) {
+        return frame.isCut() ? Optional.empty()
+                : keysOf(frame).stream().flatMap(key -> key.open(frame.first().toArray()).stream()).findFirst()
+                        .map(Bytes::copyOf);
+    }
+
+    /** Opens what somebody has sent whose host did not tell what. */
     void open(Frame frame) {
-        if (keys.isPresent() && frame.isSealed() && frame.bytes != null) {
-            refresh();
-            frame.content = keysOf(frame).stream().flatMap(key -> key.open(frame.bytes).stream()).findFirst()
-                    .orElse(null);
-            frame.isForged = frame.content == null;
+        if (frame.isSealed()) {
+            frame.content = said(frame).orElse(null);
+            frame.isForged = hasKeys() && !frame.isCut() && frame.content == null;
         }
     }
 }

@@ -64,6 +64,11 @@ record Header(List<String> boards, Map<String, Double> seconds, JsonObject radio
         return 1 / radio("bitRate", BIT_RATE);
     }
 
+    /** Whether all boards have an E32, which takes shorter packets (SPEC 6.2). */
+    boolean isOfE32() {
+        return new JsonPrimitive("e32").equals(radio.get("module"));
+    }
+
     /** How long a slot is (SPEC 7.4), in seconds; 0 with serial modules, whose times the trace does not tell. */
     double slot() {
         return hasRadio("module") ? 0 : Math.ceil(SLOT_BITS * MILLIS * bit()) / MILLIS;

@@ -7,10 +7,9 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HexFormat;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -24,46 +23,44 @@ final class Keys {
     private static final String HEX = "(\\p{XDigit}{32})";
     private static final Pattern LINE = Pattern.compile(
             "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*" + HEX + "(?:\\s*,\\s*next\\s+" + HEX + ")?\\s*(?:#.*)?");
-    private static final int KEY = 3;
-    private static final int NEXT = 4;
 
     private final Path file;
-    private final Map<String, SharedKey> derived = new HashMap<>();
-    private final Map<String, Set<SharedKey>> shared = new HashMap<>();
     private String read = "";
+    /** By who shares them, and their digits. */
+    private final Map<String, Map<String, SharedKey>> shared = new HashMap<>();
 
     Keys(Path file) {
         this.file = file;
     }
 
-    /** Those that were given for frames between devices that each had one of these addresses, or to a group. */
-    List<SharedKey> of(Collection<String> origins, Collection<String> destinations) {
-        return destinations.stream().flatMap(to -> origins.stream().map(from -> name(from, to)))
-                .flatMap(name -> shared.getOrDefault(name, Set.of()).stream()).distinct().toList();
-    }
-
     /**
-     * Reads the file if it has changed.
+     * Those that were given until now for frames between devices that each had one of these addresses, or to a group.
      *
-     * @return whether there are other keys now
      * @throws UncheckedIOException where the file cannot be read
      */
-    boolean refresh() {
-        String before = read;
+    List<SharedKey> of(Collection<String> origins, Collection<String> destinations) {
+        refresh();
+        return destinations.stream().flatMap(to -> origins.stream().map(from -> name(from, to))).distinct()
+                .flatMap(name -> shared.getOrDefault(name, Map.of()).values().stream()).toList();
+    }
+
+    private void refresh() {
         try {
-            read = Files.exists(file) ? Files.readString(file) : "";
+            String now = Files.exists(file) ? Files.readString(file) : "";
+            if (!now.equals(read)) {
+                now.lines().map(LINE::matcher).filter(Matcher::matches).forEach(this::add);
+                read = now;
+            }
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }
-        read.lines().map(LINE::matcher).filter(line -> !read.equals(before) && line.matches()).forEach(this::add);
-        return !read.equals(before);
     }
 
     private void add(Matcher line) {
-        String second = line.group(2) == null ? line.group(1) : line.group(2);
-        Stream.of(KEY, NEXT).map(line::group).filter(hex -> hex != null)
-                .forEach(hex -> shared.computeIfAbsent(name(line.group(1), second), name -> new LinkedHashSet<>())
-                        .add(derived.computeIfAbsent(hex, key -> new SharedKey(HexFormat.of().parseHex(key)))));
+        String name = name(line.group(1), line.group(2) == null ? line.group(1) : line.group(2));
+        Map<String, SharedKey> known = shared.computeIfAbsent(name, added -> new LinkedHashMap<>());
+        Stream.of(line.group(3), line.group(4)).filter(hex -> hex != null)
+                .forEach(hex -> known.computeIfAbsent(hex, key -> new SharedKey(HexFormat.of().parseHex(key))));
     }
 
     private static String name(String one, String other) {

@@ -8,6 +8,7 @@ import javax.crypto.Cipher;
 import javax.crypto.spec.IvParameterSpec;
 import javax.crypto.spec.SecretKeySpec;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import javino.vectors.Crypto;
 
@@ -31,8 +32,9 @@ final class SharedKey {
     }
 
     /** What a frame is with this content, as it crosses the air. */
-    byte[] seal(Frame frame, byte[] content) {
-        return seal(frame.destination, frame.origin, frame.nonceBytes(), content);
+    Bytes seal(Frame frame, Bytes content) {
+        return Bytes.copyOf(seal(frame.destination, frame.origin, Bytes.ofHex(frame.nonce).toArray(),
+                content.toArray()));
     }
 
     byte[] seal(String destination, String origin, byte[] nonce, byte[] content) {
@@ -87,13 +89,7 @@ final class SharedKey {
     }
 
     static byte[] join(byte[]... parts) {
-        byte[] joined = new byte[Arrays.stream(parts).mapToInt(part -> part.length).sum()];
-        int at = 0;
-        for (byte[] part : parts) {
-            System.arraycopy(part, 0, joined, at, part.length);
-            at += part.length;
-        }
-        return joined;
+        return Bytes.join(Arrays.stream(parts).map(Bytes::copyOf).toArray(Bytes[]::new)).toArray();
     }
 
     private static byte[] ascii(String text) {

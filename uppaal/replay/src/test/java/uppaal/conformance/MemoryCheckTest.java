@@ -10,7 +10,7 @@ class MemoryCheckTest {
     private static final String KEY =
             "support does eeprom at=500 length=43 hex=4943ce0001aabbcc; support KEY_STORED key=0; ";
     private static final String AGAIN =
-            "support does reset why=watchdog; support stores 300 000002; support stores 320 000002; "
+            "support does reset why=watchdog; support stores 400 000002; support stores 420 000002; "
                     + "support EPOCH_STORED low=2; ";
 
     /** F is a floor of SUPO under key 0, of epoch 1 and counter 31; G one of counter 32, L of 30; O another's. */
@@ -32,9 +32,8 @@ class MemoryCheckTest {
             "KEY; support does host-key step=set asked=3 address=SUPO check=aabbcc",
             "support does host-key step=set asked=3 address=SUPO check=aabbcc",
             "STORE; AGAIN; support MEMORY kept=1; support queues 1; support hands 0 SUPP 010001 help",
-            "support does reset why=watchdog; support stores 300 000002; support stores 320 000002; "
-                    + "support EPOCH_STORED low=2; "
-                    + "support MEMORY kept=1; support stores 313 F; support QUIET; support queues 0; "
+            "support stores 300 F; support does reset why=watchdog; support stores 400 000002; "
+                    + "support stores 420 000002; support EPOCH_STORED low=2; support MEMORY kept=1; support stores 313 F; support QUIET; support queues 0; "
                     + "support hands 0 SUPP 010000 a",
             "support does fault torn=313; support boots 000002; support stores 300 F; "
                     + "support answers STALE a:0:00000100001f0000",
@@ -72,7 +71,7 @@ class MemoryCheckTest {
             "STORE; support queues 0; support hands 0 SUPP 020000 help | that a floor",
             "STORE; support queues 1; support hands 0 SUPP 010000 help | that a floor",
             "support queues 0; STORE; support hands 0 SUPP 010000 help | that a floor",
-            "STORE; AGAIN; support MEMORY kept=0; support queues 1; support hands 0 SUPP 010001 help"
+            "STORE; AGAIN; support MEMORY kept=0; support QUIET; support queues 1; support hands 0 SUPP 010001 help"
                     + " | after memory was lost",
             "STORE; support KEY_DELETED key=0; support queues 0; support hands 0 SUPP 010000 help | that a floor",
             "STORE; support answers STALE a:0:00000100001e0000 | support tells the floor 00000100001e; "
