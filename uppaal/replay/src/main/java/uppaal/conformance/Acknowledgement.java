@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import javino.protocol.Bytes;
 import javino.protocol.Payload;
 
 /** The bytes of an acknowledgement (SPEC 7.3). */
@@ -44,8 +43,8 @@ record Acknowledgement(Payload payload, String kind) {
     }
 
     private boolean isProof(Frame frame, List<SharedKey> keys, int parity) {
-        return keys.stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, Bytes.ofHex(frame.nonce).toArray(),
-                frame.origin + payload.origin(), payload.message().toArray()));
+        return keys.stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, frame.nonce,
+                frame.origin + payload.origin(), payload.message()));
     }
 
     /** Bit k for fragment k. */

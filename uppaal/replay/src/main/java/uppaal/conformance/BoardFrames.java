@@ -2,10 +2,8 @@ package uppaal.conformance;
 
 import static uppaal.conformance.RefusedException.require;
 
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
-import java.util.List;
+import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -22,24 +20,28 @@ final class BoardFrames {
 
     /** What its host wants to be sent. */
     static final class Outgoing {
-        /** Null until its host was told the number. */
-        String destination;
+        /** Null where its host was not told the number. */
+        final String destination;
         /** Null where that is not known. */
-        Bytes content;
+        final Bytes content;
         /** Whether the content is another device's frame, to be sent as it is. */
-        boolean isRelayed;
+        final boolean isRelayed;
         boolean isTakenUp;
-        boolean isSealed;
-        /** How much was sealed, and how much was cut before it. */
+        /** How much was sealed before it, itself too; 0 if it is not sealed. */
         private int sealed;
+        /** How much was cut before it. */
         private int cut;
         /** As its first packet shows it; null until that. */
         Frame frame;
 
-        private boolean isLongerThan(int length) {
-            int around = isRelayed ? 0
-                    : destination.equals(Frame.ALL) ? Frame.HEADER : Frame.CONTENT_AT + Payload.TAG_LENGTH;
-            return content.length() + around > length;
+        Outgoing(String destination, Bytes content, boolean isRelayed) {
+            this.destination = destination;
+            this.content = content;
+            this.isRelayed = isRelayed;
+        }
+
+        private int length() {
+            return content.length() + (isRelayed ? 0 : Frame.around(destination));
         }
     }
 
@@ -54,8 +56,9 @@ final class BoardFrames {
     final String name;
     /** Of its clock, in seconds. */
     final double second;
-    final Set<String> ids = new LinkedHashSet<>();
+    final Set<String> ids = new HashSet<>();
     final Eeprom eeprom = new Eeprom();
+    final Map<Integer, Outgoing> outgoing = new HashMap<>();
     /** What its radio has taken last; null before that. */
     Point declared;
     boolean declares;
@@ -64,10 +67,9 @@ final class BoardFrames {
     double resetAt;
     /** Whether somebody has told a floor, since when nonces may jump. */
     boolean wasStale;
-    private final int fragmentLength;
-    private final List<Owed> owed = new ArrayList<>();
-    private final Map<Integer, Outgoing> outgoing = new HashMap<>();
-    /** By how much was sealed before, since the last reset; also those before the first of each epoch. */
+    private final int partLength;
+    private final Set<Owed> owed = new HashSet<>();
+    /** By how much was sealed, since the last reset; also those before the first of each epoch. */
     private final NavigableMap<Integer, Long> nonces = new TreeMap<>();
     private int sealed;
     private int cut;
@@ -77,7 +79,7 @@ final class BoardFrames {
     BoardFrames(String name, Header header) {
         this.name = name;
         second = header.second(name);
-        fragmentLength = header.isOfE32() ? Payload.E32_PART_LENGTH : Payload.PART_LENGTH;
+        partLength = header.isOfE32() ? Payload.E32_PART_LENGTH : Payload.PART_LENGTH;
     }
 
     void reset(double seconds) {
@@ -94,30 +96,15 @@ final class BoardFrames {
     void owe(Point point) {
         Owed added = new Owed(point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT),
                 point.operand("key"), point.operand("nonce"));
-        owed.removeIf(before -> before.key == added.key && before.nonce == added.nonce
-                && !added.kind.equals(Acknowledgement.STALE));
+        owed.removeIf(before -> before.key == added.key
+                && !(added.kind.equals(Acknowledgement.STALE) && before.kind.equals(Acknowledgement.STALE)));
         owed.add(added);
     }
 
-    /** The last one is to be sent twice. */
-    void oweTwice() {
-        owed.stream().reduce((before, last) -> last).ifPresent(owed::add);
-    }
-
-    /** It sends an acknowledgement. */
+    /** It sends an acknowledgement. How often it may, the model tells. */
     void pay(String kind, int key, int nonce) throws RefusedException {
         Owed paid = new Owed(kind, key, nonce);
-        require(owed.remove(paid), name + " sends " + paid, owed.isEmpty() ? "none, as it owes none" : "one of " + owed);
-    }
-
-    /** The message of a number that its host is told now. */
-    Outgoing accept(int number) {
-        return outgoing.compute(number,
-                (key, known) -> known == null || known.destination != null ? new Outgoing() : known);
-    }
-
-    boolean isRelayed(Point point) {
-        return outgoing.containsKey(point.number()) && outgoing.get(point.number()).isRelayed;
+        require(owed.contains(paid), name + " sends " + paid, "one of " + owed);
     }
 
     /** The message of a point, which must have been taken up. */
@@ -130,40 +117,47 @@ final class BoardFrames {
 
     /** Nonces begin anew with each epoch. */
     void storeEpoch() {
-        nonces.put(sealed++, (eeprom.epoch() << COUNTER_BITS) - 1);
+        nonces.put(++sealed, (eeprom.epoch() << COUNTER_BITS) - 1);
     }
 
     /** A message is taken up, or sealed anew. */
     void seal(Point point) throws RefusedException {
-        Outgoing before = outgoing.getOrDefault(point.number(), new Outgoing());
-        Outgoing message = before.isTakenUp ? new Outgoing() : before;
-        if (point.is("RESEAL")) {
-            message.destination = before.destination;
-            message.content = before.content;
-        }
+        Outgoing told = outgoing.get(point.number());
+        boolean isTold = told != null && told.isTakenUp == point.is("RESEAL");
+        Outgoing message = isTold ? new Outgoing(told.destination, told.content, told.isRelayed)
+                : new Outgoing(null, null, false);
+        outgoing.put(point.number(), message);
         message.isTakenUp = true;
-        message.isSealed = point.operand("key") != NO_KEY;
-        require(!message.isSealed || !nonces.isEmpty(), name + " seals message " + point.number(),
+        message.sealed = point.operand("key") == NO_KEY ? 0 : ++sealed;
+        require(message.sealed == 0 || !nonces.isEmpty(), name + " seals message " + point.number(),
                 "that it stores an epoch before");
-        message.sealed = message.isSealed ? sealed++ : sealed;
         message.cut = cut;
         if (message.content == null) {
             firstId = -1; // perhaps it is cut
-        } else if (message.isLongerThan(Frame.HEADER + fragmentLength)) {
+        } else if (isCut(message)) {
             cut++;
         }
-        outgoing.put(point.number(), message);
+    }
+
+    private boolean isCut(Outgoing message) {
+        return message.length() > Frame.HEADER + partLength;
     }
 
     /** A message's first packet is on the air. */
     void begin(Outgoing message, Payload packet) throws RefusedException {
         Frame frame = new Frame(packet);
-        String wrong = message.destination != null && !ids.contains(frame.origin) ? "the origin " + frame.origin
-                : frame.wrongForm(packet, fragmentLength);
-        require(wrong.isEmpty(), name + " sends a " + packet.kind() + " with " + wrong, "a frame as in SPEC 2 and 7.1");
         message.frame = frame;
-        if (message.isSealed) {
-            require(frame.isSealed(), name + " sends a message to many that it has sealed", "an address for that");
+        String what = name + " sends a " + packet.kind() + ", " + frame + ", of " + frame.length + " bytes";
+        require(message.destination == null || frame.destination.equals(message.destination)
+                && frame.origin.equals(packet.origin()) && ids.contains(frame.origin),
+                what, "one from " + ids + " to " + message.destination);
+        if (message.content != null) {
+            require(frame.length == message.length() && frame.isCut() == isCut(message)
+                    && frame.first().length() == (frame.isCut() ? partLength : frame.length), what,
+                    message.length() + " in " + (isCut(message) ? "fragments of " + partLength : "one packet"));
+        }
+        if (message.sealed > 0) {
+            require(!frame.nonce.isEmpty(), name + " sends a message that it has sealed without a nonce", "a nonce");
             checkNonce(message);
         }
         if (frame.isCut() && message.content != null) {

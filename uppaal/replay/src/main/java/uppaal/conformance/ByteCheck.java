@@ -21,7 +21,7 @@ final class ByteCheck implements Check {
     private static final int LOW_BYTE = 0xFF;
 
     private final Map<String, BoardFrames> boards = new LinkedHashMap<>();
-    private final FrameDecryptor decryptor;
+    private final Keys keys;
     /** By what they begin with. */
     private final Map<String, Frame> frames = new BoundedMap<>();
     /** By origin and id, of what others have sent fragments: nothing proves those of a broadcast. */
@@ -36,12 +36,12 @@ final class ByteCheck implements Check {
     ByteCheck(Header header) {
         this.header = header;
         air = new Air(header);
-        decryptor = new FrameDecryptor(header.keys().map(Keys::new), boards.values());
+        keys = new Keys(header.keys());
     }
 
     @Override
     public String checked() {
-        return decryptor.hasKeys() ? decryptor.opened() + " messages opened, " + proofs + " proofs" : "";
+        return keys.areKnown() ? keys.opened() + " messages opened, " + proofs + " proofs" : "";
     }
 
     private BoardFrames board(String name) {
@@ -58,7 +58,6 @@ final class ByteCheck implements Check {
             case "EPOCH_STORED" -> board.storeEpoch();
             case "TAKE_UP", "RESEAL" -> board.seal(point);
             case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> board.owe(point);
-            case "OWE_TWICE" -> board.oweTwice();
             case "DELIVERED" -> answered(board, point, Acknowledgement.DELIVERED);
             case "STALE_HEARD" -> answered(board, point, Acknowledgement.STALE);
             case "FRAGMENTS_NEW", "FRAGMENTS_KNOWN" ->
@@ -82,14 +81,14 @@ final class ByteCheck implements Check {
         BoardFrames board = board(packet.board());
         Payload payload = packet.payload();
         boolean isOfSketch = board.ids.isEmpty() && payload.kind() == Payload.Kind.BROADCAST;
-        boolean isSend = board.declared != null && board.declared.name().startsWith("SEND") && !isOfSketch;
-        if (isSend && board.isRelayed(board.declared)) {
-            require(payload.bytes().equals(board.message(board.declared).content),
-                    board.name + " sends " + payload.hex(), "the bytes that its host wants to be relayed");
-        } else if (isSend) {
-            send(board, packet);
+        BoardFrames.Outgoing message = isOfSketch || board.declared == null || !board.declared.name().startsWith("SEND")
+                ? null : board.message(board.declared);
+        if (message != null && !message.isRelayed) {
+            send(board, message, packet);
             return;
         }
+        require(message == null || payload.bytes().equals(message.content), board.name + " sends " + payload.hex(),
+                "the bytes that its host wants to be relayed");
         if (payload.isAcknowledgement()) {
             answer(board, packet);
         } else if (payload.isData()) {
@@ -98,9 +97,8 @@ final class ByteCheck implements Check {
     }
 
     /** A board of ours sends a frame of its own, or a fragment of one. */
-    private void send(BoardFrames board, Transmission packet) throws RefusedException {
+    private void send(BoardFrames board, BoardFrames.Outgoing message, Transmission packet) throws RefusedException {
         Payload payload = packet.payload();
-        BoardFrames.Outgoing message = board.message(board.declared);
         require(payload.isData()
                 && 1 << payload.index() == Integer.lowestOneBit(board.declared.operand("pending")),
                 board.name + " sends " + packet, "fragments of its attempt in their order");
@@ -108,10 +106,10 @@ final class ByteCheck implements Check {
             require(payload.index() == 0,
                     board.name + " sends fragment " + payload.index() + " of a message first", "fragment 0");
             board.begin(message, payload);
-            if (message.destination == null) {
-                decryptor.open(message.frame);
+            if (message.content == null) {
+                keys.open(message.frame);
             } else {
-                decryptor.check(board.name, message);
+                keys.check(board.name, message.frame, message.content);
             }
             frames.put(payload.identity(), message.frame);
         }
@@ -135,7 +133,7 @@ final class ByteCheck implements Check {
         String what = board.name + " sends a trailer '" + packet.trailer() + "' behind " + frame;
         require(frame.isUnicast(), what, "none behind a frame to many");
         if (packet.trailer().equals("parity")) {
-            require(!decryptor.hasKeys() || askedForParity.contains(frame.pair()), what,
+            require(!keys.areKnown() || askedForParity.contains(frame.pair()), what,
                     "that its partner asks for parity first");
         } else {
             require((frame.sent & 1 << packet.payload().index()) != 0, what,
@@ -151,8 +149,8 @@ final class ByteCheck implements Check {
             return;
         }
         Frame frame = new Frame(payload);
-        if (frame.length != 0 && frame.contentLength() >= 0 && !frames.containsKey(payload.identity())) {
-            decryptor.open(frame);
+        if (frame.length >= Frame.around(frame.destination) && !frames.containsKey(payload.identity())) {
+            keys.open(frame);
             frame.isForged |= frame.isSealed() && frame.content == null
                     && boards.values().stream().anyMatch(board -> board.declares && board.ids.contains(frame.origin));
             frames.put(payload.identity(), frame);
@@ -171,7 +169,7 @@ final class ByteCheck implements Check {
         Acknowledgement answer = read.get();
         List<Frame> meant = frames.values().stream().filter(answer::mayMean).toList();
         List<Frame> proved = meant.stream() // without keys all that may be
-                .filter(frame -> !decryptor.hasKeys() || answer.isProved(frame, decryptor.keysOf(frame))).toList();
+                .filter(frame -> !keys.areKnown() || answer.isProved(frame, keys.of(frame))).toList();
         if (isOwn) {
             checkOwn(board, answer, meant, proved);
             switch (answer.kind()) {
@@ -200,13 +198,13 @@ final class ByteCheck implements Check {
         board.pay(answer.kind(), board.declared.operand("key"), payload.answered() & LOW_BYTE);
         require(!proved.isEmpty(), board.name + " acknowledges with a wrong proof",
                 "that of " + meant.get(meant.size() - 1));
-        proofs += decryptor.hasKeys() ? 1 : 0;
+        proofs += keys.areKnown() ? 1 : 0;
         require(proved.stream().anyMatch(frame -> trailed.contains(frame.pair()) || !asksParity(answer, frame)),
                 board.name + " asks for parity of " + proved.get(0), "that a packet with a trailer comes first");
     }
 
     private boolean asksParity(Acknowledgement answer, Frame frame) {
-        return answer.asksParity(frame, decryptor.keysOf(frame));
+        return answer.asksParity(frame, keys.of(frame));
     }
 
     @Override
@@ -226,24 +224,20 @@ final class ByteCheck implements Check {
                             String.format("%06x, as stored", board.eeprom.epoch()));
                 }
             }
-            case "host-transmit", "host-relay" -> accept(board, event);
+            case "host-transmit" -> board.outgoing.put(event.number("number"),
+                    new BoardFrames.Outgoing(event.text("destination"), content(event), false));
+            case "host-relay" -> board.outgoing.put(event.number("number"),
+                    new BoardFrames.Outgoing(Frame.ALL, Bytes.copyOf(event.bytes("payload")), true));
             case "rf-rx", "rf-damaged" -> reach(event);
             case "host-handed" -> hand(event);
             default -> {}
         }
     }
 
-    private void accept(BoardFrames board, TraceEvent event) {
-        BoardFrames.Outgoing message = board.accept(event.number("number"));
-        message.isRelayed = event.is("host-relay");
-        message.destination = message.isRelayed ? Frame.ALL : event.text("destination");
-        message.content = message.isRelayed ? Bytes.copyOf(event.bytes("payload")) : content(event);
-    }
-
     /** What the event says was said; null where it does not say that, and without keys it need not. */
     private Bytes content(TraceEvent event) {
         Optional<byte[]> said = event.said();
-        if (said.isEmpty() && decryptor.hasKeys()) {
+        if (said.isEmpty() && keys.areKnown()) {
             throw event.wrong("an event '" + event.name() + "' without 'content'");
         }
         return said.map(Bytes::copyOf).orElse(null);

@@ -71,9 +71,9 @@ final class Frame {
         return origin + destination;
     }
 
-    /** Negative where there is no room for nonce and tag. */
-    int contentLength() {
-        return length - (isSealed() ? CONTENT_AT + Payload.TAG_LENGTH : HEADER);
+    /** How much longer than its content a frame is. */
+    static int around(String destination) {
+        return destination.equals(ALL) ? HEADER : CONTENT_AT + Payload.TAG_LENGTH;
     }
 
     long nonceNumber() {
@@ -124,21 +124,6 @@ final class Frame {
         boolean isNew = part.length() == Math.min(first().length(), length - index * first().length());
         parts[index] = parts[index] == null && isNew ? part : parts[index];
         return part.equals(parts[index]);
-    }
-
-    /** What is wrong with its first packet; nothing where that may be. */
-    String wrongForm(Payload packet, int fragmentLength) {
-        if (length == 0 || !origin.equals(packet.origin())) {
-            return "no header of a frame of its own";
-        }
-        if (contentLength() < 0) {
-            return "no room for nonce and tag";
-        }
-        if (isCut() && length <= fragmentLength + HEADER) {
-            return "a frame that fits one packet";
-        }
-        return isCut() && first().length() != fragmentLength
-                ? first().length() + " bytes in place of " + fragmentLength : "";
     }
 
     @Override

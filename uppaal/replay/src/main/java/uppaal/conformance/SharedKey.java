@@ -1,12 +1,8 @@
 package uppaal.conformance;
 
 import java.nio.charset.StandardCharsets;
-import java.security.GeneralSecurityException;
 import java.util.Arrays;
 import java.util.Optional;
-import javax.crypto.Cipher;
-import javax.crypto.spec.IvParameterSpec;
-import javax.crypto.spec.SecretKeySpec;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
@@ -16,6 +12,7 @@ import javino.vectors.Crypto;
 final class SharedKey {
     /** What a proof's type differs by where its maker asks for parity. */
     static final int ASKS_PARITY = 0x10;
+    private static final int BLOCK = 16;
 
     private final byte[] encryption;
     private final byte[] authentication;
@@ -39,7 +36,7 @@ final class SharedKey {
 
     byte[] seal(String destination, String origin, byte[] nonce, byte[] content) {
         byte[] header = header(destination, origin, Payload.NONCE_LENGTH + content.length + Payload.TAG_LENGTH);
-        byte[] signed = join(header, nonce, Crypto.cfb(encryption, iv(destination + origin, nonce), content));
+        byte[] signed = join(header, nonce, Crypto.cfb(encryption, iv(origin + destination, nonce), content));
         return join(signed, tag(signed));
     }
 
@@ -48,27 +45,25 @@ final class SharedKey {
     }
 
     /** The content of a sealed frame; nothing where its tag is wrong. */
-    Optional<byte[]> open(byte[] frame) {
-        int end = frame.length - Payload.TAG_LENGTH;
-        if (end < Frame.CONTENT_AT
-                || !Arrays.equals(tag(Arrays.copyOf(frame, end)), Arrays.copyOfRange(frame, end, frame.length))) {
+    Optional<Bytes> open(Bytes frame) {
+        int end = frame.length() - Payload.TAG_LENGTH;
+        if (end < Frame.CONTENT_AT || !frame.from(end).equals(Bytes.copyOf(tag(frame.slice(0, end).toArray())))) {
             return Optional.empty();
         }
-        String addresses = new String(frame, 0, 2 * Address.LENGTH, StandardCharsets.US_ASCII);
-        byte[] iv = iv(addresses, Arrays.copyOfRange(frame, Frame.HEADER, Frame.CONTENT_AT));
-        try {
-            Cipher cipher = Cipher.getInstance("AES/CFB/NoPadding");
-            cipher.init(Cipher.DECRYPT_MODE, new SecretKeySpec(encryption, "AES"), new IvParameterSpec(iv));
-            return Optional.of(cipher.doFinal(frame, Frame.CONTENT_AT, end - Frame.CONTENT_AT));
-        } catch (GeneralSecurityException e) {
-            throw new IllegalStateException("every JDK has AES", e);
+        String addresses = new String(frame.toArray(), StandardCharsets.US_ASCII);
+        byte[] before = iv(addresses.substring(Address.LENGTH, 2 * Address.LENGTH)
+                + addresses.substring(0, Address.LENGTH), frame.slice(Frame.HEADER, Frame.CONTENT_AT).toArray());
+        byte[] content = {};
+        for (Bytes block : frame.slice(Frame.CONTENT_AT, end).split(BLOCK).toList()) {
+            content = join(content, Crypto.cfb(encryption, before, block.toArray()));
+            before = block.toArray();
         }
+        return Optional.of(Bytes.copyOf(content));
     }
 
-    /** @param addresses destination and origin */
+    /** @param addresses origin and destination */
     private byte[] iv(String addresses, byte[] nonce) {
-        String turned = addresses.substring(Address.LENGTH) + addresses.substring(0, Address.LENGTH);
-        return Crypto.aes(encryption, join(ascii(turned), nonce, new byte[2]));
+        return Crypto.aes(encryption, join(ascii(addresses), nonce, new byte[2]));
     }
 
     /**
@@ -77,10 +72,10 @@ final class SharedKey {
      * @param addresses of the sender and the acknowledger
      * @param message of the acknowledgement; the proof is its end
      */
-    boolean isProof(int type, byte[] nonce, String addresses, byte[] message) {
-        int end = message.length - Payload.TAG_LENGTH;
-        byte[] right = proof(type, join(nonce, ascii(addresses), Arrays.copyOf(message, end)));
-        return Arrays.equals(Arrays.copyOfRange(message, end, message.length), right);
+    boolean isProof(int type, String nonce, String addresses, Bytes message) {
+        int end = message.length() - Payload.TAG_LENGTH;
+        byte[] claim = join(Bytes.ofHex(nonce).toArray(), ascii(addresses), message.slice(0, end).toArray());
+        return message.from(end).equals(Bytes.copyOf(proof(type, claim)));
     }
 
     /** The proof of what is claimed: nonce, sender, acknowledger and what comes before the proof. */
