@@ -94,7 +94,9 @@ final class Keys {
                     what + " in the clear: " + Fields.shown(content), "it sealed");
             frame.key = of(frame).stream().filter(key -> frame.isWhole(key.seal(frame, content))).findFirst()
                     .orElse(null);
-            require(!areKnown() || frame.key != null, what + why(frame), Fields.shown(content));
+            require(!areKnown() || frame.key != null, what + said(frame)
+                    .map(said -> " that says " + Fields.shown(said)).orElse(", which no known key opens"),
+                    Fields.shown(content));
             opened += areKnown() ? 1 : 0;
         } else {
             require(frame.isWhole(Bytes.join(frame.first().slice(0, Frame.HEADER), content)),
@@ -108,12 +110,6 @@ final class Keys {
             int length = Math.min(content.length(), first.length() - from);
             return first.slice(from, from + length).equals(content.slice(0, length));
         });
-    }
-
-    private String why(Frame frame) {
-        int count = of(frame).size();
-        return said(frame).map(said -> " that says " + Fields.shown(said)).orElse(count == 0 ? ", without a known key"
-                : ", which none of the " + count + " keys for it opens");
     }
 
     /** Finds out what somebody has sent whose host did not tell that. */

@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Payload;
 import trace.TraceEvent;
 
 /** Epochs, keys and floors that a board declares stored are in its EEPROM at that moment (SPEC 5.1). */
@@ -17,11 +19,10 @@ final class MemoryCheck implements Check {
     private static final int NO_KEY = 255;
     private static final int NUMBERS = 256;
     private static final int COUNTERS = 0x10000;
-    /** Of a floor: place of the key, origin, nonce. */
-    private static final int ORIGIN_AT = 1;
+    /** A floor: place of the key and origin, then a nonce. */
     private static final int NONCE_AT = 4;
     private static final int FLOOR = 10;
-    private static final int FLOOR_PLACE = 2 * (FLOOR + Eeprom.SEAL);
+    private static final int FLOOR_COPY = FLOOR + Eeprom.SEAL;
     /** How far a floor is above the nonce that it is stored for. */
     private static final int ABOVE = 31;
     /** A key's record and what is told of it: address, generation, whether it is alone, check value. */
@@ -29,37 +30,16 @@ final class MemoryCheck implements Check {
     private static final int CHECK_AT = 5;
     private static final int KEY_TOLD = 8;
 
-    /** A floor that is there twice. */
-    private record Floor(int at, int key, String origin, Bytes nonce) {
-        Floor(int at, Bytes record) {
-            this(at, record.at(0), address(record.slice(ORIGIN_AT, NONCE_AT)), record.from(NONCE_AT));
-        }
-
-        boolean isOfSame(Floor other) {
-            return key == other.key && origin.equals(other.origin);
-        }
-
-        long number() {
-            return nonce.number(0, nonce.length());
-        }
-
-        /** Whether it was stored for a message with this id, or one shortly before. */
-        boolean covers(Bytes id) {
-            long last = nonce.number(nonce.length() - 2, nonce.length());
-            return nonce.at(2) == id.at(0) && Math.floorMod(last - id.number(1, id.length()), COUNTERS) <= ABOVE;
-        }
-    }
-
-    /** A message that the inbox has taken in, and the floors of its key. */
-    private record Queued(int nonce, List<Floor> floors) {}
+    /** A message that the inbox has taken in, and the floors that may cover it. */
+    private record Queued(int nonce, int key, Map<Bytes, Bytes> floors) {}
 
     /** What a board has stored. */
     private static final class Memory {
         final Eeprom eeprom = new Eeprom();
-        /** By where they begin. */
-        final Map<Integer, Floor> floors = new HashMap<>();
-        /** Those that were there when memory was lost, so that they cover nothing more. */
-        Set<Floor> past = Set.of();
+        /** The highest nonce by key's place and origin; and the same since memory was lost, which alone may cover. */
+        final Map<Bytes, Bytes> floors = new HashMap<>();
+        final Map<Bytes, Bytes> covering = new HashMap<>();
+        /** Whether memory was lost when it has booted. */
         boolean isLost;
         /** Where the ring of floors begins; negative while that is not known. */
         int ring = -1;
@@ -76,27 +56,28 @@ final class MemoryCheck implements Check {
         /** What its radio has taken last; null before that. */
         Point declared;
 
-        /** The floors of which something was written since the last point: higher ones take the place of others. */
-        List<Floor> update() {
-            List<Floor> updated = eeprom.begins(FLOOR_PLACE).boxed().flatMap(at -> eeprom.record(at, FLOOR)
-                    .filter(record -> eeprom.record(at + FLOOR + Eeprom.SEAL, FLOOR).equals(Optional.of(record)))
-                    .map(record -> new Floor(at, record)).stream()).toList();
-            for (Floor floor : updated) {
-                List<Floor> same = floors.values().stream().filter(floor::isOfSame).toList();
-                if (same.stream().allMatch(other -> other.number() < floor.number())) {
-                    floors.values().removeAll(same);
-                    floors.put(floor.at, floor);
-                }
+        /** By place, the floors that are there twice, and of which something was written since the last point. */
+        Map<Integer, Bytes> writtenFloors() {
+            Map<Integer, Bytes> written = new TreeMap<>();
+            eeprom.begins(2 * FLOOR_COPY).forEach(at -> eeprom.record(at, FLOOR)
+                    .filter(record -> eeprom.record(at + FLOOR_COPY, FLOOR).equals(Optional.of(record)))
+                    .ifPresent(record -> written.put(at, record)));
+            return written;
+        }
+
+        void put(Bytes record, boolean covers) {
+            for (Map<Bytes, Bytes> into : covers ? List.of(floors, covering) : List.of(floors)) {
+                into.merge(record.slice(0, NONCE_AT), record.from(NONCE_AT),
+                        (one, other) -> number(one) > number(other) ? one : other);
             }
-            return updated;
         }
 
         void forget(int key) {
-            floors.values().removeIf(floor -> floor.key == key);
+            floors.keySet().removeIf(pair -> pair.at(0) == key);
+            covering.keySet().removeIf(pair -> pair.at(0) == key);
         }
 
         void reset(boolean isOfPower) {
-            update();
             isWhole &= isOfPower;
             count = 0;
             queued.clear();
@@ -114,43 +95,48 @@ final class MemoryCheck implements Check {
         return memories.computeIfAbsent(board, added -> new Memory());
     }
 
-    private static String address(Bytes bytes) {
-        return new Address((int) bytes.number(0, bytes.length())).toString();
+    private static Bytes address(String text) {
+        return Bytes.ofNumber(Address.parse(text).value(), NONCE_AT - 1);
+    }
+
+    private static long number(Bytes nonce) {
+        return nonce.number(0, nonce.length());
     }
 
     @Override
     public void point(Point point) throws RefusedException {
         Memory memory = memory(point.board());
-        List<Floor> updated = memory.update();
+        Map<Integer, Bytes> written = memory.writtenFloors();
         memory.eeprom.point(point);
         switch (point.name()) {
             case "EPOCH_STORED" -> memory.isWhole |= memory.eeprom.epoch() == 1;
-            case "FLOOR_STORED" -> storeFloor(memory, point, updated);
+            case "MEMORY" -> {
+                memory.isLost = point.operand("kept") == 0;
+                memory.covering.keySet().removeIf(pair -> memory.isLost);
+            }
+            case "FLOOR_STORED" -> storeFloor(memory, point, written);
             case "KEY_STORED" -> storeKey(memory, point);
             case "KEY_DELETED" -> memory.forget(point.operand("key"));
-            case "MEMORY" -> memory.isLost = point.operand("kept") == 0;
             case "QUEUED" -> queue(memory, point);
-            case "QUIET", "BUSY" -> {
-                memory.past = memory.isLost ? Set.copyOf(memory.floors.values()) : memory.past;
-                memory.isLost = false;
-            }
             default -> memory.declared = AirCheck.SENDS.contains(point.name()) ? point : memory.declared;
         }
+        written.values().forEach(record -> memory.put(record, point.is("FLOOR_STORED") || !memory.isLost));
     }
 
-    private static void storeFloor(Memory memory, Point point, List<Floor> updated) throws RefusedException {
+    private static void storeFloor(Memory memory, Point point, Map<Integer, Bytes> written) throws RefusedException {
         int key = point.operand("key");
         int place = point.operand("place");
-        Optional<Floor> stored = updated.stream().filter(floor -> floor.key == key).findFirst();
-        require(stored.isPresent(), point.board() + " declares a floor of key " + key + " stored",
-                "two whole records of it, one behind the other");
-        Floor floor = stored.get();
-        int begin = floor.at - place * FLOOR_PLACE;
+        int at = written.keySet().stream().filter(each -> written.get(each).at(0) == key).findFirst()
+                .orElseThrow(() -> new RefusedException(point.board() + " declares a floor of key " + key + " stored",
+                        "two whole records of it, one behind the other"));
+        int begin = at - place * 2 * FLOOR_COPY;
         memory.ring = memory.ring < 0 ? begin : memory.ring;
-        require(begin == memory.ring, point.board() + " stores a floor at " + floor.at,
+        require(begin == memory.ring, point.board() + " stores a floor at " + at,
                 "place " + place + " of its ring, which begins at " + memory.ring);
-        require(floor.equals(memory.floors.get(floor.at)),
-                point.board() + " stores the floor " + floor.nonce + " of " + floor.origin, "a higher one than before");
+        Bytes nonce = written.get(at).from(NONCE_AT);
+        Bytes before = memory.floors.get(written.get(at).slice(0, NONCE_AT));
+        require(before == null || number(before) < number(nonce), point.board() + " stores the floor " + nonce,
+                "a higher one than " + before);
     }
 
     private static void storeKey(Memory memory, Point point) {
@@ -170,8 +156,7 @@ final class MemoryCheck implements Check {
         int number = memory.count++ % NUMBERS;
         memory.queued.remove(number);
         if (key != NO_KEY && !memory.sessions.contains(key)) {
-            memory.queued.put(number, new Queued(point.operand("nonce"), memory.floors.values().stream()
-                    .filter(floor -> floor.key == key && !memory.past.contains(floor)).toList()));
+            memory.queued.put(number, new Queued(point.operand("nonce"), key, Map.copyOf(memory.covering)));
         }
     }
 
@@ -183,11 +168,10 @@ final class MemoryCheck implements Check {
                 || !answer.get().is(Acknowledgement.STALE)) {
             return;
         }
-        long told = answer.get().floor();
-        require(memory.floors.values().stream().anyMatch(floor -> floor.number() == told
-                && floor.key == memory.declared.operand("key")),
-                String.format("%s tells the floor %012x", packet.board(), told),
-                "one that it has stored for this key");
+        Bytes told = packet.payload().message().slice(0, Payload.NONCE_LENGTH);
+        require(memory.floors.entrySet().stream().anyMatch(floor -> floor.getValue().equals(told)
+                && floor.getKey().at(0) == memory.declared.operand("key")),
+                packet.board() + " tells the floor " + told, "one that it has stored for this key");
     }
 
     @Override
@@ -215,7 +199,7 @@ final class MemoryCheck implements Check {
             return; // or it had that before
         }
         Bytes key = memory.storedKey;
-        require(key.length() != 0 && address(key.slice(0, Address.LENGTH - 1)).equals(event.text("address"))
+        require(key.length() != 0 && key.slice(0, NONCE_AT - 1).equals(address(event.text("address")))
                 && key.slice(CHECK_AT, KEY_TOLD).hex().equals(event.text("check")),
                 event.board() + " declares the key of " + event.text("address") + " stored",
                 "a record of that address and check value " + event.text("check"));
@@ -228,8 +212,9 @@ final class MemoryCheck implements Check {
             return;
         }
         Bytes id = Bytes.ofHex(event.text("id"));
-        boolean isCovered = queued.floors.stream()
-                .anyMatch(floor -> floor.origin.equals(event.text("origin")) && floor.covers(id));
+        Bytes floor = queued.floors.get(Bytes.join(Bytes.of(queued.key), address(event.text("origin"))));
+        boolean isCovered = floor != null && floor.at(2) == id.at(0)
+                && Math.floorMod(number(floor.from(4)) - number(id.from(1)), COUNTERS) <= ABOVE;
         require(isCovered && id.at(2) == queued.nonce, event.board() + " hands its host message "
                 + event.number("number") + " of " + event.text("origin") + " with the id " + id.hex(),
                 "that a floor of at most " + ABOVE + " above it was stored before, and after memory was lost");

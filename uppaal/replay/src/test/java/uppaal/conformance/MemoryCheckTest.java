@@ -55,7 +55,7 @@ class MemoryCheckTest {
             "support stores 300 F F; support FLOOR_STORED key=1 place=0 | two whole records",
             "STORE; support FLOOR_STORED key=0 place=0 | two whole records",
             "STORE; support stores 326 L L; support FLOOR_STORED key=0 place=1"
-                    + " | stores the floor 00000100001e of SUPO; expec",
+                    + " | stores the floor 00000100001e; expected a higher",
             "STORE; support stores 400 G G; support FLOOR_STORED key=0 place=1"
                     + " | place 1 of its ring, which begins at 300",
             "support queues 0; support hands 0 SUPP 010000 help"
