@@ -34,54 +34,47 @@ record Acknowledgement(Payload payload, String kind) {
                 && Integer.parseInt(frame.nonce.substring(9), 16) == payload.answered();
     }
 
-    boolean isProved(Frame frame, List<SharedKey> keys) {
+    boolean isProved(Frame frame, Keys keys) {
         return isProof(frame, keys, 0) || asksParity(frame, keys);
     }
 
-    boolean asksParity(Frame frame, List<SharedKey> keys) {
+    boolean asksParity(Frame frame, Keys keys) {
         return isProof(frame, keys, SharedKey.ASKS_PARITY);
     }
 
-    private boolean isProof(Frame frame, List<SharedKey> keys, int parity) {
-        return keys.stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, frame.nonce,
+    private boolean isProof(Frame frame, Keys keys, int parity) {
+        return keys.of(frame).stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, frame.nonce,
                 frame.origin + payload.origin(), payload.message()));
-    }
-
-    /** Bit k for fragment k. */
-    int fragments() {
-        return payload.message().at(0);
-    }
-
-    long floor() {
-        return payload.message().number(0, Payload.NONCE_LENGTH);
     }
 
     /** As {@link Frame#answers} has it. */
     String answer() {
-        return is(FRAGMENTS) ? FRAGMENTS + fragments() : kind;
+        return is(FRAGMENTS) ? FRAGMENTS + payload.message().at(0) : kind;
+    }
+
+    /** What a board of ours says must be so. */
+    void check(BoardFrames board, double now, List<Frame> proved) throws RefusedException {
+        if (is(FRAGMENTS)) {
+            checkFragments(board, proved);
+        } else if (is(STALE)) {
+            checkStale(board, now, proved);
+        }
     }
 
     /** Some fragments that have come, with the first, but not all: that would be delivered. */
-    void checkFragments(BoardFrames board, List<Frame> proved) throws RefusedException {
-        int told = fragments();
-        int possible = 0;
-        for (Frame frame : proved) {
-            int come = frame.reached.getOrDefault(board.name, 0);
-            boolean isPossible = (told & ~come) == 0 && told != frame.all()
-                    && ((told & 1) != 0 || come == frame.all());
-            if (frame.isCut() && isPossible) {
-                return;
-            }
-            possible |= come;
-        }
-        throw new RefusedException(String.format("%s answers that it has the fragments %02x of %s", board.name, told,
-                proved.get(proved.size() - 1)), String.format("%02x or fewer, with the first, and not all", possible));
+    private void checkFragments(BoardFrames board, List<Frame> proved) throws RefusedException {
+        int told = payload.message().at(0);
+        Frame last = proved.get(proved.size() - 1);
+        require(proved.stream().anyMatch(frame -> frame.mayHaveReached(board.name, told)),
+                String.format("%s answers that it has the fragments %02x of %s", board.name, told, last),
+                String.format("%02x or fewer, with the first, and not all", last.reached.getOrDefault(board.name, 0)));
     }
 
     /** A floor is not below what is stale. How far above it may be, and which it is, tells the memory. */
-    void checkStale(BoardFrames board, double now, List<Frame> proved) throws RefusedException {
-        require(proved.stream().anyMatch(frame -> floor() >= frame.nonceNumber()), String.format(
-                "%s tells the floor %012x for %s", board.name, floor(), proved.get(proved.size() - 1)),
+    private void checkStale(BoardFrames board, double now, List<Frame> proved) throws RefusedException {
+        long floor = payload.message().number(0, Payload.NONCE_LENGTH);
+        require(proved.stream().anyMatch(frame -> floor >= frame.nonceNumber()), String.format(
+                "%s tells the floor %012x for %s", board.name, floor, proved.get(proved.size() - 1)),
                 "at least that nonce");
         int uptime = (int) payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
         double most = UNITS_A_SECOND * (now - board.resetAt) / board.second + 1;

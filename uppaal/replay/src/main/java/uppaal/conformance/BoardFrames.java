@@ -45,14 +45,6 @@ final class BoardFrames {
         }
     }
 
-    /** An acknowledgement that it owes. */
-    private record Owed(String kind, int key, int nonce) {
-        @Override
-        public String toString() {
-            return String.format("'%s' about a nonce that ends in %02x, under key %d", kind, nonce, key);
-        }
-    }
-
     final String name;
     /** Of its clock, in seconds. */
     final double second;
@@ -68,13 +60,14 @@ final class BoardFrames {
     /** Whether somebody has told a floor, since when nonces may jump. */
     boolean wasStale;
     private final int partLength;
-    private final Set<Owed> owed = new HashSet<>();
+    /** By key, the acknowledgements that it owes. */
+    private final Map<Integer, Set<String>> owed = new HashMap<>();
     /** By how much was sealed, since the last reset; also those before the first of each epoch. */
     private final NavigableMap<Integer, Long> nonces = new TreeMap<>();
     private int sealed;
     private int cut;
     /** The id of the first frame that is cut; negative while that is not known. */
-    private int firstId;
+    private int firstId = -1;
 
     BoardFrames(String name, Header header) {
         this.name = name;
@@ -94,17 +87,21 @@ final class BoardFrames {
 
     /** An acknowledgement replaces the one before to the same sender; with a group's key two may owe a floor each. */
     void owe(Point point) {
-        Owed added = new Owed(point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT),
-                point.operand("key"), point.operand("nonce"));
-        owed.removeIf(before -> before.key == added.key
-                && !(added.kind.equals(Acknowledgement.STALE) && before.kind.equals(Acknowledgement.STALE)));
-        owed.add(added);
+        String kind = point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT);
+        Set<String> same = owed.computeIfAbsent(point.operand("key"), added -> new HashSet<>());
+        same.removeIf(before -> !kind.equals(Acknowledgement.STALE) || !before.startsWith(kind));
+        same.add(answer(kind, point.operand("nonce")));
+    }
+
+    private static String answer(String kind, int nonce) {
+        return String.format("%s of a nonce that ends in %02x", kind, nonce);
     }
 
     /** It sends an acknowledgement. How often it may, the model tells. */
     void pay(String kind, int key, int nonce) throws RefusedException {
-        Owed paid = new Owed(kind, key, nonce);
-        require(owed.contains(paid), name + " sends " + paid, "one of " + owed);
+        Set<String> same = owed.getOrDefault(key, Set.of());
+        require(same.contains(answer(kind, nonce)), name + " acknowledges " + answer(kind, nonce),
+                "what it owes: " + same);
     }
 
     /** The message of a point, which must have been taken up. */

@@ -169,18 +169,14 @@ final class ByteCheck implements Check {
         Acknowledgement answer = read.get();
         List<Frame> meant = frames.values().stream().filter(answer::mayMean).toList();
         List<Frame> proved = meant.stream() // without keys all that may be
-                .filter(frame -> !keys.areKnown() || answer.isProved(frame, keys.of(frame))).toList();
+                .filter(frame -> !keys.areKnown() || answer.isProved(frame, keys)).toList();
         if (isOwn) {
             checkOwn(board, answer, meant, proved);
-            switch (answer.kind()) {
-                case Acknowledgement.FRAGMENTS -> answer.checkFragments(board, proved);
-                case Acknowledgement.STALE -> answer.checkStale(board, packet.start(), proved);
-                default -> {}
-            }
+            answer.check(board, packet.start(), proved);
         }
         for (Frame frame : proved) {
             frame.answers.add(answer.answer());
-            if (asksParity(answer, frame)) {
+            if (answer.asksParity(frame, keys)) {
                 askedForParity.add(frame.pair());
             }
             boards.values().stream().filter(sender -> sender.ids.contains(frame.origin))
@@ -199,12 +195,8 @@ final class ByteCheck implements Check {
         require(!proved.isEmpty(), board.name + " acknowledges with a wrong proof",
                 "that of " + meant.get(meant.size() - 1));
         proofs += keys.areKnown() ? 1 : 0;
-        require(proved.stream().anyMatch(frame -> trailed.contains(frame.pair()) || !asksParity(answer, frame)),
+        require(proved.stream().anyMatch(frame -> trailed.contains(frame.pair()) || !answer.asksParity(frame, keys)),
                 board.name + " asks for parity of " + proved.get(0), "that a packet with a trailer comes first");
-    }
-
-    private boolean asksParity(Acknowledgement answer, Frame frame) {
-        return answer.asksParity(frame, keys.of(frame));
     }
 
     @Override
@@ -248,9 +240,9 @@ final class ByteCheck implements Check {
         if (event.has("payload")) {
             Fields.check(event, Payload.of(Bytes.copyOf(event.bytes("payload"))));
         }
-        air.sent(event).map(Transmission::payload).filter(Payload::isFragment).ifPresent(fragment -> frames.values()
-                .stream().filter(frame -> frame.isOfId(fragment))
-                .forEach(frame -> frame.reached.merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
+        air.sent(event).map(Transmission::payload).filter(Payload::isFragment).ifPresent(fragment ->
+                frames.values().stream().filter(frame -> frame.isOfId(fragment)).forEach(frame -> frame.reached
+                        .merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
     }
 
     /** A board hands its host a message: what was said, and to whom. */

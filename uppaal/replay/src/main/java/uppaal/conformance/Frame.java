@@ -90,9 +90,11 @@ final class Frame {
         return parts[0];
     }
 
-    /** Bit k for each fragment k. */
-    int all() {
-        return (1 << parts.length) - 1;
+    /** Whether a board may say that these fragments have reached it, bit k for fragment k. */
+    boolean mayHaveReached(String board, int told) {
+        int come = reached.getOrDefault(board, 0);
+        int all = (1 << parts.length) - 1;
+        return isCut() && (told & ~come) == 0 && told != all && ((told & 1) != 0 || come == all);
     }
 
     /** Whether a device with this address is meant. */

@@ -140,9 +140,9 @@ class ByteCheckTest {
             "TAKEN; support answers DELIVERED a:000002000000: | with a wrong proof *",
             "TAKEN; support answers DELIVERED a:1: | acknowledges a nonce that ends in 001; "
                     + "expected that of a message to",
-            "TAKEN; support answers FRAGMENTS a:0: | sends 'delivered' about a nonce that ends in 00, under key 0; "
-                    + "expected one of ['fragments' about a nonce that ends in 00, under key 0]",
-            "TAKEN; support answers nothing a:0: | about a nonce that ends in 00, under key 0; expected one of []",
+            "TAKEN; support answers FRAGMENTS a:0: | acknowledges delivered of a nonce that ends in 00; "
+                    + "expected what it owes: [fragments of a nonce that ends in 00]",
+            "TAKEN; support answers nothing a:0: | delivered of a nonce that ends in 00; expected what it owes: []",
             "TAKEN; support answers DELIVERED p:0:"
                     + " | support asks for parity of SUPO to SUPP, nonce 000001000000; expec *",
             "BEGUN; support answers FRAGMENTS a:0:00 | has the fragments 00 of SUPO to SUPP, nonce 000001000000",
