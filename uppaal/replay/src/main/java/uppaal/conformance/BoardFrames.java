@@ -17,6 +17,7 @@ final class BoardFrames {
     private static final int IDS = 64;
     private static final int NO_KEY = 255;
     private static final int COUNTER_BITS = 24;
+    private static final long MOST_COUNTER = (1L << COUNTER_BITS) - 1;
 
     /** What its host wants to be sent. */
     static final class Outgoing {
@@ -171,7 +172,8 @@ final class BoardFrames {
         Map.Entry<Integer, Long> before = nonces.lowerEntry(message.sealed);
         Map.Entry<Integer, Long> later = nonces.higherEntry(message.sealed);
         long next = before.getValue() + message.sealed - before.getKey();
-        require(nonce == next || wasStale && nonce > next && (later == null || nonce < later.getValue()),
+        long end = later == null ? (next | MOST_COUNTER) + 1 : later.getValue();
+        require(nonce == next || wasStale && nonce > next && nonce < end,
                 String.format("%s seals a message to %s under nonce %012x", name, message.frame.destination, nonce),
                 String.format("%012x, the next one%s", next, wasStale ? " or one above a floor that it was told" : ""));
         nonces.put(message.sealed, nonce);

@@ -88,7 +88,7 @@ final class Keys {
 
     /** A frame must say what its message says, as far as its first packet shows. Finds out all about it. */
     void check(String board, Frame frame, Bytes content) throws RefusedException {
-        String what = board + " sends " + frame;
+        String what = board + " sends a frame of " + frame;
         if (frame.isSealed()) {
             require(content.length() == 0 || !isInTheClear(frame.first(), content),
                     what + " in the clear: " + Fields.shown(content), "it sealed");

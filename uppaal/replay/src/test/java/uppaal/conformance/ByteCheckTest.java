@@ -134,6 +134,8 @@ class ByteCheckTest {
             "police EPOCH_STORED low=2 | declares an epoch stored that ends in 2; expected two whole records",
             "police boots 000002; police does host-id id=SUPO epoch=000001 | epoch 000001; expected 000002, as stored",
             "DELIVERED; police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | expected 000001000001, the next one",
+            "STALE; support answers STALE a:0:00000100001f0015; police STALE_HEARD number=0; "
+                    + "police RESEAL number=0 key=0; police sends 0 s:SUPP:000002000020:help | or one above a floor",
             // Answers.
             "TAKEN; support answers DELIVERED a:0:~-1 | with a wrong proof; "
                     + "expected that of SUPO to SUPP, nonce 0000010*",
