@@ -36,7 +36,7 @@ final class ByteCheck implements Check {
     ByteCheck(Header header) {
         this.header = header;
         air = new Air(header);
-        keys = new Keys(header.keys());
+        keys = new Keys(header.keys(), this::names);
     }
 
     @Override
@@ -46,6 +46,12 @@ final class ByteCheck implements Check {
 
     private BoardFrames board(String name) {
         return boards.computeIfAbsent(name, added -> new BoardFrames(added, header));
+    }
+
+    /** What the device with this address was ever called. */
+    private Set<String> names(String address) {
+        return boards.values().stream().map(board -> board.ids).filter(ids -> ids.contains(address)).findFirst()
+                .orElse(Set.of(address));
     }
 
     @Override

@@ -12,7 +12,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -30,13 +32,16 @@ final class Keys {
             "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*" + HEX + "(?:\\s*,\\s*next\\s+" + HEX + ")?\\s*(?:#.*)?");
 
     private final Optional<Path> file;
+    private final Function<String, Set<String>> names;
     private String read = "";
     /** By who shares them, and their digits. */
     private final Map<String, Map<String, SharedKey>> shared = new HashMap<>();
     private int opened;
 
-    Keys(Optional<Path> file) {
+    /** @param names what the device with an address was ever called */
+    Keys(Optional<Path> file, Function<String, Set<String>> names) {
         this.file = file;
+        this.names = names;
     }
 
     boolean areKnown() {
@@ -50,17 +55,19 @@ final class Keys {
 
     /** Those that may have sealed a frame. */
     List<SharedKey> of(Frame frame) {
-        return frame.key != null ? List.of(frame.key) : of(frame.origin, frame.destination);
+        return frame.key != null ? List.of(frame.key)
+                : of(names.apply(frame.origin), names.apply(frame.destination));
     }
 
     /**
-     * Those that were given until now for frames between two devices, or to a group.
+     * Those that were given until now for frames between devices that each had one of these names, or to a group.
      *
      * @throws UncheckedIOException where the file cannot be read
      */
-    List<SharedKey> of(String origin, String destination) {
+    List<SharedKey> of(Set<String> origins, Set<String> destinations) {
         file.ifPresent(this::refresh);
-        return List.copyOf(shared.getOrDefault(name(origin, destination), Map.of()).values());
+        return destinations.stream().flatMap(to -> origins.stream().map(from -> name(from, to))).distinct()
+                .flatMap(name -> shared.getOrDefault(name, Map.of()).values().stream()).toList();
     }
 
     private void refresh(Path from) {

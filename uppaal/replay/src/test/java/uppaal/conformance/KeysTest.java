@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -18,11 +19,11 @@ class KeysTest {
     private Path folder;
 
     private Keys keys(String... lines) throws IOException {
-        return new Keys(Optional.of(Files.write(folder.resolve("keys"), List.of(lines))));
+        return new Keys(Optional.of(Files.write(folder.resolve("keys"), List.of(lines))), Set::of);
     }
 
     private static int count(Keys keys, String origin, String destination) {
-        return keys.of(origin, destination).size();
+        return keys.of(Set.of(origin), Set.of(destination)).size();
     }
 
     @Test
@@ -30,10 +31,11 @@ class KeysTest {
         Keys keys = keys("# made by hand", "", "SUPO SUPP = " + ONE + "  # ours", "//SU = " + OTHER,
                 "SUPO: epoch 470367, SUPP 54040d, //SU 530095");
         assertEquals(1, count(keys, "SUPO", "SUPP"));
-        assertEquals(keys.of("SUPO", "SUPP"), keys.of("SUPP", "SUPO"));
+        assertEquals(keys.of(Set.of("SUPO"), Set.of("SUPP")), keys.of(Set.of("SUPP"), Set.of("SUPO")));
         assertEquals(1, count(keys, "CAFE", "//SU"));
         assertEquals(0, count(keys, "SUPO", "ROMA"));
         assertEquals(0, count(keys, "SUPO", "//RO"));
+        assertEquals(1, keys.of(Set.of("CAFE", "SUPO"), Set.of("SUPP")).size(), "a board that was called so before");
     }
 
     @Test
@@ -46,7 +48,7 @@ class KeysTest {
     @Test
     void of_fileThatComesAndGrows_isReadAgain() throws IOException {
         Path file = folder.resolve("later");
-        Keys keys = new Keys(Optional.of(file));
+        Keys keys = new Keys(Optional.of(file), Set::of);
         assertEquals(0, count(keys, "SUPO", "SUPP"));
         Files.writeString(file, "SUPO SUPP = " + ONE + "\n");
         assertEquals(1, count(keys, "SUPO", "SUPP"));
