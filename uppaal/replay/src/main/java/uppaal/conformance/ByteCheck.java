@@ -246,9 +246,10 @@ final class ByteCheck implements Check {
         if (event.has("payload")) {
             Fields.check(event, Payload.of(Bytes.copyOf(event.bytes("payload"))));
         }
-        air.sent(event).map(Transmission::payload).filter(Payload::isFragment).ifPresent(fragment ->
-                frames.values().stream().filter(frame -> frame.isOfId(fragment)).forEach(frame -> frame.reached
-                        .merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
+        air.sent(event).map(Transmission::payload).filter(Payload::isFragment)
+                .ifPresent(fragment -> frames.values().stream().filter(frame -> frame.isOfId(fragment))
+                        .forEach(frame -> frame.reached
+                                .merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
     }
 
     /** A board hands its host a message: what was said, and to whom. */

@@ -95,11 +95,13 @@ class ByteCheckTest {
             "police asks SUHO help; police seals 0; police sends 0 s:SUHO:0:help"
                     + " | SUPO to SUHO, nonce 000001000000, which no known key opens *",
             "ASKED; police sends 0 b:help | police sends a broadcast, SUPO to ////, of 14 bytes; expected one from",
-            "police asks //// help; police seals 0; police sends 0 b:help | a message that it has sealed without a nonce",
+            "police asks //// help; police seals 0; police sends 0 b:help"
+                    + " | police sends a message that it has sealed without a nonce",
             "ASKED; police sends 0 c:SUPP:0:help"
                     + " | SUPO to SUPP, nonce 000001000000 in the clear: 'help'; expected it s",
             "LONG; police parts 0 f:AA:c:SUPP:0:LONG | in the clear",
-            "ASKED; police sends 0 x:535550505355504f426f00000000000000000000000000 | of 23 bytes; expected 28 in one packet",
+            "ASKED; police sends 0 x:535550505355504f426f00000000000000000000000000"
+                    + " | of 23 bytes; expected 28 in one packet",
             "police asks //// help; police seals 0 255; police sends 0 b:halp | that says 'halp'; expected 'help'",
             "LONG; police parts 0 f:AA:s:SUPP:0:LONG~-1 | which no known key opens *",
             // Fragments.
@@ -111,8 +113,8 @@ class ByteCheckTest {
                     + " | fragment 1 of SUPO to SUPP, nonce 000001000000 and does not ask",
             "LONG; police parts 0 f:AI:s:SUPP:0:LONG | fragment 0 of SUPO to SUPP, nonce 000001000000 and asks for an",
             "LONG; police parts 0 f:AB:s:SUPP:0:LONG | sends fragment 1 of a message first; expected fragment 0",
-            "ASKED; police sends 0 f:AI:s:SUPP:0:help | sends a fragment, SUPO to SUPP, nonce 000001000000, of 28 bytes; "
-                    + "expected 28 in one packet",
+            "ASKED; police sends 0 f:AI:s:SUPP:0:help | sends a fragment, "
+                    + "SUPO to SUPP, nonce 000001000000, of 28 bytes; expected 28 in one packet",
             "LONG; police sends 0 s:SUPP:0:LONG | expected 103 in fragments of 67",
             "police asks //// LONG; police seals 0 255; police sends 0 f:AI:b:LONG | and asks for an answer",
             "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:AA:s://SU:1:LONG | with id 0; expected 1",
@@ -133,7 +135,8 @@ class ByteCheckTest {
             "police does host-id id=SUPO epoch=000000 | says that it has epoch 000000; expected 000001, as stored",
             "police EPOCH_STORED low=2 | declares an epoch stored that ends in 2; expected two whole records",
             "police boots 000002; police does host-id id=SUPO epoch=000001 | epoch 000001; expected 000002, as stored",
-            "DELIVERED; police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | expected 000001000001, the next one",
+            "DELIVERED; police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help"
+                    + " | expected 000001000001, the next one",
             "STALE; support answers STALE a:0:00000100001f0015; police STALE_HEARD number=0; "
                     + "police RESEAL number=0 key=0; police sends 0 s:SUPP:000002000020:help | or one above a floor",
             // Answers.

@@ -33,8 +33,8 @@ class MemoryCheckTest {
             "support does host-key step=set asked=3 address=SUPO check=aabbcc",
             "STORE; AGAIN; support MEMORY kept=1; support queues 1; support hands 0 SUPP 010001 help",
             "support stores 300 F; support does reset why=watchdog; support stores 400 000002; "
-                    + "support stores 420 000002; support EPOCH_STORED low=2; support MEMORY kept=1; support stores 313 F; support QUIET; support queues 0; "
-                    + "support hands 0 SUPP 010000 a",
+                    + "support stores 420 000002; support EPOCH_STORED low=2; support MEMORY kept=1; "
+                    + "support stores 313 F; support QUIET; support queues 0; support hands 0 SUPP 010000 a",
             "support does fault torn=313; support boots 000002; support stores 300 F; "
                     + "support answers STALE a:0:00000100001f0000",
             "support does fault torn=313; support boots 000002; support answers STALE a:0:00000100001f0000",

@@ -53,7 +53,8 @@ class SharedKeyTest {
             byte[] sealed = key(vector).seal(vector.get("destination").getAsString(),
                     vector.get("origin").getAsString(), hex(vector, "nonce"), hex(vector, "content"));
             assertArrayEquals(hex(vector, "frame"), sealed, vector::toString);
-            assertArrayEquals(hex(vector, "content"), key(vector).open(Bytes.copyOf(sealed)).orElseThrow().toArray(), vector::toString);
+            assertArrayEquals(hex(vector, "content"), key(vector).open(Bytes.copyOf(sealed)).orElseThrow().toArray(),
+                    vector::toString);
         }
     }
 
