@@ -28,17 +28,20 @@ final class AirCheck implements Check {
 
     /** A board's side of the air. */
     private static final class Station {
-        final QuietAir quiet = new QuietAir();
+        final BoardAir air;
         /** Whether it runs our firmware: it declares points, or greets a host of ours. Others may send anything. */
         boolean isOurs;
         boolean isRelay;
         /** The send that it has declared, and that is not yet on the air. */
         Point declared;
-        /** What its last packet lacks, unless a reset took it. */
-        RefusedException lacks;
-        double lacksSince;
+        /** Its last packet, if that lacks bits that only a reset may have taken. */
+        Transmission lacking;
         /** When a reset or a cut of its power came last, in seconds: perhaps before the end of a packet that it broke. */
         double brokenAt = Double.NEGATIVE_INFINITY;
+
+        Station(BoardAir air) {
+            this.air = air;
+        }
     }
 
     private final Map<String, Station> stations = new HashMap<>();
@@ -51,26 +54,26 @@ final class AirCheck implements Check {
         this.header = header;
         bit = header.bit();
         air = new Air(header);
-        header.boards().forEach(board -> stations.put(board, new Station()));
+        header.boards().forEach(board -> stations.put(board, new Station(new BoardAir(header, board))));
     }
 
     @Override
     public void point(Point point) throws RefusedException {
-        Station station = stations.computeIfAbsent(point.board(), added -> new Station());
+        Station station = stations.computeIfAbsent(point.board(), board -> new Station(new BoardAir(header, board)));
         station.isOurs = true;
         station.isRelay = point.is("RELAY_ON") ? point.operand("on") == 1 : station.isRelay;
-        if (station.lacks != null) {
-            throw station.lacks;
+        if (station.lacking != null) {
+            throw lacks(station.lacking);
         }
         if (SENDS.contains(point.name())) {
             if (station.declared != null) {
                 throw unsent(station.declared);
             }
             station.declared = point;
-        } else if (point.is("BUSY") && !station.quiet.isBusy() && isQuietFor(point)) {
+        } else if (point.is("BUSY") && !station.air.isBusy() && isQuietFor(point)) {
             throw new RefusedException(point.board() + " declares that it hears a carrier", "silence: nobody sends");
         }
-        station.quiet.point(point);
+        station.air.changes(point);
     }
 
     private static RefusedException unsent(Point declared) {
@@ -130,15 +133,11 @@ final class AirCheck implements Check {
             return;
         }
         int bits = packet.bits();
-        int all = packet.expectedBits();
-        if (bits != all && !packet.isCut()) {
-            RefusedException lacks = new RefusedException(packet.board() + " sends " + bits + " bits",
-                    all + " for these bytes" + (packet.trailer().isEmpty() ? "" : " and this trailer"));
-            if (bits < packet.wholeBits() - LOST_BITS || bits > all) {
-                throw lacks;
+        if (bits != packet.expectedBits() && !packet.isCut()) {
+            if (bits < packet.wholeBits() - LOST_BITS || bits > packet.expectedBits()) {
+                throw lacks(packet);
             }
-            station.lacks = station.brokenAt > packet.start() ? null : lacks;
-            station.lacksSince = packet.end();
+            station.lacking = station.brokenAt > packet.start() ? null : packet;
         }
         double seconds = packet.end() - packet.start();
         double expected = (bits - 1) * bit * header.second(packet.board());
@@ -147,6 +146,11 @@ final class AirCheck implements Check {
                     String.format(Locale.ROOT, "%s sends %d bits in %.6f s", packet.board(), bits, seconds),
                     String.format(Locale.ROOT, "%.6f s", expected));
         }
+    }
+
+    private static RefusedException lacks(Transmission packet) {
+        return new RefusedException(packet.board() + " sends " + packet.bits() + " bits", packet.expectedBits()
+                + " for these bytes" + (packet.trailer().isEmpty() ? "" : " and this trailer"));
     }
 
     @Override
@@ -159,14 +163,14 @@ final class AirCheck implements Check {
             station.isOurs = true;
         } else if (station != null && BOOTS.contains(event.name())) {
             double lost = (LOST_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
-            if (station.lacks != null && event.seconds() > station.lacksSince + lost) {
-                throw station.lacks;
+            if (station.lacking != null && event.seconds() > station.lacking.end() + lost) {
+                throw lacks(station.lacking);
             }
-            station.lacks = null;
+            station.lacking = null;
             station.declared = null;
             station.isRelay = false;
             station.brokenAt = event.seconds();
-            station.quiet.reset(event.seconds());
+            station.air.reset();
         }
     }
 
@@ -202,20 +206,20 @@ final class AirCheck implements Check {
 
     /** What a board that a packet reached has heard of it, and when. */
     private void hears(TraceEvent event, Transmission packet) throws RefusedException {
-        QuietAir quiet = stations.get(event.board()).quiet;
+        BoardAir board = stations.get(event.board()).air;
         double from = event.real("start") + HEARD_BITS * bit;
         double to = packet.start() + packet.wholeBits() * bit * header.second(packet.board());
         if (packet.isOfModule() || !air.isKnownSince(packet.start())
                 || !air.isAlone(packet, packet.start(), packet.start())) {
             return;
         }
-        Optional<Point> into = quiet.sentWithin(from + 2 * bit, to);
+        Optional<Double> into = board.sends().filter(run -> run > from + 2 * bit && run < to).findFirst();
         if (into.isPresent()) {
             throw new RefusedException(String.format(Locale.ROOT, "%s has sent at %.6f s into %s, which it has heard "
-                    + "since %.6f s", event.board(), into.get().run(), packet, from), "silence");
+                    + "since %.6f s", event.board(), into.get(), packet, from), "silence");
         }
         if (event.is("rf-rx")) {
-            double since = quiet.busySince(to);
+            double since = board.busySince(to);
             if (since > from + (Air.UNTRAINED_BITS - HEARD_BITS) * bit) {
                 throw new RefusedException(
                         String.format(Locale.ROOT, "%s declares no carrier at %.6f s, while it hears "

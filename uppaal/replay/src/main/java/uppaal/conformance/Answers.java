@@ -5,107 +5,102 @@ import static uppaal.conformance.RefusedException.require;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Predicate;
 
 /** The answers that a board owes, one to each sender, of which the first waits for the air. */
 final class Answers {
     private static final Map<String, Integer> OWED =
             Map.of("OWE_DELIVERED", 2, "OWE_FRAGMENTS", 3, "OWE_STALE", 4);
+    private static final int FRESH_SLOTS = 1;
     private static final int LEAST_PUT_OFF_SLOTS = 2;
     private static final int MOST_PUT_OFF_SLOTS = 5;
 
-    private final DeclaredAir air;
+    private final BoardAir air;
     private final DeliveryModels models;
     private final List<Answer> owed = new ArrayList<>();
-    private Timer slots = Timer.NONE;
-    /** When the first became the first, and whether it was put off. */
+    /** The one that waits, since when, and for how many quiet slots: more than a fresh one's if it is put off. */
+    private Answer first;
     private double begun;
-    private boolean isPutOff;
-    /** The quiet slots that the first waits for; the same ones if it is sent twice. */
     private int quiet;
+    private Timer timer = Timer.NONE;
     /** Two with a floor under a group's key may be for one sender or for two: their order is not known. */
     private boolean isVague;
 
-    private static final class Answer {
-        private final Point point;
-        private final Instance instance;
-        private boolean twice;
+    private final class Answer {
+        final Point point;
+        final int key;
+        Instance instance;
+        boolean isTwice;
 
-        Answer(Point point, Instance instance) {
+        Answer(Point point) throws RefusedException {
             this.point = point;
-            this.instance = instance;
+            key = point.operand("key");
+            owe(point);
         }
 
-        int key() {
-            return point.operand("key");
+        void owe(Point now) throws RefusedException {
+            instance = models.answer(point.name() + ", nonce " + point.operand("nonce"));
+            instance.set("owed[1]", OWED.get(point.name()));
+            instance.take(now, point.name(),
+                    DeliveryModels.outside(Map.of("busy", DeliveryModels.flag(air.isBusy()))));
         }
     }
 
-    Answers(DeclaredAir air, DeliveryModels models) {
+    Answers(BoardAir air, DeliveryModels models) {
         this.air = air;
         this.models = models;
     }
 
     /** One is owed, in the place of another one to the same sender. */
     void owe(Point point) throws RefusedException {
-        boolean isStale = point.is("OWE_STALE") && owed.stream().anyMatch(answer -> answer.key() == point.operand("key")
-                && answer.point.is("OWE_STALE"));
+        Answer answer = new Answer(point);
+        boolean isStale = point.is("OWE_STALE")
+                && owed.stream().anyMatch(other -> other.key == answer.key && other.point.is("OWE_STALE"));
         isVague |= isStale;
-        remove(point, answer -> !isStale && answer.key() == point.operand("key"));
-        add(point, point, owed.size());
-        begin(point, owed.size() == 1);
-    }
-
-    private void add(Point now, Point owes, int index) throws RefusedException {
-        Instance instance = models.answer(owes.name() + ", nonce " + owes.operand("nonce"));
-        instance.set("owed[1]", OWED.get(owes.name()));
-        instance.take(now, owes.name(), DeliveryModels.outside(Map.of("busy", DeliveryModels.flag(air.isBusy()))));
-        owed.add(index, new Answer(owes, instance));
+        owed.removeIf(other -> !isStale && other.key == answer.key);
+        owed.add(answer);
+        begin(point);
     }
 
     /** The last one, which is returned, is to be sent twice. */
     Point twice(Point point) throws RefusedException {
         Answer last = owed.isEmpty() ? null : owed.get(owed.size() - 1);
         point.require(last != null && last.point.is("OWE_DELIVERED"), "OWE_DELIVERED before");
-        last.twice = true;
+        last.isTwice = true;
         return last.point;
     }
 
     /** There was no room for another one. */
     void dropFirst(Point point) {
-        Answer first = owed.isEmpty() ? null : owed.get(0);
-        remove(point, answer -> answer == first);
+        owed.remove(first);
+        begin(point);
     }
 
     /** Those with a key that is gone are not sent. */
     void forget(Point point) {
-        remove(point, answer -> answer.key() == point.operand("key"));
+        owed.removeIf(answer -> answer.key == point.operand("key"));
+        begin(point);
     }
 
     void reset() {
         owed.clear();
         isVague = false;
-        slots = Timer.NONE;
+        first = null;
+        timer = Timer.NONE;
     }
 
-    private void remove(Point point, Predicate<Answer> which) {
-        Answer first = owed.isEmpty() ? null : owed.get(0);
-        owed.removeIf(which);
-        begin(point, first != null && !owed.contains(first));
-    }
-
-    /** Another one is the first. */
-    private void begin(Point point, boolean isAnother) {
-        if (isAnother) {
-            quiet = 1;
-            slots = owed.isEmpty() ? Timer.NONE : wait(point);
+    /** Another one may be the first. */
+    private void begin(Point point) {
+        Answer before = first;
+        first = owed.isEmpty() ? null : owed.get(0);
+        if (first != before) {
             begun = point.seconds();
-            isPutOff = false;
+            await(point, FRESH_SLOTS);
         }
     }
 
-    private Timer wait(Point point) {
-        return isVague ? Timer.NONE : air.slots(point, quiet, 0, "ANSWER with key " + owed.get(0).key());
+    private void await(Point point, int slots) {
+        quiet = slots;
+        timer = first == null || isVague ? Timer.NONE : air.slots(point, slots, 0, "ANSWER with key " + first.key);
     }
 
     void putOff(Point point) throws RefusedException {
@@ -113,56 +108,52 @@ final class Answers {
         if (isVague) {
             return;
         }
-        point.require(!owed.isEmpty() && !isPutOff && air.isBusy(),
+        point.require(first != null && quiet == FRESH_SLOTS && air.isBusy(),
                 "that it owes an answer, has not put it off yet, and hears a carrier");
         point.require(drawn >= LEAST_PUT_OFF_SLOTS && drawn <= MOST_PUT_OFF_SLOTS, LEAST_PUT_OFF_SLOTS + " to " +
                 MOST_PUT_OFF_SLOTS + " slots");
-        isPutOff = true;
-        quiet = drawn;
-        slots = wait(point);
-        Instance first = owed.get(0).instance;
-        if (!first.isAt("Pending")) {
-            first.take(point, point.name(), Map.of());
+        await(point, drawn);
+        if (!first.instance.isAt("Pending")) {
+            first.instance.take(point, point.name(), Map.of());
         }
     }
 
     /** The first is sent. */
     void send(Point point) throws RefusedException {
-        Answer first = owed.stream().filter(answer -> !isVague || answer.key() == point.operand("key")).findFirst()
-                .orElse(null);
-        point.require(first != null && first.key() == point.operand("key"),
-                first == null ? "that it owes one" : "first " + first.point.name() + " with key " + first.key());
-        slots.checkNotEarly(point);
-        first.instance.take(point, point.name(), DeliveryModels.outside(Map.of()));
-        if (first.twice) {
-            int place = owed.indexOf(first);
-            owed.remove(place);
-            add(point, first.point, place);
-            slots = wait(point);
+        Answer sent = !isVague ? first
+                : owed.stream().filter(answer -> answer.key == point.operand("key")).findFirst().orElse(null);
+        point.require(sent != null && sent.key == point.operand("key"),
+                sent == null ? "that it owes one" : "first " + sent.point.name() + " with key " + sent.key);
+        timer.checkNotEarly(point);
+        sent.instance.take(point, point.name(), DeliveryModels.outside(Map.of()));
+        if (sent.isTwice) {
+            sent.isTwice = false;
+            sent.owe(point);
+            await(point, quiet);
         } else {
-            remove(point, answer -> answer == first);
+            owed.remove(sent);
+            begin(point);
         }
     }
 
     void checkTimers(Point point) throws RefusedException {
         if (isVague) {
-            slots = Timer.NONE;
-            if (air.slotsAtLeast(point.run() - point.gap()) > MOST_PUT_OFF_SLOTS * owed.size()) {
+            timer = Timer.NONE;
+            if (!air.isBusy() && air.slots(air.quiet().from(), point.run() - point.gap())
+                    .least() > MOST_PUT_OFF_SLOTS * owed.size()) {
                 reset();
             }
         }
-        slots.checkNotLate(point);
-    }
-
-    /** The air becomes busy; called before it is. */
-    void busy(Point point) {
-        slots.busy(point);
+        timer.checkNotLate(point);
     }
 
     /** The air has become busy or quiet, which it was not. */
     void air(Point point) throws RefusedException {
-        require(!air.isTimed() || isVague || !point.is("QUIET") || owed.isEmpty() || isPutOff ||
-                begun >= point.run() - point.gap(), point.board() + " has not put off the answer that it owes",
+        if (air.isBusy()) {
+            timer.busy();
+        }
+        require(!air.isTimed() || isVague || air.isBusy() || first == null || quiet != FRESH_SLOTS
+                || begun >= point.run() - point.gap(), point.board() + " has not put off the answer that it owes",
                 "PUT_OFF while the air was busy");
         String heard = air.isBusy() ? "BUSY" : "QUIET";
         for (Answer answer : owed) {

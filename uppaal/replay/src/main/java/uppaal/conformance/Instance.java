@@ -16,14 +16,19 @@ import uppaal.network.Transition;
  * of the model would do is set from outside; clocks do not run by themselves.
  */
 final class Instance {
-    private final Model model;
     private final String name;
+    private Model model;
     private int[] state;
 
     Instance(Model model, String name, int[] state) {
         this.model = model;
         this.name = name;
         this.state = state;
+    }
+
+    /** Goes on where it is as an instance of the same template with other arguments. */
+    void become(Instance other) {
+        model = other.model;
     }
 
     /** One way from the current location: through urgent ones, and by the edge of a point at last. */

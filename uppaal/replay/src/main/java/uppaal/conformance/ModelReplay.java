@@ -19,8 +19,7 @@ final class ModelReplay implements Check {
     }
 
     private ModelBoard board(String name) {
-        return boards.computeIfAbsent(name, added -> new ModelBoard(models,
-                new DeclaredAir(header, name)));
+        return boards.computeIfAbsent(name, added -> new ModelBoard(models, new BoardAir(header, name)));
     }
 
     @Override
@@ -30,15 +29,13 @@ final class ModelReplay implements Check {
 
     @Override
     public void event(TraceEvent event) throws RefusedException {
-        Point told = new Point(event, event.name(), 0);
         switch (event.name()) {
             case "reset" -> board(event.board()).reset();
             case "host-transmit" -> board(event.board()).transmit(event.number("number"), kind(event));
             case "host-relay" -> board(event.board()).transmit(event.number("number"), "broadcast");
-            case "host-outcome" ->
-                board(event.board()).outcome(told, event.number("number"), event.text("outcome"));
-            case "host-handed" -> board(event.board()).handed(told, event.number("number"), kind(event));
-            case "host-taking" -> board(event.board()).takes(told, event.number("number"));
+            case "host-handed" -> board(event.board()).handed(event.number("number"), kind(event));
+            case "host-taking" ->
+                board(event.board()).takes(new Point(event, event.name(), 0), event.number("number"));
             default -> {}
         }
     }

@@ -1,32 +1,32 @@
 package uppaal.conformance;
 
-import static uppaal.conformance.RefusedException.require;
-
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 
-/** A message at a receiver's board. It is followed once its kind is known, when the host has got it. */
+/** A message at a receiver's board, which takes it for a broadcast until its host has got it. */
 final class Receiving {
     private static final int DATA = 1;
     private static final int ACK = 2;
+    private static final int QUESTION = 6;
 
-    private final DeliveryModels models;
     final int number;
     final int key;
+    private final DeliveryModels models;
     private final int nonce;
-    private final List<Point> before = new ArrayList<>();
-    private Instance instance;
-    boolean isHanded;
-    /** Whether taking it is to be acknowledged; only what its host has got is known to be a unicast. */
-    boolean isUnicast;
+    private final Instance instance;
 
-    Receiving(DeliveryModels models, int number, Point queued) {
+    Receiving(DeliveryModels models, int number, Point queued) throws RefusedException {
         this.models = models;
         this.number = number;
         nonce = queued.operand("nonce");
         key = queued.operand("key");
-        before.add(queued);
+        instance = models.receiver("broadcast", number);
+        see(queued);
+    }
+
+    /** The board owes an answer to one that it does not have. */
+    static void unknown(DeliveryModels models, Point owes) throws RefusedException {
+        models.receiver("unicast", owes.operand("nonce")).take(owes, owes.name(),
+                DeliveryModels.outside(Map.of("kind", owes.is("OWE_FRAGMENTS") ? QUESTION : DATA)));
     }
 
     /** Whether an answer is owed to it. */
@@ -35,44 +35,36 @@ final class Receiving {
     }
 
     /** The host has got it, and so its kind is known. */
-    void isOfKind(String kind, Point handed) throws RefusedException {
-        require(isHanded, handed.board() + " hands over message " + number, "HANDED first");
-        if (instance == null) {
-            isUnicast = kind.equals("unicast");
-            instance = models.receiver(kind, number);
-            for (Point point : before) {
-                take(point);
-            }
-        }
+    void isOfKind(String kind) {
+        instance.become(models.receiver(kind, number));
     }
 
-    /**
-     * Its board declares something of it, or the host does something with it.
-     *
-     * @param isNext whether the host has got all before it
-     */
-    void see(Point point, boolean isNext) throws RefusedException {
-        if (point.is("HANDED")) {
-            point.require(isHanded || isNext, "those before it first");
-            isHanded = true;
-        }
-        if (instance == null) {
-            before.add(point);
-        } else {
-            take(point);
-        }
+    boolean isHanded() {
+        return !instance.isAt("Queued");
     }
 
-    /** The acknowledgement that taking it causes. */
-    void acknowledge(Point point) throws RefusedException {
-        point.require(point.is("OWE_DELIVERED") && isOf(point) && instance.get("owed[1]") == ACK,
-                "OWE_DELIVERED for message " + number + ", which its host has taken");
+    /** @param isNext whether all before it were handed over */
+    void hand(Point point, boolean isNext) throws RefusedException {
+        instance.set("unread[0]", DeliveryModels.flag(!isNext));
+        see(point);
     }
 
-    private void take(Point point) throws RefusedException {
+    /** Its board declares something of it, or the host does something with it. */
+    void see(Point point) throws RefusedException {
         boolean isRepeat = point.is("host-taking") && instance.isAt("Taking");
         if (!isRepeat) {
             instance.take(point, point.name(), DeliveryModels.outside(Map.of("kind", DATA)));
         }
+    }
+
+    /** Whether it is a unicast that the host has taken. */
+    boolean isAcknowledged() {
+        return instance.get("owed[1]") == ACK;
+    }
+
+    /** The acknowledgement that taking it causes. */
+    void acknowledge(Point point) throws RefusedException {
+        point.require(point.is("OWE_DELIVERED") && isOf(point),
+                "OWE_DELIVERED for message " + number + ", which its host has taken");
     }
 }

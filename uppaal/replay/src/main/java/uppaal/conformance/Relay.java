@@ -4,7 +4,6 @@ import static uppaal.conformance.RefusedException.require;
 
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import javino.protocol.Airtime;
@@ -16,6 +15,8 @@ import trace.TraceEvent;
 /** One relay: its scores, its credit, and a copy of {@code relay.xml}'s automaton for each of its places. */
 final class Relay {
     private static final int RESERVE_QUIET = 18;
+    /** After so many a copy for many is not sent any more. */
+    private static final int MOST_SLOTS = 256;
     private static final int ADDRESSES = 32;
     private static final int FIRST_SCORE = 1;
     /** Of time on the air, in milliseconds, and as a share of all time. */
@@ -29,14 +30,14 @@ final class Relay {
     private final Header header;
     private final Model model;
     private final Deque<Transmission> heard;
-    private final DeclaredAir air;
+    private final BoardAir air;
     private final Map<Integer, RelayedPacket> places = new HashMap<>();
     /** By the number of an address. */
     private final Map<Integer, Integer> scores = new BoundedMap<>(ADDRESSES);
     /** Likewise, bit h for a packet from there with h hops behind it. */
     private final Map<Integer, Integer> hops = new HashMap<>();
-    /** For unicasts, and for many. */
-    private final Credit[] credits;
+    /** What it may still spend on packets for many, and on others. */
+    private final Map<Boolean, Interval> credits = new HashMap<>();
     private double filled;
     private final String id;
     /** The point that must follow in the same run; nothing where none must. */
@@ -50,8 +51,10 @@ final class Relay {
         this.model = model;
         this.id = id;
         this.heard = heard;
-        air = new DeclaredAir(header, board);
-        credits = new Credit[] {new Credit(), new Credit()};
+        air = new BoardAir(header, board);
+        Interval full = new Interval(air.isTimed() ? MOST_CREDIT : 0, MOST_CREDIT);
+        credits.put(true, full);
+        credits.put(false, full);
         heard.stream().limit(1).forEach(this::heard); // it may wait to be read
     }
 
@@ -61,47 +64,30 @@ final class Relay {
     }
 
     void point(Point point) throws RefusedException {
-        boolean isOurs = point.name().startsWith("RELAY_");
-        point.require(next.isEmpty() || point.is("COUNT")
-                || next.equals(point.name() + " of place " + point.event().textOrEmpty("place")), next);
-        next = point.is("COUNT") ? next : "";
-        if (isOurs && !point.is("RELAY_ON")) {
+        if (point.is("COUNT")) {
+            return;
+        }
+        point.require(next.isEmpty() || next.equals(point.name() + " of place " + point.event().textOrEmpty("place")),
+                next);
+        next = "";
+        for (RelayedPacket place : places.values()) {
+            place.due.checkNotLate(point);
+        }
+        if (point.name().startsWith("RELAY_") && !point.is("RELAY_ON")) {
             fill(point);
             relay(point, point.operand("place"));
         }
-        before = point.is("COUNT") ? before : point;
-        boolean wasBusy = air.isBusy();
-        boolean breaks = AirCheck.SENDS.contains(point.name()) || point.is("BUSY");
-        for (RelayedPacket place : breaks && !wasBusy ? places.values() : List.<RelayedPacket>of()) {
-            place.due.checkNotLate(point);
-            place.due.busy(point);
-            place.count(point);
-        }
-        if (breaks) {
-            air.busy();
-        } else if (wasBusy && point.is("QUIET")) {
-            air.quiet(point);
-            places.values().forEach(place -> place.quietFrom = point.run());
+        before = point;
+        if (air.changes(point)) {
+            places.values().forEach(place -> place.air(point));
         }
     }
 
     private void fill(Point point) {
-        double more = (point.seconds() - filled) * SHARE * MILLIS;
+        double more = (point.seconds() - filled) * SHARE * MILLIS / air.second();
         filled = point.seconds();
-        for (Credit credit : credits) {
-            credit.add(more / air.second(), SHARE);
-        }
-    }
-
-    /** What a relay may still spend: at least and at most. */
-    private final class Credit {
-        private double least = air.isTimed() ? MOST_CREDIT : 0;
-        private double most = MOST_CREDIT;
-
-        void add(double more, double error) {
-            least = air.isTimed() ? Math.min(MOST_CREDIT, least + more - error) : 0;
-            most = air.isTimed() ? Math.min(MOST_CREDIT, most + more + error) : MOST_CREDIT;
-        }
+        Interval filling = new Interval(more - SHARE, more + SHARE);
+        credits.replaceAll((any, credit) -> credit.plus(filling).atMost(MOST_CREDIT));
     }
 
     private void follows(Point point, String name) {
@@ -112,9 +98,6 @@ final class Relay {
         RelayedPacket place = places.get(number);
         boolean begins = point.is("RELAY_NEW") || point.is("RELAY_DISTANCE");
         point.require(begins || place != null, "RELAY_NEW of this place before");
-        if (RelayedPacket.DRAWS.containsKey(point.name())) {
-            place.draw(point);
-        }
         switch (point.name()) {
             case "RELAY_DISTANCE" -> {
                 point.require(!before.is("RELAY_FORGET"), "none of a packet that is late");
@@ -122,13 +105,13 @@ final class Relay {
             }
             case "RELAY_NEW" -> begin(point, number);
             case "RELAY_ANEW", "RELAY_STEP_IN" -> again(point, place);
-            case "RELAY_RESERVE" -> {
-                place.expect(point, "Reserve");
-                place.restartQuiet(point);
+            case "RELAY_RESERVE" -> place.reserve(point);
+            case "RELAY_DRAW", "RELAY_DRAW_REPEAT", "RELAY_DRAW_ANSWER", "RELAY_DRAW_ANSWER_REPEAT" ->
+                place.draw(point);
+            case "RELAY_DRAW_AGAIN", "RELAY_DRAW_ANSWER_AGAIN" -> {
+                take(point, place, place::is);
+                place.draw(point);
             }
-            case "RELAY_DRAW", "RELAY_DRAW_REPEAT" -> place.expect(point, "Waiting");
-            case "RELAY_DRAW_ANSWER", "RELAY_DRAW_ANSWER_REPEAT" -> place.expect(point, "Carrying");
-            case "RELAY_DRAW_AGAIN", "RELAY_DRAW_ANSWER_AGAIN" -> take(point, place, place::is);
             case "RELAY_GONE_ON", "RELAY_PEER" -> {
                 take(point, place, place::is);
                 place.stop(point);
@@ -161,11 +144,11 @@ final class Relay {
     }
 
     private Map<String, Integer> externals(Point point, RelayedPacket place, Transmission packet) {
-        double late = place.lateSeconds() * MILLIS;
-        double millis = (point.seconds() - place.happened) * MILLIS / air.second() + LATE_MILLIS - late;
-        double error = 2 * PhysicalLimits.MILLIS_STEP_SECONDS * MILLIS;
-        int at = Math.abs(millis - LATE_MILLIS) <= error ? LATE_MILLIS
-                : Math.abs(millis - AGAIN_MILLIS) <= error ? AGAIN_MILLIS : (int) millis;
+        Interval age = place.age(point).times(MILLIS / air.second());
+        int late = place.lateMillis();
+        // The model has one time after which a packet is late.
+        int at = age.holds(late) ? LATE_MILLIS : age.holds(AGAIN_MILLIS) ? AGAIN_MILLIS
+                : (int) age.most() + LATE_MILLIS - late;
         boolean isAnswer = packet.payload().isAcknowledgement();
         int from = !isAnswer ? packet.hops() : packet.told() == 0 ? model.constant("DIRECT") : packet.told() - 1;
         return Map.of("at", at, "kind", model.constant(isAnswer ? "ACK" : "DATA"), "hops", from, "by",
@@ -210,7 +193,7 @@ final class Relay {
         point.require(!place.isToMany() || packet.hops() == 0, "no copy of a copy");
         double least =
                 score(place.packet.destination()) == 0 || place.isToMany() ? cost(place.packet) : MOST_CREDIT / 2;
-        double credit = credits[place.isToMany() ? 1 : 0].most;
+        double credit = credits.get(place.isToMany()).most();
         point.require(credit >= least, (int) least + " ms of credit or more, not " + (int) credit);
         boolean isEarly = before.is("RELAY_DISTANCE");
         point.require(isEarly != (place.isToMany() || before.is("RELAY_FORGET")),
@@ -226,17 +209,14 @@ final class Relay {
     }
 
     private void begun(Point point, RelayedPacket place) {
-        place.happened = point.seconds();
-        place.restartQuiet(point);
-        place.soon = false;
-        place.due = Timer.NONE;
+        place.begin(point);
         follows(point, place.instance.isAt("Reserve") ? "RELAY_RESERVE" : "RELAY_DRAW");
     }
 
     private void again(Point point, RelayedPacket place) throws RefusedException {
-        place.count(point);
-        point.require(point.is("RELAY_ANEW") || place.quietMost >= RESERVE_QUIET,
-                RESERVE_QUIET + " quiet slots or more, not " + (int) place.quietMost);
+        double quiet = place.quiet(point).most();
+        point.require(point.is("RELAY_ANEW") || quiet >= RESERVE_QUIET,
+                RESERVE_QUIET + " quiet slots or more, not " + (int) quiet);
         take(point, place, place::is);
         place.told = point.is("RELAY_ANEW") ? 0 : place.told;
         begun(point, place);
@@ -248,7 +228,6 @@ final class Relay {
 
     private void send(Point point, RelayedPacket place) throws RefusedException {
         place.due.checkNotEarly(point);
-        place.due.checkNotLate(point);
         place.due = Timer.NONE;
         boolean isRefused = point.is("RELAY_REFUSE");
         boolean isCopy = point.is("RELAY_COPY");
@@ -256,13 +235,15 @@ final class Relay {
         place.instance.take(point);
         if (isCopy || isRefused) {
             int cost = cost(place.packet);
-            Credit credit = credits[place.isToMany() ? 1 : 0];
-            boolean mayBeRefused = credit.least < cost || place.isLate(point, -1);
-            point.require(isRefused ? mayBeRefused : credit.most >= cost && !place.isLate(point, 1),
-                    "RELAY_" + (isRefused ? "COPY" : "REFUSE") + " of a packet of " + cost + " ms, with a credit of "
-                            + (int) credit.least + " to " + (int) credit.most);
-            credit.add(isCopy ? -cost : 0, 0);
+            Interval credit = credits.get(place.isToMany());
+            Interval slots = place.age(point).times(1 / air.slot());
+            boolean mayBeRefused = credit.least() < cost || place.isToMany() && slots.most() > MOST_SLOTS;
+            boolean mayBeCopied = credit.most() >= cost && !(place.isToMany() && slots.least() > MOST_SLOTS);
+            point.require(isRefused ? mayBeRefused : mayBeCopied, "RELAY_" + (isRefused ? "COPY" : "REFUSE")
+                    + " of a packet of " + cost + " ms, with a credit of " + (int) credit.least() + " to "
+                    + (int) credit.most());
             place.spent += isCopy ? cost : 0;
+            credits.put(place.isToMany(), credit.plus(Interval.of(isCopy ? -cost : 0)));
         }
         if (!isRefused) {
             int own = place.instance.get("own");
@@ -289,7 +270,7 @@ final class Relay {
                 Map.of(RULE, model.constant(rule), "doubt", doubt));
         place.stop(point);
         scores.put(number(place.packet.destination()), doubt);
-        credits[0].add(place.spent, 0);
+        credits.put(false, credits.get(false).plus(Interval.of(place.spent)).atMost(MOST_CREDIT));
         place.spent = 0;
         if (place.instance.isAt("Carrying")) {
             follows(point, "RELAY_DRAW_ANSWER");
@@ -298,8 +279,7 @@ final class Relay {
 
     private void ended(Point point, RelayedPacket place) {
         place.sends = false;
-        place.happened = point.seconds();
-        place.restartQuiet(point);
+        place.restart(point);
         boolean isCopy = point.is("RELAY_COPY_ENDED");
         if (place.instance.isAt(isCopy ? "Waiting" : "Carrying")) {
             follows(point, isCopy ? "RELAY_DRAW_REPEAT" : "RELAY_DRAW_ANSWER_REPEAT");

@@ -13,11 +13,10 @@ final class RelayedPacket {
     private static final Draw FROM_RESERVE = new Draw("RELAY_COPY", 8, TURN, 2 * SPREAD, false);
     private static final Draw DOUBTFUL = new Draw("RELAY_COPY", 30, 0, 16 * SPREAD, false);
     private static final Draw TO_MANY = new Draw("RELAY_COPY", 1, 0, SPREAD, false);
-    /** Slots after which a copy for many is not sent any more, and those after which another one is. */
-    private static final int MOST_SLOTS = 256;
+    /** Slots after which a packet for many that comes again is copied again. */
     private static final int AGAIN_SLOTS = 128;
     private static final int MARK_AT = 15;
-    static final Map<String, Draw> DRAWS = Map.of(
+    private static final Map<String, Draw> DRAWS = Map.of(
             "RELAY_DRAW", new Draw("RELAY_COPY", 8, 0, 2 * SPREAD, false),
             "RELAY_DRAW_AGAIN", new Draw("RELAY_COPY", 6, 0, SPREAD, true),
             "RELAY_DRAW_REPEAT", new Draw("RELAY_COPY", 2, 20, SPREAD, true),
@@ -28,22 +27,21 @@ final class RelayedPacket {
 
     final Payload packet;
     final Instance instance;
-    private final DeclaredAir air;
+    private final BoardAir air;
     Transmission answer;
     /** One more than the distance that its copies tell; 0 if they tell none. */
     int told;
     Timer due = Timer.NONE;
     /** When something happened to it last, in seconds. */
-    double happened;
-    /** Quiet slots since the end of its last copy, or since it came in reserve: at least and at most. */
-    double quietLeast;
-    double quietMost;
-    double quietFrom;
+    private double happened;
+    /** The slots of quiet times that are over, of those that count since a moment. */
+    private Interval counted = Interval.of(0);
+    private double since;
     boolean soon;
     double spent;
     boolean sends;
 
-    RelayedPacket(Payload packet, Instance instance, DeclaredAir air) {
+    RelayedPacket(Payload packet, Instance instance, BoardAir air) {
         this.packet = packet;
         this.instance = instance;
         this.air = air;
@@ -68,20 +66,35 @@ final class RelayedPacket {
     }
 
     /** From when on it begins anew where it comes again. */
-    double lateSeconds() {
-        return isToMany() && air.isTimed() ? AGAIN_SLOTS * air.slot() / air.second() : Relay.LATE_MILLIS / 1e3;
+    int lateMillis() {
+        return isToMany() && air.isTimed() ? (int) Math.round(AGAIN_SLOTS * air.slot() / air.second() * 1e3)
+                : Relay.LATE_MILLIS;
     }
 
-    /** Whether a copy for many comes too late, by so many steps of the clock at least. */
-    boolean isLate(Point point, int steps) {
-        return isToMany() && air.isTimed() && point.seconds() - happened > MOST_SLOTS * air.slot()
-                + 2 * steps * PhysicalLimits.MILLIS_STEP_SECONDS * air.second();
+    /** How long ago something happened to it, in seconds. */
+    Interval age(Point point) {
+        double age = point.seconds() - happened;
+        double error = 2 * PhysicalLimits.MILLIS_STEP_SECONDS * air.second();
+        return new Interval(age - error, age + error);
     }
 
-    void restartQuiet(Point point) {
-        quietLeast = 0;
-        quietMost = 0;
-        quietFrom = point.run();
+    /** It is new, or as if it were. */
+    void begin(Point point) {
+        restart(point);
+        soon = false;
+        due = Timer.NONE;
+    }
+
+    void reserve(Point point) throws RefusedException {
+        expect(point, "Reserve");
+        restart(point);
+    }
+
+    /** Quiet slots count from here. */
+    void restart(Point point) {
+        happened = point.seconds();
+        counted = Interval.of(0);
+        since = point.run();
     }
 
     boolean is(Payload heard) {
@@ -93,25 +106,30 @@ final class RelayedPacket {
                 && packet.lastBits() == heard.answered();
     }
 
-    /** Counts the quiet slots up to a moment between two. */
-    void count(Point point) {
-        double least = point.run() - point.gap();
-        double most = point.run();
-        if (!air.isTimed()) {
-            quietMost = Double.POSITIVE_INFINITY;
-        } else if (!air.isBusy()) {
-            double error = PhysicalLimits.MILLIS_STEP_SECONDS / air.slot();
-            quietLeast += Math.max(0, Math.floor((least - quietFrom) / air.slot() - error));
-            quietMost += Math.max(0, Math.floor((most - quietFrom) / air.slot() + error) + 1);
+    /** The board's air has become busy or quiet. */
+    void air(Point point) {
+        if (air.isBusy()) {
+            due.busy();
+            counted = counted.plus(slots(point));
         }
-        quietFrom = most;
     }
 
-    void expect(Point point, String location) throws RefusedException {
+    /** Quiet slots since the end of its last copy, or since it came in reserve. */
+    Interval quiet(Point point) {
+        return !air.isTimed() ? Interval.ANY : air.isBusy() ? counted : counted.plus(slots(point));
+    }
+
+    private Interval slots(Point point) {
+        double from = Math.max(since, air.quiet().from());
+        return new Interval(air.slots(from, point.run() - point.gap()).least(), air.slots(from, point.run()).most() + 1);
+    }
+
+    private void expect(Point point, String location) throws RefusedException {
         point.require(instance.isAt(location), location + ", not " + instance.location());
     }
 
     void draw(Point point) throws RefusedException {
+        expect(point, point.name().startsWith("RELAY_DRAW_ANSWER") ? "Carrying" : "Waiting");
         boolean isUnsure = point.is("RELAY_DRAW") && instance.get("repeated") == 1;
         Draw draw = !isUnsure ? DRAWS.get(point.name())
                 : isToMany() ? TO_MANY
@@ -127,16 +145,15 @@ final class RelayedPacket {
     }
 
     void checkSoon(Point point, boolean isTold) throws RefusedException {
-        count(point);
-        boolean copied = instance.get("copied") == 1;
-        boolean mustBe = soon || copied && quietMost < SOON;
-        boolean mayBe = soon || copied && quietLeast < SOON;
-        point.require(isTold ? mayBe : !mustBe, "that soon is less than " + SOON + " quiet slots behind a copy");
+        boolean isCopied = instance.get("copied") == 1;
+        Interval quiet = quiet(point);
+        point.require(soon ? isTold : isTold ? isCopied && quiet.least() < SOON : !isCopied || quiet.most() >= SOON,
+                "that soon is less than " + SOON + " quiet slots behind a copy");
         soon = isTold;
     }
 
-    void stop(Point point) throws RefusedException {
-        due.checkNotLate(point);
+    /** Something happens to it, by which what is due is not sent. */
+    void stop(Point point) {
         due = Timer.NONE;
         happened = point.seconds();
     }

@@ -1,19 +1,42 @@
 package uppaal.conformance;
 
-/** What a board waits for in quiet air. */
-interface Timer {
-    /** None, or one of which the trace does not tell enough. */
-    Timer NONE = new Timer() {};
+import java.util.Locale;
 
-    /** The board's air becomes busy; called before the air is. */
-    default void busy(Point point) {}
+/** What a board does after so much quiet air; this one at any time, as the trace does not tell enough of it. */
+class Timer {
+    static final Timer NONE = new Timer("");
 
-    /** It becomes quiet. */
-    default void quiet(Point point) {}
+    private final String what;
 
-    /** It has done nothing up to the run() before. */
-    default void checkNotLate(Point point) throws RefusedException {}
+    Timer(String what) {
+        this.what = what;
+    }
+
+    /** When it is due if the air stays as it is, but for a step of the clock. */
+    Interval due() {
+        return Interval.ANY;
+    }
+
+    /** The board's air has become busy. */
+    void busy() {}
+
+    /** The board has done nothing up to the run() before. */
+    void checkNotLate(Point point) throws RefusedException {
+        double latest = due().most();
+        if (latest < Double.POSITIVE_INFINITY
+                && latest + PhysicalLimits.MILLIS_STEP_SECONDS < point.run() - point.gap()) {
+            throw new RefusedException(
+                    String.format(Locale.ROOT, "%s has not done what its timer was for by %.6f s", point.board(), point.run()),
+                    String.format(Locale.ROOT, "%s at its first run() after %.6f s", what, latest));
+        }
+    }
 
     /** It does it now. */
-    default void checkNotEarly(Point point) throws RefusedException {}
+    void checkNotEarly(Point point) throws RefusedException {
+        double earliest = due().least();
+        if (point.run() + PhysicalLimits.MILLIS_STEP_SECONDS < earliest) {
+            throw new RefusedException(point + " too early", earliest == Double.POSITIVE_INFINITY ? "quiet air"
+                    : String.format(Locale.ROOT, "%.6f s or later", earliest));
+        }
+    }
 }

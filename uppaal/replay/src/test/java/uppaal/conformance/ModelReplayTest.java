@@ -120,9 +120,10 @@ class ModelReplayTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "0.501 TAKE_UP |                                     | expected TAKE_UP first",
+            "0.500 host-transmit |                               | expected that its host has asked for it",
             "0.523 SEND    | 0.510 SEND                          | SEND too early; expected 0.514",
             "0.501 CONTEND slots=3 | 0.501 CONTEND slots=0 | by 0.523",
-            "0.850 ATTEMPT | 0.775 ATTEMPT                       | after 0.0",
+            "0.850 ATTEMPT | 0.775 ATTEMPT                       | too early; expected 0.85",
             "0.850 ATTEMPT_FAILED attempts=1 | 0.850 ATTEMPT_FAILED attempts=2 | expected attempts 1",
             "rounds=0      | rounds=3                            | expected rounds 0",
             "1.110 SEND    | 1.002 SEND                          | too early",
@@ -130,16 +131,14 @@ class ModelReplayTest {
             "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=2   | after 1.014",
             "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=8   | expected at most 7 slots",
             "1.451 DELIVERED | 1.451 DELIVERED;1.452 SEND pending=1 | expected TAKE_UP first",
-            "1.451 DELIVERED | 1.451 SENT       | declares SENT, but its Sender",
-            "outcome=delivered | outcome=undelivered             | expected delivered",
-            "1.451 DELIVERED |                                   | expected that it has ended"})
+            "1.451 DELIVERED | 1.451 SENT       | declares SENT, but its Sender"})
     void unicast_changed_isRefused(String from, String to, String why) {
         refused(UNICAST, from, to, why);
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            "0.350 HANDED  |                                     | expected HANDED first",
+            "0.350 HANDED  |                                     | is Queued; expected HANDED",
             "0.300 QUEUED  |                                     | expected QUEUED before",
             "0.400 host-taking |                                 | declares TAKEN, but its Receiver",
             "0.410 OWE     |                                     | expected OWE_DELIVERED for message 0",
@@ -170,7 +169,8 @@ class ModelReplayTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"4.451 | accepted", "3.000 | after 1.", "4.600 | still waits"})
+    @CsvSource(delimiter = '|', value = {"4.451 | accepted", "3.000 | too early; expected 4.45",
+            "4.600 | by 4.590"})
     void copiedByRelay_waitsFor20Rounds(double failed, String why) {
         String copied = UNICAST.substring(0, UNICAST.indexOf("1.451")) + "1.451 COPIED\n"
                 + (failed - 0.01) + " QUIET\n" + failed + " ATTEMPT_FAILED attempts=2\n";
@@ -181,7 +181,7 @@ class ModelReplayTest {
     @Test
     void attempt_thatDoesNotFail_isRefused() {
         String silent = UNICAST.substring(0, UNICAST.indexOf("0.850"));
-        assertTrue(refusal(silent + "0.856 QUIET").orElse("").contains("still waits"));
+        assertTrue(refusal(silent + "0.856 QUIET").orElse("").contains("expected ATTEMPT_FAILED of transmission 0"));
         assertEquals(Optional.empty(), refusal(silent + "0.851 QUIET"));
     }
 
