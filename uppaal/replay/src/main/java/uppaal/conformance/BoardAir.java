@@ -7,6 +7,9 @@ import java.util.stream.Stream;
 /** The air of a board, as that declares it: busy from BUSY or a send of its own on, quiet from QUIET on (SPEC 7.4). */
 final class BoardAir {
     private static final int KEPT = 32;
+    /** PATIENCE_MILLIS in the firmware. */
+    private static final int ROUND = 150;
+    private static final double MILLIS = 1000;
 
     /**
      * A quiet time, in seconds.
@@ -75,12 +78,13 @@ final class BoardAir {
 
     /** What comes after so many quiet slots in a row, and so many drawn ones. */
     Timer slots(Point point, int first, int drawn, String what) {
-        return isTimed() ? new SlotTimer(this, point, first, drawn, what) : Timer.NONE;
+        return isTimed() ? new Timer(this, point.run(), slot, first, drawn, 1, what) : Timer.NONE;
     }
 
-    /** An answer that is waited for. */
+    /** An answer that is waited for; what hears a copy counts the time from the run() before. */
     Timer patience(Point point, int rounds, String what) {
-        return isTimed() ? new Patience(this, point, rounds, what) : Timer.NONE;
+        return isTimed() ? new Timer(this, point.run() - point.gap(), second / MILLIS, 0, rounds * ROUND, rounds, what)
+                : Timer.NONE;
     }
 
     /** How long a second of the board's clock is. */
@@ -97,9 +101,13 @@ final class BoardAir {
         return slot;
     }
 
-    /** The slots that a board counts by its clock of milliseconds from one moment to another. */
+    /** The slots or milliseconds that a board counts by its clock from one moment to another. */
+    static Interval units(double from, double until, double unit) {
+        return new Interval(Math.floor((until - from - PhysicalLimits.MILLIS_STEP_SECONDS) / unit),
+                Math.floor((until - from + PhysicalLimits.MILLIS_STEP_SECONDS) / unit)).atLeast(0);
+    }
+
     Interval slots(double from, double until) {
-        return new Interval(Math.floor((until - from - PhysicalLimits.MILLIS_STEP_SECONDS) / slot),
-                Math.floor((until - from + PhysicalLimits.MILLIS_STEP_SECONDS) / slot)).atLeast(0);
+        return units(from, until, slot);
     }
 }
