@@ -1,9 +1,9 @@
 package uppaal.conformance;
 
-import java.util.ArrayList;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -28,9 +28,8 @@ final class FateCheck implements Check {
     private static final int LOW_BYTE = 0xFF;
     private static final int NUMBERS = 256;
 
-    /** A board with a host. */
+    /** A board with a host, since its last reset. */
     private static final class Receiver {
-        /** Whether it runs since its last reset. */
         boolean isRunning;
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
@@ -38,19 +37,10 @@ final class FateCheck implements Check {
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
         /** The last bytes of the nonces in its inbox, and the number of the first. */
-        final List<Integer> inbox = new ArrayList<>();
+        final Deque<Integer> inbox = new ArrayDeque<>();
         int first;
         /** Whether it is to acknowledge again what its host has taken. */
         boolean owes;
-
-        void reset() {
-            isRunning = false;
-            waits = null;
-            assembled.clear();
-            inbox.clear();
-            first = 0;
-            owes = false;
-        }
 
         /** Whether what it waits for must have a fate. */
         private boolean isDemanded() {
@@ -73,10 +63,21 @@ final class FateCheck implements Check {
             return fragment.origin() + fragment.fragmentId();
         }
 
-        private boolean isTakenAgain(Point point) {
-            return point.is("COUNT") && point.operand("counter") == Counter.RADIO_REPEATS.number() && waits != null
+        private boolean isTakenAgain(Optional<Counter> counter) {
+            return counter.equals(Optional.of(Counter.RADIO_REPEATS)) && waits != null
                     && waits.payload().kind() == Payload.Kind.UNICAST
                     && !inbox.contains(waits.payload().lastBits() & LOW_BYTE);
+        }
+
+        private void queue(Point point) {
+            if (point.is("QUEUED")) {
+                inbox.add(point.operand("nonce"));
+            } else if (point.is("TAKEN")) {
+                int next = (point.operand("message") + 1) % NUMBERS;
+                for (; first != next; first = (first + 1) % NUMBERS) {
+                    inbox.poll();
+                }
+            }
         }
     }
 
@@ -101,17 +102,12 @@ final class FateCheck implements Check {
             return;
         }
         receiver.isRunning = true;
-        if (point.is("QUEUED")) {
-            receiver.inbox.add(point.operand("nonce"));
-        } else if (point.is("TAKEN")) {
-            int end = Math.floorMod(point.operand("message") + 1 - receiver.first, NUMBERS);
-            receiver.inbox.subList(0, Math.min(end, receiver.inbox.size())).clear();
-            receiver.first = (point.operand("message") + 1) % NUMBERS;
-        }
+        receiver.queue(point);
+        Optional<Counter> counter = point.is("COUNT") ? Counter.of(point.operand("counter")) : Optional.empty();
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
-        receiver.owes = receiver.isTakenAgain(point) || receiver.owes && point.is("COUNT");
-        if (isFate(point)) {
+        receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
+        if (FATES.contains(point.name()) || counter.filter(COUNTED::contains).isPresent()) {
             receiver.told(point);
         } else if (receiver.waits != null && point.run() - point.gap() > receiver.since + arrival) {
             RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "
@@ -120,27 +116,23 @@ final class FateCheck implements Check {
         }
     }
 
-    private static boolean isFate(Point point) {
-        return FATES.contains(point.name()) || point.is("COUNT") && COUNTED.stream()
-                .anyMatch(counter -> counter.number() == point.operand("counter"));
-    }
-
     @Override
     public void event(TraceEvent event) {
         air.event(event);
         switch (event.name()) {
-            case "host-id" -> receivers.computeIfAbsent(event.board(), added -> new Receiver());
-            case "reset", "fault", "crash" ->
-                Optional.ofNullable(receivers.get(event.board())).ifPresent(Receiver::reset);
-            case "rf-rx" -> {
-                Receiver receiver = receivers.get(event.board());
-                if (receiver != null && receiver.isRunning) {
-                    // It keeps few: the first of two it may have had no place for.
-                    receiver.waits = receiver.waits == null ? air.sent(event).filter(this::isSure).orElse(null) : null;
-                    receiver.since = event.seconds();
-                }
-            }
+            case "host-id" -> receivers.putIfAbsent(event.board(), new Receiver());
+            case "reset", "fault", "crash" -> receivers.replace(event.board(), new Receiver());
+            case "rf-rx" -> hears(event);
             default -> {}
+        }
+    }
+
+    private void hears(TraceEvent event) {
+        Receiver receiver = receivers.get(event.board());
+        if (receiver != null && receiver.isRunning) {
+            // It keeps few: the first of two it may have had no place for.
+            receiver.waits = receiver.waits == null ? air.sent(event).filter(this::isSure).orElse(null) : null;
+            receiver.since = event.seconds();
         }
     }
 

@@ -2,6 +2,7 @@ package uppaal.conformance;
 
 import static uppaal.conformance.RefusedException.require;
 
+import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
@@ -12,7 +13,7 @@ import javino.protocol.Crc16;
 import javino.protocol.Payload;
 import trace.TraceEvent;
 
-/** One relay: its scores, its credit, and a copy of {@code relay.xml}'s automaton for each of its places. */
+/** One relay: its scores, its credit, and what it knows of each packet in one of its places. */
 final class Relay {
     private static final int RESERVE_QUIET = 18;
     /** After so many a copy for many is not sent any more. */
@@ -23,11 +24,8 @@ final class Relay {
     private static final double MOST_CREDIT = 4000;
     private static final double SHARE = 0.1;
     private static final int MILLIS = 1000;
-    static final int LATE_MILLIS = 1500;
-    private static final int AGAIN_MILLIS = 200;
-    private static final String RULE = "rule[1]";
 
-    private final Header header;
+    private final double bit;
     private final Model model;
     private final Deque<Transmission> heard;
     private final BoardAir air;
@@ -37,30 +35,26 @@ final class Relay {
     /** Likewise, bit h for a packet from there with h hops behind it. */
     private final Map<Integer, Integer> hops = new HashMap<>();
     /** What it may still spend on packets for many, and on others. */
-    private final Map<Boolean, Interval> credits = new HashMap<>();
+    private final Map<Boolean, Interval> credits;
     private double filled;
     private final String id;
     /** The point that must follow in the same run; nothing where none must. */
     private String next = "";
     /** The last point but COUNT. */
     private Point before;
-    private Point copies;
+    /** The packets that it has copied and that are not yet on the air. */
+    private final Deque<Payload> copies = new ArrayDeque<>();
 
-    Relay(Header header, String board, Model model, String id, Deque<Transmission> heard) {
-        this.header = header;
+    Relay(Header header, Point on, Model model, String id, Deque<Transmission> heard) {
         this.model = model;
         this.id = id;
         this.heard = heard;
-        air = new BoardAir(header, board);
+        bit = header.bit();
+        before = on;
+        air = new BoardAir(header, on.board());
         Interval full = new Interval(air.isTimed() ? MOST_CREDIT : 0, MOST_CREDIT);
-        credits.put(true, full);
-        credits.put(false, full);
+        credits = new HashMap<>(Map.of(true, full, false, full));
         heard.stream().limit(1).forEach(this::heard); // it may wait to be read
-    }
-
-    /** The automaton with the firmware's times, in milliseconds. */
-    static Model model() {
-        return new Model("relay.xml", "Relay", Map.of("LATE", LATE_MILLIS, "AGAIN", AGAIN_MILLIS), 1, 0, 0);
     }
 
     void point(Point point) throws RefusedException {
@@ -73,21 +67,23 @@ final class Relay {
         for (RelayedPacket place : places.values()) {
             place.due.checkNotLate(point);
         }
-        if (point.name().startsWith("RELAY_") && !point.is("RELAY_ON")) {
-            fill(point);
+        if (point.name().startsWith("RELAY_")) {
+            double more = (point.seconds() - filled) * SHARE * MILLIS / air.second();
+            filled = point.seconds();
+            credit(true, new Interval(more - SHARE, more + SHARE));
+            credit(false, new Interval(more - SHARE, more + SHARE));
             relay(point, point.operand("place"));
         }
         before = point;
         if (air.changes(point)) {
-            places.values().forEach(place -> place.air(point));
+            places.values().forEach(RelayedPacket::air);
         }
     }
 
-    private void fill(Point point) {
-        double more = (point.seconds() - filled) * SHARE * MILLIS / air.second();
-        filled = point.seconds();
-        Interval filling = new Interval(more - SHARE, more + SHARE);
-        credits.replaceAll((any, credit) -> credit.plus(filling).atMost(MOST_CREDIT));
+    private void credit(boolean isToMany, Interval millis) {
+        if (air.isTimed()) {
+            credits.merge(isToMany, millis, (credit, more) -> credit.plus(more).atMost(MOST_CREDIT));
+        }
     }
 
     private void follows(Point point, String name) {
@@ -105,7 +101,7 @@ final class Relay {
             }
             case "RELAY_NEW" -> begin(point, number);
             case "RELAY_ANEW", "RELAY_STEP_IN" -> again(point, place);
-            case "RELAY_RESERVE" -> place.reserve(point);
+            case "RELAY_RESERVE" -> place.expect(point, "Reserve");
             case "RELAY_DRAW", "RELAY_DRAW_REPEAT", "RELAY_DRAW_ANSWER", "RELAY_DRAW_ANSWER_REPEAT" ->
                 place.draw(point);
             case "RELAY_DRAW_AGAIN", "RELAY_DRAW_ANSWER_AGAIN" -> {
@@ -114,22 +110,28 @@ final class Relay {
             }
             case "RELAY_GONE_ON", "RELAY_PEER" -> {
                 take(point, place, place::is);
-                place.stop(point);
                 if (point.is("RELAY_GONE_ON")) {
                     place.checkSoon(point, point.operand("soon") == 1);
                 }
             }
-            case "RELAY_COPY", "RELAY_REFUSE", "RELAY_ANSWER" -> send(point, place);
-            case "RELAY_ANSWERED" -> answered(point, place);
-            case "RELAY_ANSWER_GONE_ON", "RELAY_ANSWER_PEER" -> {
-                take(point, place, place::isAnswer);
-                place.stop(point);
+            case "RELAY_COPY", "RELAY_REFUSE" -> copy(point, place);
+            case "RELAY_ANSWER" -> {
+                int behind = (place.answer.hops() + 1) % TraceEvent.HOPS;
+                send(point, place, place.answer.payload(), behind, place.instance.get("own") + 1);
             }
+            case "RELAY_ANSWERED" -> answered(point, place);
+            case "RELAY_ANSWER_GONE_ON", "RELAY_ANSWER_PEER" -> take(point, place, place::isAnswer);
             case "RELAY_FORGET" -> {
                 take(point, place, place::is);
                 places.remove(number);
             }
-            case "RELAY_COPY_ENDED", "RELAY_ANSWER_ENDED" -> ended(point, place);
+            case "RELAY_COPY_ENDED", "RELAY_ANSWER_ENDED" -> {
+                place.isOnAir = false;
+                place.restart(point);
+                if (place.instance.isAt(point.is("RELAY_COPY_ENDED") ? "Waiting" : "Carrying")) {
+                    follows(point, point.is("RELAY_COPY_ENDED") ? "RELAY_DRAW_REPEAT" : "RELAY_DRAW_ANSWER_REPEAT");
+                }
+            }
             default -> throw new RefusedException(point.toString(), "a point of a relay");
         }
     }
@@ -140,19 +142,7 @@ final class Relay {
     }
 
     private void take(Point point, RelayedPacket place, Predicate<Payload> wanted) throws RefusedException {
-        place.instance.take(point, point.name(), externals(point, place, came(point, wanted)));
-    }
-
-    private Map<String, Integer> externals(Point point, RelayedPacket place, Transmission packet) {
-        Interval age = place.age(point).times(MILLIS / air.second());
-        int late = place.lateMillis();
-        // The model has one time after which a packet is late.
-        int at = age.holds(late) ? LATE_MILLIS : age.holds(AGAIN_MILLIS) ? AGAIN_MILLIS
-                : (int) age.most() + LATE_MILLIS - late;
-        boolean isAnswer = packet.payload().isAcknowledgement();
-        int from = !isAnswer ? packet.hops() : packet.told() == 0 ? model.constant("DIRECT") : packet.told() - 1;
-        return Map.of("at", at, "kind", model.constant(isAnswer ? "ACK" : "DATA"), "hops", from, "by",
-                model.constant("SENDER"), "genuine", 1, "spent", 0, "doubt", score(place.packet.destination()));
+        place.take(point, came(point, wanted), score(place.packet.destination()), Map.of());
     }
 
     private static int number(String address) {
@@ -185,14 +175,13 @@ final class Relay {
                 && RelayedPacket.mark(payload) == point.operand("nonce")
                 && !payload.destination().equals(id) && !payload.origin().equals(id));
         RelayedPacket old = places.get(number);
-        point.require(old == null || old.due == Timer.NONE && !old.sends,
+        point.require(old == null || old.due == Timer.NONE && !old.isOnAir,
                 "another place, as that has something to send, or RELAY_REFUSED");
-        RelayedPacket place = new RelayedPacket(packet.payload(), model.instance(packet.payload().origin() + " to "
-                + packet.payload().destination()), air);
+        RelayedPacket place = new RelayedPacket(packet.payload(), model, air);
         places.put(number, place);
         point.require(!place.isToMany() || packet.hops() == 0, "no copy of a copy");
-        double least =
-                score(place.packet.destination()) == 0 || place.isToMany() ? cost(place.packet) : MOST_CREDIT / 2;
+        boolean isSpender = place.isToMany() || score(place.packet.destination()) == 0;
+        double least = isSpender ? cost(place) : MOST_CREDIT / 2;
         double credit = credits.get(place.isToMany()).most();
         point.require(credit >= least, (int) least + " ms of credit or more, not " + (int) credit);
         boolean isEarly = before.is("RELAY_DISTANCE");
@@ -204,12 +193,13 @@ final class Relay {
             boolean isNearer = place.told != 0 && (place.told + 1 - packet.told()) % TraceEvent.HOPS == 0;
             place.instance.set("away", packet.told() == 0 || isNearer ? 0 : 1);
         }
-        take(point, place, place::is);
         begun(point, place);
     }
 
-    private void begun(Point point, RelayedPacket place) {
-        place.begin(point);
+    private void begun(Point point, RelayedPacket place) throws RefusedException {
+        take(point, place, place::is);
+        place.restart(point);
+        place.isSoon = false;
         follows(point, place.instance.isAt("Reserve") ? "RELAY_RESERVE" : "RELAY_DRAW");
     }
 
@@ -217,42 +207,39 @@ final class Relay {
         double quiet = place.quiet(point).most();
         point.require(point.is("RELAY_ANEW") || quiet >= RESERVE_QUIET,
                 RESERVE_QUIET + " quiet slots or more, not " + (int) quiet);
-        take(point, place, place::is);
         place.told = point.is("RELAY_ANEW") ? 0 : place.told;
         begun(point, place);
     }
 
-    private int cost(Payload packet) {
-        return (int) (Airtime.bits(packet.bytes().length()) * header.bit() * MILLIS);
+    private int cost(RelayedPacket place) {
+        return (int) (Airtime.bits(place.packet.bytes().length()) * bit * MILLIS);
     }
 
-    private void send(Point point, RelayedPacket place) throws RefusedException {
-        place.due.checkNotEarly(point);
-        place.due = Timer.NONE;
+    private void copy(Point point, RelayedPacket place) throws RefusedException {
+        int cost = cost(place);
+        Interval credit = credits.get(place.isToMany());
+        Interval waited = place.isToMany() && air.isTimed() ? place.age(point).times(1 / air.slot()) : Interval.of(0);
         boolean isRefused = point.is("RELAY_REFUSE");
-        boolean isCopy = point.is("RELAY_COPY");
+        point.require(isRefused ? credit.least() < cost || waited.most() > MOST_SLOTS
+                : credit.most() >= cost && waited.least() <= MOST_SLOTS, "RELAY_" + (isRefused ? "COPY" : "REFUSE")
+                        + " of a packet of " + cost + " ms, with a credit of " + (int) credit.least() + " to "
+                        + (int) credit.most());
         place.instance.set("spent", isRefused ? model.constant("CREDIT") : 0);
-        place.instance.take(point);
-        if (isCopy || isRefused) {
-            int cost = cost(place.packet);
-            Interval credit = credits.get(place.isToMany());
-            Interval slots = place.age(point).times(1 / air.slot());
-            boolean mayBeRefused = credit.least() < cost || place.isToMany() && slots.most() > MOST_SLOTS;
-            boolean mayBeCopied = credit.most() >= cost && !(place.isToMany() && slots.least() > MOST_SLOTS);
-            point.require(isRefused ? mayBeRefused : mayBeCopied, "RELAY_" + (isRefused ? "COPY" : "REFUSE")
-                    + " of a packet of " + cost + " ms, with a credit of " + (int) credit.least() + " to "
-                    + (int) credit.most());
-            place.spent += isCopy ? cost : 0;
-            credits.put(place.isToMany(), credit.plus(Interval.of(isCopy ? -cost : 0)));
+        if (isRefused) {
+            place.send(point);
+        } else {
+            credit(place.isToMany(), Interval.of(-cost));
+            place.spent += cost;
+            send(point, place, place.packet, place.instance.get("own"), place.told);
         }
-        if (!isRefused) {
-            int own = place.instance.get("own");
-            int hops = isCopy ? own : (place.answer.hops() + 1) % TraceEvent.HOPS;
-            int path = hops + TraceEvent.HOPS * (isCopy ? place.told : own + 1);
-            point.require(point.operand("path") == path, "path " + path + ", with " + hops + " hops");
-            place.sends = true;
-            copies = point;
-        }
+    }
+
+    private void send(Point point, RelayedPacket place, Payload packet, int behind, int told) throws RefusedException {
+        place.send(point);
+        int path = behind + TraceEvent.HOPS * told;
+        point.require(point.operand("path") == path, "path " + path + ", with " + behind + " hops");
+        place.isOnAir = true;
+        copies.add(packet);
     }
 
     private void answered(Point point, RelayedPacket place) throws RefusedException {
@@ -265,37 +252,25 @@ final class Relay {
         if (isDirect && isCopied) {
             place.checkSoon(point, doubt != model.constant("MOST"));
         }
-        String rule = !isCopied ? "NEEDLESS" : place.soon ? "SOON" : isDirect ? "TOO_LATE" : "ELSEWHERE";
-        place.instance.take(point, point.name(), externals(point, place, place.answer),
-                Map.of(RULE, model.constant(rule), "doubt", doubt));
-        place.stop(point);
+        String rule = !isCopied ? "NEEDLESS" : place.isSoon ? "SOON" : isDirect ? "TOO_LATE" : "ELSEWHERE";
+        place.take(point, place.answer, score(place.packet.destination()),
+                Map.of(RelayedPacket.RULE, model.constant(rule), "doubt", doubt));
         scores.put(number(place.packet.destination()), doubt);
-        credits.put(false, credits.get(false).plus(Interval.of(place.spent)).atMost(MOST_CREDIT));
+        credit(false, Interval.of(place.spent));
         place.spent = 0;
         if (place.instance.isAt("Carrying")) {
             follows(point, "RELAY_DRAW_ANSWER");
         }
     }
 
-    private void ended(Point point, RelayedPacket place) {
-        place.sends = false;
-        place.restart(point);
-        boolean isCopy = point.is("RELAY_COPY_ENDED");
-        if (place.instance.isAt(isCopy ? "Waiting" : "Carrying")) {
-            follows(point, isCopy ? "RELAY_DRAW_REPEAT" : "RELAY_DRAW_ANSWER_REPEAT");
-        }
-    }
-
     /** A packet of this board begins: of what it has copied the bytes are those that came. */
     void begins(Transmission packet) throws RefusedException {
-        if (copies == null) {
+        if (copies.isEmpty()) {
             checkKnown(packet.board(), packet.payload(), packet.told());
-            return;
+        } else {
+            Payload expected = copies.remove();
+            require(packet.payload().equals(expected), packet.board() + " copies " + packet.payload().hex(),
+                    expected.hex() + ", as it came");
         }
-        RelayedPacket place = places.get(copies.operand("place"));
-        Payload expected = copies.is("RELAY_COPY") ? place.packet : place.answer.payload();
-        copies = null;
-        require(packet.payload().equals(expected), packet.board() + " copies " + packet.payload().hex(),
-                expected.hex() + ", as it came");
     }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import trace.TraceEvent;
 
@@ -19,7 +18,7 @@ final class RelayCheck implements Check {
     private final Map<String, String> ids = new HashMap<>();
     private final Air air;
     private final Header header;
-    private final Model model = Relay.model();
+    private final Model model = RelayedPacket.model();
 
     RelayCheck(Header header) {
         this.header = header;
@@ -28,18 +27,16 @@ final class RelayCheck implements Check {
 
     @Override
     public void point(Point point) throws RefusedException {
-        if (point.is("RELAY_ON") && point.operand("on") == 1) {
-            relays.put(point.board(), new Relay(header, point.board(), model, ids.getOrDefault(point.board(), ""),
-                    heard(point.board())));
-        }
-        Relay relay = relays.get(point.board());
-        if (relay != null) {
-            relay.point(point);
-        } else if (point.name().startsWith("RELAY_") && !point.is("RELAY_ON")) {
-            throw new RefusedException(point.board() + " declares " + point.name() + ", and is no relay", "RELAY_ON");
-        }
-        if (point.is("RELAY_ON") && point.operand("on") == 0) {
+        if (point.is("RELAY_ON")) {
             relays.remove(point.board());
+            if (point.operand("on") == 1) {
+                relays.put(point.board(), new Relay(header, point, model, ids.getOrDefault(point.board(), ""),
+                        heard(point.board())));
+            }
+        } else if (relays.containsKey(point.board())) {
+            relays.get(point.board()).point(point);
+        } else {
+            point.require(!point.name().startsWith("RELAY_"), "RELAY_ON before, as it is no relay");
         }
     }
 
@@ -50,9 +47,8 @@ final class RelayCheck implements Check {
     @Override
     public void begins(Transmission packet) throws RefusedException {
         air.begins(packet);
-        Relay relay = relays.get(packet.board());
-        if (relay != null) {
-            relay.begins(packet);
+        if (relays.containsKey(packet.board())) {
+            relays.get(packet.board()).begins(packet);
         }
     }
 
@@ -69,14 +65,17 @@ final class RelayCheck implements Check {
         } else if (event.is("host-id")) {
             ids.put(event.board(), event.text("id"));
         } else if (event.is("rf-rx") || event.is("rf-damaged")) {
-            air.sent(event).ifPresent(packet -> {
-                Deque<Transmission> those = heard(event.board());
-                those.addFirst(packet);
-                if (those.size() > KEPT) {
-                    those.removeLast();
-                }
-                Optional.ofNullable(relays.get(event.board())).ifPresent(relay -> relay.heard(packet));
-            });
+            air.sent(event).ifPresent(packet -> hears(event.board(), packet));
+        }
+    }
+
+    private void hears(String board, Transmission packet) {
+        heard(board).addFirst(packet);
+        if (heard(board).size() > KEPT) {
+            heard(board).removeLast();
+        }
+        if (relays.containsKey(board)) {
+            relays.get(board).heard(packet);
         }
     }
 }

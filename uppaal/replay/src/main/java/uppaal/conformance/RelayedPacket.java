@@ -3,29 +3,35 @@ package uppaal.conformance;
 import java.util.Map;
 import javino.protocol.Payload;
 
-/** What a relay knows of one of its packets. */
+/** What a relay knows of one of its packets: a copy of {@code relay.xml}'s automaton, and times. */
 final class RelayedPacket {
+    static final String RULE = "rule[1]";
+
     /** Slots (SPEC 7.5): in a row, then as many as are drawn from so many on. */
-    record Draw(String due, int first, int from, int spread, boolean turn) {}
+    private record Draw(int first, int from, int spread, boolean mayTurn) {}
 
     private static final int TURN = 45;
     private static final int SPREAD = 8;
-    private static final Draw FROM_RESERVE = new Draw("RELAY_COPY", 8, TURN, 2 * SPREAD, false);
-    private static final Draw DOUBTFUL = new Draw("RELAY_COPY", 30, 0, 16 * SPREAD, false);
-    private static final Draw TO_MANY = new Draw("RELAY_COPY", 1, 0, SPREAD, false);
+    private static final Draw FROM_RESERVE = new Draw(8, TURN, 2 * SPREAD, false);
+    private static final Draw DOUBTFUL = new Draw(30, 0, 16 * SPREAD, false);
+    private static final Draw TO_MANY = new Draw(1, 0, SPREAD, false);
+    private static final Map<String, Draw> DRAWS = Map.of(
+            "RELAY_DRAW", new Draw(8, 0, 2 * SPREAD, false),
+            "RELAY_DRAW_AGAIN", new Draw(6, 0, SPREAD, true),
+            "RELAY_DRAW_REPEAT", new Draw(2, 20, SPREAD, true),
+            "RELAY_DRAW_ANSWER", new Draw(1, 0, SPREAD / 2, false),
+            "RELAY_DRAW_ANSWER_AGAIN", new Draw(6, 0, SPREAD, true),
+            "RELAY_DRAW_ANSWER_REPEAT", new Draw(6, 14, SPREAD, false));
     /** Slots after which a packet for many that comes again is copied again. */
     private static final int AGAIN_SLOTS = 128;
+    private static final int LATE_MILLIS = 1500;
+    private static final int AGAIN_MILLIS = 200;
+    private static final double MILLIS = 1000;
     private static final int MARK_AT = 15;
-    private static final Map<String, Draw> DRAWS = Map.of(
-            "RELAY_DRAW", new Draw("RELAY_COPY", 8, 0, 2 * SPREAD, false),
-            "RELAY_DRAW_AGAIN", new Draw("RELAY_COPY", 6, 0, SPREAD, true),
-            "RELAY_DRAW_REPEAT", new Draw("RELAY_COPY", 2, 20, SPREAD, true),
-            "RELAY_DRAW_ANSWER", new Draw("RELAY_ANSWER", 1, 0, SPREAD / 2, false),
-            "RELAY_DRAW_ANSWER_AGAIN", new Draw("RELAY_ANSWER", 6, 0, SPREAD, true),
-            "RELAY_DRAW_ANSWER_REPEAT", new Draw("RELAY_ANSWER", 6, 14, SPREAD, false));
     private static final int SOON = 24;
 
     final Payload packet;
+    private final Model model;
     final Instance instance;
     private final BoardAir air;
     Transmission answer;
@@ -37,14 +43,20 @@ final class RelayedPacket {
     /** The slots of quiet times that are over, of those that count since a moment. */
     private Interval counted = Interval.of(0);
     private double since;
-    boolean soon;
+    boolean isSoon;
     double spent;
-    boolean sends;
+    boolean isOnAir;
 
-    RelayedPacket(Payload packet, Instance instance, BoardAir air) {
+    RelayedPacket(Payload packet, Model model, BoardAir air) {
         this.packet = packet;
-        this.instance = instance;
+        this.model = model;
         this.air = air;
+        instance = model.instance(packet.origin() + " to " + packet.destination());
+    }
+
+    /** The automaton with the firmware's times, in milliseconds. */
+    static Model model() {
+        return new Model("relay.xml", "Relay", Map.of("LATE", LATE_MILLIS, "AGAIN", AGAIN_MILLIS), 1, 0, 0);
     }
 
     /** Whether relays copy such packets. */
@@ -65,38 +77,6 @@ final class RelayedPacket {
         return packet.kind() != Payload.Kind.UNICAST;
     }
 
-    /** From when on it begins anew where it comes again. */
-    int lateMillis() {
-        return isToMany() && air.isTimed() ? (int) Math.round(AGAIN_SLOTS * air.slot() / air.second() * 1e3)
-                : Relay.LATE_MILLIS;
-    }
-
-    /** How long ago something happened to it, in seconds. */
-    Interval age(Point point) {
-        double age = point.seconds() - happened;
-        double error = 2 * PhysicalLimits.MILLIS_STEP_SECONDS * air.second();
-        return new Interval(age - error, age + error);
-    }
-
-    /** It is new, or as if it were. */
-    void begin(Point point) {
-        restart(point);
-        soon = false;
-        due = Timer.NONE;
-    }
-
-    void reserve(Point point) throws RefusedException {
-        expect(point, "Reserve");
-        restart(point);
-    }
-
-    /** Quiet slots count from here. */
-    void restart(Point point) {
-        happened = point.seconds();
-        counted = Interval.of(0);
-        since = point.run();
-    }
-
     boolean is(Payload heard) {
         return packet.equals(heard);
     }
@@ -106,55 +86,90 @@ final class RelayedPacket {
                 && packet.lastBits() == heard.answered();
     }
 
-    /** The board's air has become busy or quiet. */
-    void air(Point point) {
-        if (air.isBusy()) {
-            due.busy();
-            counted = counted.plus(slots(point));
-        }
-    }
-
-    /** Quiet slots since the end of its last copy, or since it came in reserve. */
-    Interval quiet(Point point) {
-        return !air.isTimed() ? Interval.ANY : air.isBusy() ? counted : counted.plus(slots(point));
-    }
-
-    private Interval slots(Point point) {
-        double from = Math.max(since, air.quiet().from());
-        return new Interval(air.slots(from, point.run() - point.gap()).least(), air.slots(from, point.run()).most() + 1);
-    }
-
-    private void expect(Point point, String location) throws RefusedException {
+    void expect(Point point, String location) throws RefusedException {
         point.require(instance.isAt(location), location + ", not " + instance.location());
     }
 
+    /** It, or its acknowledgement, comes, and ends what was due. */
+    void take(Point point, Transmission comes, int score, Map<String, Integer> effect) throws RefusedException {
+        boolean isAnswer = comes.payload().isAcknowledgement();
+        int from = !isAnswer ? comes.hops() : comes.told() == 0 ? model.constant("DIRECT") : comes.told() - 1;
+        instance.take(point, point.name(), Map.of("at", at(point), "kind", model.constant(isAnswer ? "ACK" : "DATA"),
+                "hops", from, "by", model.constant("SENDER"), "genuine", 1, "spent", 0, "doubt", score), effect);
+        due = Timer.NONE;
+        happened = point.seconds();
+    }
+
+    /** Milliseconds as the model has them, in which packets for many are late at the same time as others. */
+    private int at(Point point) {
+        Interval age = age(point).times(MILLIS / air.second());
+        int late = isToMany() && air.isTimed() ? (int) Math.round(AGAIN_SLOTS * air.slot() / air.second() * MILLIS)
+                : LATE_MILLIS;
+        return age.holds(late) ? LATE_MILLIS
+                : age.holds(AGAIN_MILLIS) ? AGAIN_MILLIS : (int) age.most() + LATE_MILLIS - late;
+    }
+
+    /** How long ago something happened to it, in seconds. */
+    Interval age(Point point) {
+        double age = point.seconds() - happened;
+        double error = 2 * PhysicalLimits.MILLIS_STEP_SECONDS * air.second();
+        return new Interval(age - error, age + error);
+    }
+
+    /** Quiet slots count from here. */
+    void restart(Point point) {
+        happened = point.seconds();
+        counted = Interval.of(0);
+        since = point.run();
+    }
+
+    /** The board's air has become busy or quiet. */
+    void air() {
+        if (air.isBusy()) {
+            due.busy();
+            counted = counted.plus(slots(air.quiet().last(), air.quiet().until()));
+        }
+    }
+
+    /** Quiet slots since the end of its last copy, or since it came. */
+    Interval quiet(Point point) {
+        return !air.isTimed() ? Interval.ANY
+                : air.isBusy() ? counted : counted.plus(slots(point.run() - point.gap(), point.run()));
+    }
+
+    private Interval slots(double least, double most) {
+        double from = Math.max(since, air.quiet().from());
+        return new Interval(air.slots(from, least).least(), air.slots(from, most).most() + 1);
+    }
+
     void draw(Point point) throws RefusedException {
-        expect(point, point.name().startsWith("RELAY_DRAW_ANSWER") ? "Carrying" : "Waiting");
-        boolean isUnsure = point.is("RELAY_DRAW") && instance.get("repeated") == 1;
-        Draw draw = !isUnsure ? DRAWS.get(point.name())
-                : isToMany() ? TO_MANY
-                        : instance.get("reserved") == 1 ? FROM_RESERVE : told == 0 ? DOUBTFUL : DRAWS.get(point.name());
+        boolean isOfAnswer = point.name().startsWith("RELAY_DRAW_ANSWER");
+        expect(point, isOfAnswer ? "Carrying" : "Waiting");
         point.require(!isToMany() || point.is("RELAY_DRAW"), "one copy of what is for many");
+        Draw draw = DRAWS.get(point.name());
+        if (point.is("RELAY_DRAW") && instance.get("repeated") == 1) {
+            draw = isToMany() ? TO_MANY : instance.get("reserved") == 1 ? FROM_RESERVE : told == 0 ? DOUBTFUL : draw;
+        }
+        boolean mayTurn = draw.mayTurn && !(point.is("RELAY_DRAW_AGAIN") && instance.get("handed") == 1);
         int slots = point.operand("slots");
-        boolean mayTurn = draw.turn && !(point.is("RELAY_DRAW_AGAIN") && instance.get("handed") == 1);
-        boolean isIn = slots >= draw.from && slots < draw.from + draw.spread
-                || mayTurn && slots >= draw.from + TURN && slots < draw.from + TURN + draw.spread;
-        point.require(isIn, draw.from + " to " + (draw.from + draw.spread - 1)
+        int drawn = slots - draw.from;
+        boolean isTurn = mayTurn && drawn >= TURN && drawn < TURN + draw.spread;
+        point.require(drawn >= 0 && drawn < draw.spread || isTurn, draw.from + " to " + (draw.from + draw.spread - 1)
                 + (mayTurn ? " slots, or " + TURN + " more" : " slots"));
-        due = air.slots(point, draw.first, slots, draw.due);
+        due = air.slots(point, draw.first, slots, isOfAnswer ? "RELAY_ANSWER" : "RELAY_COPY");
+    }
+
+    void send(Point point) throws RefusedException {
+        due.checkNotEarly(point);
+        due = Timer.NONE;
+        instance.take(point);
     }
 
     void checkSoon(Point point, boolean isTold) throws RefusedException {
         boolean isCopied = instance.get("copied") == 1;
         Interval quiet = quiet(point);
-        point.require(soon ? isTold : isTold ? isCopied && quiet.least() < SOON : !isCopied || quiet.most() >= SOON,
+        point.require(isSoon ? isTold : isTold ? isCopied && quiet.least() < SOON : !isCopied || quiet.most() >= SOON,
                 "that soon is less than " + SOON + " quiet slots behind a copy");
-        soon = isTold;
-    }
-
-    /** Something happens to it, by which what is due is not sent. */
-    void stop(Point point) {
-        due = Timer.NONE;
-        happened = point.seconds();
+        isSoon = isTold;
     }
 }

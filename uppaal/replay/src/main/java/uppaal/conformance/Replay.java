@@ -179,7 +179,7 @@ public final class Replay {
     /** All edges of {@code delivery.xml} and {@code relay.xml} that boards declare. */
     public static Set<String> edges() {
         Set<String> edges = DeliveryModels.edges();
-        edges.addAll(Relay.model().edges());
+        edges.addAll(RelayedPacket.model().edges());
         return edges;
     }
 
