@@ -54,12 +54,15 @@ final class AirCheck implements Check {
         this.header = header;
         bit = header.bit();
         air = new Air(header);
-        header.boards().forEach(board -> stations.put(board, new Station(new BoardAir(header, board))));
+    }
+
+    private Station station(String board) {
+        return stations.computeIfAbsent(board, added -> new Station(new BoardAir(header, board)));
     }
 
     @Override
     public void point(Point point) throws RefusedException {
-        Station station = stations.computeIfAbsent(point.board(), board -> new Station(new BoardAir(header, board)));
+        Station station = station(point.board());
         station.isOurs = true;
         station.isRelay = point.is("RELAY_ON") ? point.operand("on") == 1 : station.isRelay;
         if (station.lacking != null) {
@@ -95,8 +98,8 @@ final class AirCheck implements Check {
     public void begins(Transmission packet) throws RefusedException {
         air.begins(packet);
         reached.keySet().removeIf(before -> !air.isKept(before));
-        Station station = stations.get(packet.board());
-        if (station == null || !station.isOurs) {
+        Station station = station(packet.board());
+        if (!station.isOurs) {
             return;
         }
         require(station.declared != null, packet.board() + " sends " + packet + " that it has not declared",
@@ -110,11 +113,7 @@ final class AirCheck implements Check {
         boolean isRelays = declared.name().startsWith("RELAY_");
         boolean mayTell = isRelay && declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
         int path = isRelays ? declared.operand("path") : mayTell ? packet.path() - packet.hops() : 0;
-        boolean isExpected = switch (declared.name()) {
-            case "SEND", "SEND_PART" -> true; // a gateway's host relays anything
-            case "RELAY_COPY" -> RelayedPacket.isCopied(payload);
-            default -> payload.isAcknowledgement();
-        };
+        boolean isExpected = !declared.name().endsWith("ANSWER") || payload.isAcknowledgement();
         require(isExpected && packet.path() == path, packet.board() + " sends " + packet + " of path " + packet.path(),
                 declared.name() + ", as it has declared, of path " + path);
         double late = packet.start() - declared.seconds();
@@ -128,8 +127,8 @@ final class AirCheck implements Check {
 
     @Override
     public void ends(Transmission packet) throws RefusedException {
-        Station station = stations.get(packet.board());
-        if (station == null || !station.isOurs) {
+        Station station = station(packet.board());
+        if (!station.isOurs) {
             return;
         }
         int bits = packet.bits();
@@ -156,12 +155,12 @@ final class AirCheck implements Check {
     @Override
     public void event(TraceEvent event) throws RefusedException {
         air.event(event);
-        Station station = stations.get(event.board());
+        Station station = station(event.board());
         if (event.is("rf-rx") || event.is("rf-damaged")) {
             reaches(event);
         } else if (event.is("host-id")) {
             station.isOurs = true;
-        } else if (station != null && BOOTS.contains(event.name())) {
+        } else if (BOOTS.contains(event.name())) {
             double lost = (LOST_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
             if (station.lacking != null && event.seconds() > station.lacking.end() + lost) {
                 throw lacks(station.lacking);
@@ -206,7 +205,7 @@ final class AirCheck implements Check {
 
     /** What a board that a packet reached has heard of it, and when. */
     private void hears(TraceEvent event, Transmission packet) throws RefusedException {
-        BoardAir board = stations.get(event.board()).air;
+        BoardAir board = station(event.board()).air;
         double from = event.real("start") + HEARD_BITS * bit;
         double to = packet.start() + packet.wholeBits() * bit * header.second(packet.board());
         if (packet.isOfModule() || !air.isKnownSince(packet.start())

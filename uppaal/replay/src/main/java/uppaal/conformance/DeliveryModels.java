@@ -1,10 +1,10 @@
 package uppaal.conformance;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Supplier;
 
 /** The automata of {@code delivery.xml} with all parameters that a trace needs; patience is counted in rounds. */
 final class DeliveryModels {
@@ -28,17 +28,22 @@ final class DeliveryModels {
     Instance sender(String kind, boolean isCut, int number) {
         boolean isUnicast = kind.equals("unicast");
         int most = isUnicast ? ATTEMPTS : kind.equals("multicast") ? MULTICASTS : 1;
-        return instance("Sender " + kind + isCut, "transmission " + number, () -> new Model(FILE, "Sender", ROUNDS, ME,
-                PEER, 1, 0, flag(isUnicast), flag(isCut), most, WIDEST, WIDEST));
+        return instance("Sender", "transmission " + number, ME, PEER, 1, 0, flag(isUnicast), flag(isCut), most, WIDEST,
+                WIDEST);
     }
 
     Instance receiver(String kind, int number) {
-        return instance("Receiver " + kind, "message " + number, () -> new Model(FILE, "Receiver", ROUNDS, ME, GROUP,
-                PEER, 1, flag(!kind.equals("broadcast")), flag(kind.equals("unicast")), 1, 0));
+        return instance("Receiver", "message " + number, ME, GROUP, PEER, 1, flag(!kind.equals("broadcast")),
+                flag(kind.equals("unicast")), 1, 0);
     }
 
     Instance answer(String name) {
-        return instance("Answer", name, () -> new Model(FILE, "Answer", ROUNDS, ME, PEER, 1));
+        return instance("Answer", name, ME, PEER, 1);
+    }
+
+    private Instance instance(String template, String name, int... arguments) {
+        return models.computeIfAbsent(template + Arrays.toString(arguments),
+                added -> new Model(FILE, template, ROUNDS, arguments)).instance(name);
     }
 
     /** What a point's guard is to see, beside more. */
@@ -50,10 +55,6 @@ final class DeliveryModels {
 
     static int flag(boolean is) {
         return is ? 1 : 0;
-    }
-
-    private Instance instance(String which, String name, Supplier<Model> made) {
-        return models.computeIfAbsent(which, added -> made.get()).instance(name);
     }
 
     /** All edges that boards declare. */
