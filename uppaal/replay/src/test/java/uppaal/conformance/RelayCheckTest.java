@@ -1,17 +1,11 @@
 package uppaal.conformance;
 
-import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Board b relays between a (ROMA) and c (SUPO), whose packets reach it; its score for c is 1 at first. */
 class RelayCheckTest {
-    private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";
-    /** The acknowledgement is of SUPO, for the nonce that ends with 000. */
-    private static final Map<String, String> PACKETS = Map.of("UNICAST", UNICAST, "OTHER",
-            UNICAST.replace("2be5", "2be4"), "ANSWER", "2b4b41415355504f4241" + "0102030405060708");
-
-    private static final String COMES = "1 a UNICAST; 1.25 QUIET; ";
+    private static final String COMES = "1 a>b UNICAST; 1.25 QUIET; ";
     private static final String NEW = "1.25 RELAY_NEW nonce=0; ";
     private static final String UNKNOWN = "1.25 RELAY_DISTANCE distance=0; " + NEW;
     private static final String KNOWN = "1.25 RELAY_DISTANCE distance=2; " + NEW;
@@ -19,34 +13,13 @@ class RelayCheckTest {
     private static final String WAITS = COMES + UNKNOWN + "1.25 RELAY_DRAW slots=3; ";
     private static final String COPY = "1.515 RELAY_COPY path=1; 1.5152 b UNICAST hops=1; ";
     private static final String COPIED = WAITS + COPY + "1.7557 QUIET; 1.7557 RELAY_COPY_ENDED; ";
-    private static final String ANSWERED = COPIED + "1.776 c ANSWER; 1.926 RELAY_ANSWERED doubt=0; ";
+    private static final String ANSWERED = COPIED + "1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=0; ";
     /** It comes from so many hops away. */
-    private static final String NEAR = "0.6 c ANSWER; ";
-    private static final String FAR = "0.6 c ANSWER hops=1; ";
+    private static final String NEAR = "0.6 c>b ACK; ";
+    private static final String FAR = "0.6 c>b ACK hops=1; ";
 
-    private final Trace trace = new Trace(RelayCheck::new).point(0.5, "b", "RELAY_ON", "'on':1");
-
-    private void check(String story, String verdict) {
-        for (String step : story.split(" *; *")) {
-            String[] words = step.split(" ", 3);
-            double seconds = Double.parseDouble(words[0]);
-            String fields = words.length < 3 ? "" : ",'" + words[2].replace(" ", ",'").replace("=", "':");
-            if (words[1].length() > 1) {
-                trace.point(seconds, "b", words[1], "'place':7" + fields);
-            } else {
-                String packet = PACKETS.get(words[2].split(" ")[0]);
-                String more = fields.replaceFirst(",'\\w+", "");
-                trace.sends(seconds, words[1], packet, more);
-                if (!words[1].equals("b")) {
-                    trace.hears(seconds, "b", packet, words[1], more);
-                }
-            }
-        }
-        if (verdict.equals("accepted")) {
-            trace.isAccepted();
-        } else {
-            trace.isRefused(verdict);
-        }
+    private static void check(String story, String verdict) {
+        RadioStory.check(RelayCheck::new, "0.5 RELAY_ON on=1; " + story.replaceAll("RELAY_\\w+", "$0 place=7"), verdict);
     }
 
     @ParameterizedTest
@@ -57,9 +30,9 @@ class RelayCheckTest {
             "other hops           | 1.515 RELAY_COPY path=2 | ; expected path 1, with 1 hops",
             "other bytes          | 1.515 RELAY_COPY path=1; 1.5152 b OTHER hops=1 |, as it came",
             "refused with credit  | 1.515 RELAY_REFUSE | ; expected RELAY_COPY of a packet of 240 ms",
-            "handed on            | 1.265 BUSY; 1.26 c UNICAST hops=2; 1.51 RELAY_GONE_ON soon=0; 1.51 QUIET; "
+            "handed on            | 1.265 BUSY; 1.26 c>b UNICAST hops=2; 1.51 RELAY_GONE_ON soon=0; 1.51 QUIET; "
                     + "1.7 RELAY_COPY path=1 | is Known; expected ",
-            "acknowledged without | 1.26 BUSY; 1.776 c ANSWER; 1.926 RELAY_ANSWERED doubt=2 | accepted"})
+            "acknowledged without | 1.26 BUSY; 1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 | accepted"})
     void copy(String what, String story, String verdict) {
         check(WAITS + story, verdict);
     }
@@ -72,16 +45,16 @@ class RelayCheckTest {
                     + "| b tells the distance 1 of SUPO; expected one more than the hops",
             "distance known         | " + NEAR + COMES + KNOWN + "1.25 RELAY_DRAW slots=15; 1.435 RELAY_COPY path=9; "
                     + "1.4352 b UNICAST hops=1 distance=1 | accepted",
-            "nearer than told       | " + NEAR + "1 a UNICAST distance=2; 1.25 QUIET; " + KNOWN
+            "nearer than told       | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_DRAW slots=0 | accepted",
-            "not nearer: told 1     | " + NEAR + "1 a UNICAST distance=1; 1.25 QUIET; " + KNOWN
+            "not nearer: told 1     | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "not nearer: told 3     | " + NEAR + "1 a UNICAST distance=3; 1.25 QUIET; " + KNOWN
+            "not nearer: told 3     | " + NEAR + "1 a>b UNICAST distance=3; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "not nearer: unknown    | " + NEAR + "1 a UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
+            "not nearer: unknown    | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "late, and away         | " + NEAR + "1 a UNICAST distance=1; 1.25 QUIET; " + KNOWN + "1.25 RELAY_RESERVE; "
-                    + "3.01 BUSY; 3 a UNICAST; 3.25 QUIET; 3.25 RELAY_ANEW; 3.25 RELAY_DRAW slots=3; "
+            "late, and away         | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN + "1.25 RELAY_RESERVE; "
+                    + "3.01 BUSY; 3 a>b UNICAST; 3.25 QUIET; 3.25 RELAY_ANEW; 3.25 RELAY_DRAW slots=3; "
                     + "3.515 RELAY_COPY path=1; 3.5152 b UNICAST hops=1 | accepted",
             "too many slots         | " + COMES + UNKNOWN + "1.25 RELAY_DRAW slots=128 "
                     + "| b declares RELAY_DRAW; expected 0 to 127 slots",
@@ -97,14 +70,14 @@ class RelayCheckTest {
     @CsvSource(delimiter = '|', value = {
             "copied twice in doubt | " + COPIED + "1.976 RELAY_COPY path=1 | is Known; expected ",
             "soon acknowledged     | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=2 | accepted",
-            "other score           | " + COPIED + "1.776 c ANSWER; 1.926 RELAY_ANSWERED doubt=2 "
+            "other score           | " + COPIED + "1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 "
                     + "| b declares RELAY_ANSWERED",
-            "from upstream         | " + COPIED + "1.776 a ANSWER hops=1 distance=0; 1.926 RELAY_ANSWERED doubt=1; "
+            "from upstream         | " + COPIED + "1.776 a>b ACK hops=1 distance=0; 1.926 RELAY_ANSWERED doubt=1; "
                     + "1.926 RELAY_DRAW_ANSWER slots=2 | Carrying, not Kept",
-            "from downstream       | " + COPIED + "1.776 c ANSWER hops=1 distance=2; 1.926 RELAY_ANSWERED doubt=1; "
+            "from downstream       | " + COPIED + "1.776 c>b ACK hops=1 distance=2; 1.926 RELAY_ANSWERED doubt=1; "
                     + "1.926 RELAY_DRAW_ANSWER slots=0; 1.927 RELAY_ANSWER path=10 | accepted",
             "answered more often   | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=0; 1.927 RELAY_ANSWER path=9; "
-                    + "1.9272 b ANSWER hops=1 distance=1; 2.096 RELAY_ANSWER_ENDED; 2.096 QUIET; "
+                    + "1.9272 b ACK hops=1 distance=1; 2.096 RELAY_ANSWER_ENDED; 2.096 QUIET; "
                     + "2.166 RELAY_ANSWER path=9 | is Kept; expected "})
     void acknowledgement(String what, String story, String verdict) {
         check(story, verdict);
