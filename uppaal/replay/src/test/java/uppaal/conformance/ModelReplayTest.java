@@ -130,6 +130,8 @@ class ModelReplayTest {
             "1.110 SEND    | 0.940 SEND                          | expected quiet air",
             "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=2   | after 1.014",
             "0.950 QUIET   | 0.950 QUIET;0.950 CONTEND slots=8   | expected at most 7 slots",
+            "0.524 BUSY | 0.524 BUSY;0.524 host-transmit number=1 destination=BUSS asked=0.524;0.524 TURN number=1;"
+                    + "0.524 TAKE_UP key=2;0.524 CONTEND slots=3 | its Sender transmission 1 is Ready",
             "1.451 DELIVERED | 1.451 DELIVERED;1.452 SEND pending=1 | expected TAKE_UP first",
             "1.451 DELIVERED | 1.451 SENT       | declares SENT, but its Sender"})
     void unicast_changed_isRefused(String from, String to, String why) {
@@ -140,6 +142,7 @@ class ModelReplayTest {
     @CsvSource(delimiter = '|', value = {
             "0.350 HANDED  |                                     | is Queued; expected HANDED",
             "0.300 QUEUED  |                                     | expected QUEUED before",
+            "0.350 HANDED message=0 | 0.310 QUEUED nonce=8 key=1;0.350 HANDED message=1 | message 1 is Queued",
             "0.400 host-taking |                                 | declares TAKEN, but its Receiver",
             "0.410 OWE     |                                     | expected OWE_DELIVERED for message 0",
             "0.410 OWE_DELIVERED nonce=7 | 0.410 OWE_DELIVERED nonce=8 | expected OWE_DELIVERED for message 0",
