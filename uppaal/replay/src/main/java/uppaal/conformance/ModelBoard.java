@@ -113,7 +113,8 @@ final class ModelBoard {
         if (point.is("UNDELIVERED") && (message == null || goneKeys.contains(message.key))) {
             point.require(mayLackKeys, "TAKE_UP, as it has all its keys");
         } else {
-            known(point, number).see(point, sending.values().stream().anyMatch(each -> each != message && each.hasTurn()));
+            known(point, number).see(point,
+                    sending.values().stream().anyMatch(each -> each != message && each.hasTurn()));
         }
         if (point.is("SENT") || point.is("DELIVERED") || point.is("UNDELIVERED")) {
             sending.remove(number);
@@ -150,7 +151,8 @@ final class ModelBoard {
     private void hand(Point point) throws RefusedException {
         Receiving message = receiving.get(point.operand("message"));
         point.require(message != null, "QUEUED before");
-        message.hand(point, receiving.values().stream().takeWhile(each -> each != message).allMatch(Receiving::isHanded));
+        message.hand(point,
+                receiving.values().stream().takeWhile(each -> each != message).allMatch(Receiving::isHanded));
     }
 
     /** The host takes all up to a message, if that is still here. */

@@ -221,7 +221,8 @@ final class Relay {
         Interval waited = place.isToMany() && air.isTimed() ? place.age(point).times(1 / air.slot()) : Interval.of(0);
         boolean isRefused = point.is("RELAY_REFUSE");
         point.require(isRefused ? credit.least() < cost || waited.most() > MOST_SLOTS
-                : credit.most() >= cost && waited.least() <= MOST_SLOTS, "RELAY_" + (isRefused ? "COPY" : "REFUSE")
+                : credit.most() >= cost && waited.least() <= MOST_SLOTS,
+                "RELAY_" + (isRefused ? "COPY" : "REFUSE")
                         + " of a packet of " + cost + " ms, with a credit of " + (int) credit.least() + " to "
                         + (int) credit.most());
         place.instance.set("spent", isRefused ? model.constant("CREDIT") : 0);

@@ -33,7 +33,8 @@ class AirCheckTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            "other bits            | " + PACKET + "bits=481 end=1.2402 | a sends 481 bits; expected 480 for these bytes",
+            "other bits            | " + PACKET
+                    + "bits=481 end=1.2402 | a sends 481 bits; expected 480 for these bytes",
             "too slow              | " + PACKET + "bits=480 end=1.2452 "
                     + "| a sends 480 bits in 0.245000 s; expected 0.2395",
             "trailer lost by reset | " + BROKEN + "1.243 a reset why=fault; 2 a QUIET | accepted",

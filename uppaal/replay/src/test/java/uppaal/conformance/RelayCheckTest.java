@@ -19,7 +19,8 @@ class RelayCheckTest {
     private static final String FAR = "0.6 c>b ACK hops=1; ";
 
     private static void check(String story, String verdict) {
-        RadioStory.check(RelayCheck::new, "0.5 RELAY_ON on=1; " + story.replaceAll("RELAY_\\w+", "$0 place=7"), verdict);
+        RadioStory.check(RelayCheck::new, "0.5 RELAY_ON on=1; " + story.replaceAll("RELAY_\\w+", "$0 place=7"),
+                verdict);
     }
 
     @ParameterizedTest
@@ -53,7 +54,8 @@ class RelayCheckTest {
                     + "1.25 RELAY_RESERVE | accepted",
             "not nearer: unknown    | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "late, and away         | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN + "1.25 RELAY_RESERVE; "
+            "late, and away         | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
+                    + "1.25 RELAY_RESERVE; "
                     + "3.01 BUSY; 3 a>b UNICAST; 3.25 QUIET; 3.25 RELAY_ANEW; 3.25 RELAY_DRAW slots=3; "
                     + "3.515 RELAY_COPY path=1; 3.5152 b UNICAST hops=1 | accepted",
             "too many slots         | " + COMES + UNKNOWN + "1.25 RELAY_DRAW slots=128 "
