@@ -127,8 +127,10 @@ final class ModelBoard {
         point.require(!sending.containsKey(number) && (key == NO_KEY ||
                 sending.values().stream().noneMatch(each -> each.key == key)),
                 "the end of the one before to the same device");
-        point.require(kinds.containsKey(number), "that its host has asked for it");
-        sending.put(number, new Sending(air, models, number, key, kinds.get(number)));
+        // A sketch without a host sends broadcasts alone.
+        String kind = key == NO_KEY ? "broadcast" : kinds.get(number);
+        point.require(kind != null, "that its host has asked for it");
+        sending.put(number, new Sending(air, models, number, key, kind));
     }
 
     private Sending known(Point point, int number) throws RefusedException {

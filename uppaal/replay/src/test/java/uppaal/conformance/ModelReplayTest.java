@@ -113,6 +113,8 @@ class ModelReplayTest {
         assertEquals(Optional.empty(), refusal(UNICAST));
         assertEquals(Optional.empty(), refusal(RECEIVED));
         assertEquals(Optional.empty(), refusal(FRAGMENTS));
+        assertEquals(Optional.empty(), refusal("0.010 QUIET\n0.501 TAKE_UP key=255\n0.501 CONTEND slots=3\n"
+                + "0.523 SEND pending=1\n0.524 BUSY\n0.700 QUIET\n0.700 SENT\n"));
         assertEquals(Optional.empty(), refusal(RECEIVED.replace("0.700 PUT_OFF", "0.700 OWE_TWICE\n0.700 PUT_OFF")
                 + "0.824 ANSWER key=1\n0.825 BUSY\n0.900 QUIET\n"));
     }
