@@ -36,7 +36,7 @@ final class AirCheck implements Check {
         Point declared;
         /** Its last packet, if that lacks bits that only a reset may have taken. */
         Transmission lacking;
-        /** When a reset or a cut of its power came last, in seconds: perhaps before the end of a packet that it broke. */
+        /** When a reset or a cut of its power came last: perhaps before the end of a packet that it broke. */
         double brokenAt = Double.NEGATIVE_INFINITY;
 
         Station(BoardAir air) {

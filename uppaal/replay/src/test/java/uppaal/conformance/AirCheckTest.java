@@ -16,7 +16,7 @@ class AirCheckTest {
     @CsvSource(delimiter = '|', value = {
             "declared             | " + SEND + "1.0002 a UNICAST | accepted",
             "not declared         | 0.5 a host-id id=ROMA epoch=000001; 1 a UNICAST "
-                    + "| (1.239500 s, a, rf-tx): a sends a unicast of ROMA that it has not declared; expected one of ANSWER",
+                    + "| s, a, rf-tx): a sends a unicast of ROMA that it has not declared; expected one of ANSWER",
             "other than declared  | 1 a ANSWER key=1; 1.0002 a UNICAST | ; expected ANSWER",
             "other hops           | 1 a RELAY_COPY place=1 path=1; 1.0002 a UNICAST hops=2 "
                     + "| of path 2; expected RELAY_COPY, as it has declared, of path 1",
@@ -27,7 +27,7 @@ class AirCheckTest {
                     + "| a has declared SEND at 1.000000 s, and nothing was on the air",
             "reset before         | " + SEND + "1.0001 a reset why=power; 2 a SEND pending=1; 2.0002 a UNICAST "
                     + "| accepted"})
-    void begins(String what, String story, String verdict) {
+    void begins_isJudged(String what, String story, String verdict) {
         RadioStory.check(AirCheck::new, story, verdict);
     }
 
@@ -42,7 +42,7 @@ class AirCheckTest {
                     + "1.4396 a reset why=power | accepted",
             "trailer missing       | " + BROKEN + "2 a QUIET | expected 492 for these bytes and this trailer",
             "long before reset     | " + BROKEN + "1.5 a reset why=fault | expected 492"})
-    void ends(String what, String story, String verdict) {
+    void ends_isJudged(String what, String story, String verdict) {
         RadioStory.check(AirCheck::new, SEND + story, verdict);
     }
 
@@ -60,7 +60,7 @@ class AirCheckTest {
             "carrier in silence    | 5.9 QUIET; 6 BUSY | ; expected silence",
             "carrier of a packet that the end cuts off | 5.9 QUIET; 5.998 - command do=send payload=00; 6 BUSY "
                     + "| accepted"})
-    void reaches(String what, String story, String verdict) {
+    void reaches_isJudged(String what, String story, String verdict) {
         RadioStory.check(AirCheck::new, story, verdict);
     }
 }

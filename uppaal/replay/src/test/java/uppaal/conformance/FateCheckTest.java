@@ -31,7 +31,7 @@ class FateCheckTest {
             "not acknowledged   | " + HEARD + "1.2405 " + REPEATS + "2 QUIET | expected OWE_DELIVERED",
             "not taken yet      | " + HEARD + "1.2405 " + QUEUED + "2 a>b UNICAST; 2.2405 " + REPEATS
                     + "3 QUIET | accepted"})
-    void fate(String what, String story, String verdict) {
+    void fate_isJudged(String what, String story, String verdict) {
         RadioStory.check(FateCheck::new, ON + story, verdict);
     }
 }

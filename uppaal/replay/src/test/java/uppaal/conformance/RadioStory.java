@@ -4,8 +4,8 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * What boards a, b and c send, hear and declare, as {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}: points are of b
- * unless a board is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c).
+ * What boards a, b and c send, hear and declare, as {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}: points are of
+ * b unless a board is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c).
  */
 final class RadioStory {
     private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";

@@ -34,7 +34,7 @@ class RelayCheckTest {
             "handed on            | 1.265 BUSY; 1.26 c>b UNICAST hops=2; 1.51 RELAY_GONE_ON soon=0; 1.51 QUIET; "
                     + "1.7 RELAY_COPY path=1 | is Known; expected ",
             "acknowledged without | 1.26 BUSY; 1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 | accepted"})
-    void copy(String what, String story, String verdict) {
+    void copy_isJudged(String what, String story, String verdict) {
         check(WAITS + story, verdict);
     }
 
@@ -64,7 +64,7 @@ class RelayCheckTest {
             "of one's own: known    | " + NEAR + "1 SEND pending=1; 1.0002 b UNICAST distance=1 | accepted",
             "of one's own: unknown  | 1 SEND pending=1; 1.0002 b UNICAST distance=1 | b tells the distance 1 of SUPO",
             "no relay               | 1 RELAY_ON on=0; " + COMES + NEW + "| ; expected RELAY_ON"})
-    void begin(String what, String story, String verdict) {
+    void newPacket_isJudged(String what, String story, String verdict) {
         check(story, verdict);
     }
 
@@ -81,7 +81,7 @@ class RelayCheckTest {
             "answered more often   | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=0; 1.927 RELAY_ANSWER path=9; "
                     + "1.9272 b ACK hops=1 distance=1; 2.096 RELAY_ANSWER_ENDED; 2.096 QUIET; "
                     + "2.166 RELAY_ANSWER path=9 | is Kept; expected "})
-    void acknowledgement(String what, String story, String verdict) {
+    void acknowledgement_isJudged(String what, String story, String verdict) {
         check(story, verdict);
     }
 }
