@@ -3,7 +3,7 @@ package uppaal.conformance;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** A map that forgets what was used longest ago when it is full, so that hours of traffic do not fill the memory. */
+/** A map that forgets what was put in longest ago when it is full, so that hours of traffic do not fill the memory. */
 final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
     private static final long serialVersionUID = 1L;
     private static final int MOST = 1024;
@@ -14,8 +14,15 @@ final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
     }
 
     BoundedMap(int most) {
-        super(MOST, 1, true);
         this.most = most;
+    }
+
+    /** Also what is in already is the newest then. */
+    @Override
+    public V put(K key, V value) {
+        V before = remove(key);
+        super.put(key, value);
+        return before;
     }
 
     @Override

@@ -1,5 +1,7 @@
 package uppaal.conformance;
 
+import static uppaal.conformance.RefusedException.require;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -144,15 +146,20 @@ final class ModelBoard {
     }
 
     /** The host has got a message. */
-    void handed(int number, String kind) {
-        if (receiving.containsKey(number)) {
-            receiving.get(number).isOfKind(kind);
-        }
+    void handed(Point told, int number, String kind) throws RefusedException {
+        Receiving message = queued(told, number);
+        require(message.isHanded(), told.board() + " hands over message " + number, "HANDED first");
+        message.isOfKind(kind);
+    }
+
+    private Receiving queued(Point point, int number) throws RefusedException {
+        Receiving message = receiving.get(number);
+        require(message != null, point.board() + " hands over message " + number, "QUEUED before");
+        return message;
     }
 
     private void hand(Point point) throws RefusedException {
-        Receiving message = receiving.get(point.operand("message"));
-        point.require(message != null, "QUEUED before");
+        Receiving message = queued(point, point.operand("message"));
         message.hand(point,
                 receiving.values().stream().takeWhile(each -> each != message).allMatch(Receiving::isHanded));
     }

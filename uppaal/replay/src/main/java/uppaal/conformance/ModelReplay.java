@@ -29,13 +29,13 @@ final class ModelReplay implements Check {
 
     @Override
     public void event(TraceEvent event) throws RefusedException {
+        Point told = new Point(event, event.name(), 0);
         switch (event.name()) {
             case "reset" -> board(event.board()).reset();
             case "host-transmit" -> board(event.board()).transmit(event.number("number"), kind(event));
             case "host-relay" -> board(event.board()).transmit(event.number("number"), "broadcast");
-            case "host-handed" -> board(event.board()).handed(event.number("number"), kind(event));
-            case "host-taking" ->
-                board(event.board()).takes(new Point(event, event.name(), 0), event.number("number"));
+            case "host-handed" -> board(event.board()).handed(told, event.number("number"), kind(event));
+            case "host-taking" -> board(event.board()).takes(told, event.number("number"));
             default -> {}
         }
     }

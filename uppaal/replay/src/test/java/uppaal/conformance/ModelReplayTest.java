@@ -142,7 +142,7 @@ class ModelReplayTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            "0.350 HANDED  |                                     | is Queued; expected HANDED",
+            "0.350 HANDED  |                                     | expected HANDED first",
             "0.300 QUEUED  |                                     | expected QUEUED before",
             "0.350 HANDED message=0 | 0.310 QUEUED nonce=8 key=1;0.350 HANDED message=1 | message 1 is Queued",
             "0.400 host-taking |                                 | declares TAKEN, but its Receiver",
