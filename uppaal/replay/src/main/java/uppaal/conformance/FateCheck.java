@@ -13,7 +13,7 @@ import trace.TraceEvent;
 
 /**
  * A board tells of each undamaged packet what has become of it, by the end of the first run() behind it; but not of
- * fragments that it ignores.
+ * fragments that it ignores. It counts none as what that cannot be.
  */
 final class FateCheck implements Check {
     private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
@@ -30,6 +30,12 @@ final class FateCheck implements Check {
 
     /** A board with a host, since its last reset. */
     private static final class Receiver {
+        private String id = "";
+        private boolean isOpen;
+        /** Packets that it has counted as blocked since then; of one the host may be told later that it is blocked. */
+        private int blocked;
+        /** The messages of which fragments have come to it, and one more where it may have been any. */
+        private final Set<String> begun = new HashSet<>();
         boolean isRunning;
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
@@ -57,6 +63,21 @@ final class FateCheck implements Check {
                 assembled.add(message(waits.payload()));
             }
             waits = null;
+        }
+
+        /** What a counter says of the packet that it waits for, if that is not so; else nothing. */
+        private String wrong(Counter counter, boolean isGenuine) {
+            Payload packet = waits.payload();
+            boolean isForAll = packet.kind() == Payload.Kind.BROADCAST;
+            boolean isForUs = packet.destination().equals(id) || isForAll;
+            return switch (counter) {
+                case RADIO_BLOCKED -> isOpen && blocked++ > 0 ? "a radio that its host has not opened" : "";
+                case RADIO_OWN -> id.isEmpty() || packet.origin().equals(id) ? "" : "a packet of its own address";
+                case RADIO_NOT_FOR_US -> isForUs ? "a packet for another device" : "";
+                case RADIO_BAD_FRAMES, RADIO_RESERVED -> isGenuine ? "a packet that is none of our firmware's" : "";
+                case RADIO_FRAGMENTS_DROPPED -> isGenuine && begun.size() == 1 ? "that it has no room" : "";
+                default -> "";
+            };
         }
 
         private static String message(Payload fragment) {
@@ -107,6 +128,12 @@ final class FateCheck implements Check {
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
+        // Of an earlier packet it has told in the run() before.
+        if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
+            String wrong = receiver.wrong(counter.get(), isGenuine(receiver.waits));
+            RefusedException.require(wrong.isEmpty(),
+                    point.board() + " counts " + receiver.waits + " as " + counter.get(), wrong);
+        }
         if (FATES.contains(point.name()) || counter.filter(COUNTED::contains).isPresent()) {
             receiver.told(point);
         } else if (receiver.waits != null && point.run() - point.gap() > receiver.since + arrival) {
@@ -120,20 +147,39 @@ final class FateCheck implements Check {
     public void event(TraceEvent event) {
         air.event(event);
         switch (event.name()) {
-            case "host-id" -> receivers.putIfAbsent(event.board(), new Receiver());
+            case "host-id" ->
+                receivers.computeIfAbsent(event.board(), added -> new Receiver()).id = event.text("id");
+            case "host-radio" -> open(event);
             case "reset", "fault", "crash" -> receivers.replace(event.board(), new Receiver());
-            case "rf-rx" -> hears(event);
+            case "rf-rx", "rf-damaged" -> hears(event);
             default -> {}
         }
+    }
+
+    private void open(TraceEvent event) {
+        Receiver receiver = receivers.computeIfAbsent(event.board(), added -> new Receiver());
+        receiver.isOpen = event.text("radio").equals("open");
+        receiver.blocked = 0;
     }
 
     private void hears(TraceEvent event) {
         Receiver receiver = receivers.get(event.board());
         if (receiver != null && receiver.isRunning) {
+            Optional<Transmission> heard = air.sent(event).filter(packet -> event.is("rf-rx"));
+            if (heard.isEmpty() || heard.get().payload().isFragment()) {
+                receiver.begun.add(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
+                        .orElse(""));
+            }
             // It keeps few: the first of two it may have had no place for.
-            receiver.waits = receiver.waits == null ? air.sent(event).filter(this::isSure).orElse(null) : null;
+            receiver.waits = receiver.waits == null ? heard.filter(this::isSure).orElse(null) : null;
             receiver.since = event.seconds();
         }
+    }
+
+    /** Whether a board with our firmware and a host sends it as its own. */
+    private boolean isGenuine(Transmission packet) {
+        return receivers.containsKey(packet.board())
+                && receivers.get(packet.board()).id.equals(packet.payload().origin());
     }
 
     /** Boards without relays do not take copies. */

@@ -43,6 +43,10 @@ record Transmission(TraceEvent event, Payload payload, int path, String trailer,
         return event.board();
     }
 
+    double seconds() {
+        return end - start;
+    }
+
     boolean isOfModule() {
         return event.has("radio");
     }

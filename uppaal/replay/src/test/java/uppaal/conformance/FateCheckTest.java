@@ -9,6 +9,8 @@ class FateCheckTest {
     private static final String HEARD = "1 a>b UNICAST; ";
     /** Counters of SPEC 4.5: radioNotForUs, radioSent, radioRepeats. */
     private static final String NOT_FOR_US = "COUNT counter=10; ";
+    private static final String BLOCKED = "COUNT counter=29; ";
+    private static final String DROPPED = "COUNT counter=20; ";
     private static final String SENT = "COUNT counter=17; ";
     private static final String REPEATS = "COUNT counter=19; ";
     private static final String QUEUED = "QUEUED nonce=0 key=1; ";
@@ -26,6 +28,21 @@ class FateCheckTest {
                     + "| b has not told what became of a fragment of SUPO",
             "ignored message    | 1 a>b FIRST; 1.5 " + NOT_FOR_US + "2 a>b LATER; 3 QUIET | accepted",
             "behind the last    | 1 a>b FIRST; 1.5 FRAGMENT; 1.5 " + QUEUED + "2 a>b LATER; 3 QUIET | accepted",
+            "not blocked        | 0.7 b host-radio radio=open; " + HEARD + "1.2405 " + BLOCKED
+                    + "2 a>b UNICAST; 2.2405 "
+                    + BLOCKED + "3 QUIET | counts a unicast of ROMA as radioBlocked; expected a radio that its",
+            "blocked again      | 0.7 b host-radio radio=open; 0.8 b host-radio radio=blocked; " + HEARD + "1.2405 "
+                    + BLOCKED + "2 a>b UNICAST; 2.2405 " + BLOCKED + "3 QUIET | accepted",
+            "not its own        | " + HEARD + "1.2405 COUNT counter=11; 2 QUIET | expected a packet of its own address",
+            "for this device    | 0.7 b host-id id=SUPO; " + HEARD + "1.2405 " + NOT_FOR_US
+                    + "2 QUIET | expected a packet for another device",
+            "a right frame      | 0.7 a host-id id=ROMA; " + HEARD + "1.2405 COUNT counter=8; 2 QUIET "
+                    + "| expected a packet that is none of our firmware's",
+            "a wrong frame      | " + HEARD + "1.2405 COUNT counter=8; 2 QUIET | accepted",
+            "room for the first | 0.7 a host-id id=SUPO; 1 a>b FIRST; 1.5 " + DROPPED
+                    + "2 QUIET | expected that it has no",
+            "room for one       | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 1 a>b FIRST; 1.5 " + DROPPED
+                    + "2 QUIET | accepted",
             "acknowledged again | " + HEARD + "1.2405 " + REPEATS + "1.2405 OWE_DELIVERED nonce=0 key=1; 2 QUIET "
                     + "| accepted",
             "not acknowledged   | " + HEARD + "1.2405 " + REPEATS + "2 QUIET | expected OWE_DELIVERED",
