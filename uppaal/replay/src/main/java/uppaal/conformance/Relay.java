@@ -42,6 +42,8 @@ final class Relay {
     private String next = "";
     /** The last point but COUNT. */
     private Point before;
+    /** When its last packet ended. */
+    private double sentUntil;
     /** The packets that it has copied and that are not yet on the air. */
     private final Deque<Payload> copies = new ArrayDeque<>();
 
@@ -66,6 +68,9 @@ final class Relay {
         next = "";
         for (RelayedPacket place : places.values()) {
             place.due.checkNotLate(point);
+            boolean isTold = !place.isOnAir || point.name().endsWith("_ENDED")
+                    || point.run() - point.gap() < sentUntil + 2 * PhysicalLimits.ARRIVAL_BITS * bit;
+            point.require(isTold, "first that what it has copied has ended");
         }
         if (point.name().startsWith("RELAY_")) {
             double more = (point.seconds() - filled) * SHARE * MILLIS / air.second();
@@ -240,6 +245,7 @@ final class Relay {
         int path = behind + TraceEvent.HOPS * told;
         point.require(point.operand("path") == path, "path " + path + ", with " + behind + " hops");
         place.isOnAir = true;
+        sentUntil = Double.POSITIVE_INFINITY;
         copies.add(packet);
     }
 
@@ -273,5 +279,9 @@ final class Relay {
             require(packet.payload().equals(expected), packet.board() + " copies " + packet.payload().hex(),
                     expected.hex() + ", as it came");
         }
+    }
+
+    void ends(Transmission packet) {
+        sentUntil = packet.isOfModule() ? sentUntil : packet.end();
     }
 }

@@ -53,6 +53,13 @@ final class RelayCheck implements Check {
     }
 
     @Override
+    public void ends(Transmission packet) {
+        if (relays.containsKey(packet.board())) {
+            relays.get(packet.board()).ends(packet);
+        }
+    }
+
+    @Override
     public Set<String> covered() {
         return model.covered();
     }

@@ -26,6 +26,7 @@ class RelayCheckTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "after its slots      | " + COPY + "| accepted",
+            "its end not told     | " + COPY + "1.7557 QUIET; 1.77 BUSY | first that what it has copied has ended",
             "early                | 1.506 RELAY_COPY path=1 | b declares RELAY_COPY too early; expected 1.514",
             "late                 | 1.536 RELAY_COPY path=1 | RELAY_COPY at its first run()",
             "other hops           | 1.515 RELAY_COPY path=2 | ; expected path 1, with 1 hops",
