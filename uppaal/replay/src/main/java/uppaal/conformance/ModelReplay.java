@@ -31,6 +31,7 @@ final class ModelReplay implements Check {
     public void event(TraceEvent event) throws RefusedException {
         Point told = new Point(event, event.name(), 0);
         switch (event.name()) {
+            case "crash" -> throw new RefusedException(event.board() + "'s program crashes", "that it runs on");
             case "reset" -> board(event.board()).reset();
             case "host-transmit" -> board(event.board()).transmit(event.number("number"), kind(event));
             case "host-relay" -> board(event.board()).transmit(event.number("number"), "broadcast");
