@@ -28,7 +28,7 @@ class AirCheckTest {
             "reset before         | " + SEND + "1.0001 a reset why=power; 2 a SEND pending=1; 2.0002 a UNICAST "
                     + "| accepted"})
     void begins_isJudged(String what, String story, String verdict) {
-        RadioStory.check(AirCheck::new, story, verdict);
+        Story.check(AirCheck::new, story, verdict);
     }
 
     @ParameterizedTest
@@ -43,7 +43,7 @@ class AirCheckTest {
             "trailer missing       | " + BROKEN + "2 a QUIET | expected 492 for these bytes and this trailer",
             "long before reset     | " + BROKEN + "1.5 a reset why=fault | expected 492"})
     void ends_isJudged(String what, String story, String verdict) {
-        RadioStory.check(AirCheck::new, SEND + story, verdict);
+        Story.check(AirCheck::new, SEND + story, verdict);
     }
 
     @ParameterizedTest
@@ -61,6 +61,6 @@ class AirCheckTest {
             "carrier of a packet that the end cuts off | 5.9 QUIET; 5.998 - command do=send payload=00; 6 BUSY "
                     + "| accepted"})
     void reaches_isJudged(String what, String story, String verdict) {
-        RadioStory.check(AirCheck::new, story, verdict);
+        Story.check(AirCheck::new, story, verdict);
     }
 }

@@ -49,6 +49,6 @@ class FateCheckTest {
             "not taken yet      | " + HEARD + "1.2405 " + QUEUED + "2 a>b UNICAST; 2.2405 " + REPEATS
                     + "3 QUIET | accepted"})
     void fate_isJudged(String what, String story, String verdict) {
-        RadioStory.check(FateCheck::new, ON + story, verdict);
+        Story.check(FateCheck::new, ON + story, verdict);
     }
 }

@@ -4,7 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -15,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import trace.TraceEvent;
+import trace.TraceReader;
 
 /**
  * What hosts must not tell, and not say. {@code hosts/walker.jsonl} is what two boards did of which {@code home} sent
@@ -59,14 +63,21 @@ class HostMachinesTest {
 
     /** The events of a trace that hosts' machines are of, each in words: a board, a verb and fields. */
     private static List<String> events(String trace) {
-        TraceLines lines = TraceLines.of("hosts/" + trace);
-        return lines.where(line -> VERBS.containsKey(lines.text(line, "event"))).stream().map(line -> {
-            String verb = VERBS.get(lines.text(line, "event"));
-            String board = ADDRESSES.keySet().stream().filter(name -> name.equals(lines.text(line, "board"))
-                    || ADDRESSES.get(name).equals(lines.text(line, "host"))).findFirst().get();
-            return board + " " + verb + FIELDS.get(verb).stream().map(field -> " " + lines.text(line, field))
-                    .collect(Collectors.joining());
-        }).collect(Collectors.toCollection(ArrayList::new));
+        List<String> events = new ArrayList<>();
+        try {
+            TraceReader.read(Path.of("src/test/resources/traces/hosts", trace + ".jsonl"), event -> {
+                String verb = VERBS.getOrDefault(event.name(), "");
+                String board = ADDRESSES.keySet().stream().filter(name -> name.equals(event.board())
+                        || ADDRESSES.get(name).equals(event.textOrEmpty("host"))).findFirst().orElse("");
+                if (!verb.isEmpty()) {
+                    events.add(board + " " + verb + FIELDS.get(verb).stream()
+                            .map(field -> " " + event.textOrEmpty(field)).collect(Collectors.joining()));
+                }
+            });
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+        return events;
     }
 
     /** An event of a script in the words of a trace, or how it begins there. */

@@ -135,7 +135,7 @@ class ModelReplayTest {
             "0.524 BUSY | 0.524 BUSY;0.524 host-transmit number=1 destination=BUSS asked=0.524;0.524 TURN number=1;"
                     + "0.524 TAKE_UP key=2;0.524 CONTEND slots=3 | its Sender transmission 1 is Ready",
             "1.451 DELIVERED | 1.451 DELIVERED;1.452 SEND pending=1 | expected TAKE_UP first",
-            "1.500 host-outcome | 1.500 crash                    | bus's program crashes; expected that it runs on",
+            "1.500 host-outcome | 1.500 crash                    | b's program crashes; expected that it runs on",
             "1.451 DELIVERED | 1.451 SENT       | declares SENT, but its Sender"})
     void unicast_changed_isRefused(String from, String to, String why) {
         refused(UNICAST, from, to, why);

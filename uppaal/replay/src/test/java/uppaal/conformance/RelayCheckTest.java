@@ -19,7 +19,7 @@ class RelayCheckTest {
     private static final String FAR = "0.6 c>b ACK hops=1; ";
 
     private static void check(String story, String verdict) {
-        RadioStory.check(RelayCheck::new, "0.5 RELAY_ON on=1; " + story.replaceAll("RELAY_\\w+", "$0 place=7"),
+        Story.check(RelayCheck::new, "0.5 RELAY_ON on=1; " + story.replaceAll("RELAY_\\w+", "$0 place=7"),
                 verdict);
     }
 

@@ -35,7 +35,7 @@ class ReplayTest {
             }
         };
 
-        new Trace(header -> all).point(1.01, "b", "BUSY", "").sends(1, "a", "31", "").isAccepted();
+        Story.check(header -> all, "1.01 BUSY; 1 a UNICAST", "accepted");
 
         assertEquals(List.of("scenario", "begins", "BUSY", "ends", "rf-tx"), told);
     }
@@ -64,7 +64,7 @@ class ReplayTest {
 
     @Test
     void event_timeRunsBackwards_isRefused() {
-        new Trace(header -> new Check() {}).point(2, "a", "BUSY", "").point(1, "a", "QUIET", "")
-                .isRefused("event 3 (1.000000 s, a, point): time runs backwards; expected 1.996");
+        Story.check(header -> new Check() {}, "2 BUSY; 1 QUIET",
+                "event 3 (1.000000 s, b, point): time runs backwards; expected 1.996");
     }
 }

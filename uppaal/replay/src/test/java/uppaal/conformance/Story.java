@@ -1,40 +1,93 @@
 package uppaal.conformance;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import javino.protocol.Airtime;
 
-/** A trace of the board {@code bus}, as {@code 0.522 SEND pending=1}; points are in capital letters. */
+/**
+ * What boards a, b and c send, hear and declare, as {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}, or a line
+ * each: words in capital letters are points, whose run() came 1 ms behind the one before. All is of b unless a board
+ * is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c).
+ */
 final class Story {
-    private static final String POINT =
-            "{\"t\":%1$s,\"event\":\"point\",\"board\":\"bus\",\"name\":\"%2$s\",\"run\":%1$s%3$s}";
-    private static final String EVENT = "{\"t\":%1$s,\"event\":\"%2$s\",\"board\":\"bus\"%3$s}";
+    private static final double BIT = 1 / 2000.0;
+    private static final double RUN = 0.001;
+    private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";
+    /** A unicast of ROMA to SUPO, and SUPO's acknowledgement; of another unicast two fragments. */
+    private static final Map<String, String> PACKETS =
+            Map.of("UNICAST", UNICAST, "OTHER", UNICAST.replace("2be5", "2be4"), "ACK",
+                    "2b4b41415355504f4241" + "0102030405060708", "FIRST", "2b4658415355504f4251535550505355504f546f",
+                    "LATER", "2b4658425355504f4149aa");
 
-    private Story() {}
+    private final Replay replay;
 
-    /** The verdict on a trace whose air has some settings more. */
-    static Optional<String> refusal(String lines, String air, Function<Header, Check> check) {
-        Replay replay = new Replay(List.of(check), Optional.empty());
-        replay.line("{\"t\":0.000000,\"event\":\"scenario\",\"version\":2,\"radio\":{\"bitRate\":2000" + air
-                + "},\"boards\":[{\"name\":\"bus\"}]}");
-        lines.lines().map(String::strip).filter(line -> !line.isEmpty()).map(Story::json).forEach(replay::line);
-        replay.finish();
-        return replay.refusal();
+    private Story(Function<Header, Check> check, String air) {
+        replay = new Replay(List.of(check), Optional.empty());
+        line("{'t':0,'event':'scenario','version':2,'radio':{'bitRate':2000" + air
+                + "},'boards':[{'name':'a'},{'name':'b'},{'name':'c'}]}");
     }
 
-    private static String json(String line) {
-        String[] words = line.split(" ");
-        StringBuilder operands = new StringBuilder();
-        boolean isPoint = words[1].equals(words[1].toUpperCase(Locale.ROOT));
-        for (int i = 2; i < words.length; i++) {
-            String[] field = words[i].split("=");
-            boolean isNumber = field[1].matches("[0-9.]+");
-            operands.append(",\"" + field[0] + "\":" + (isNumber ? field[1] : "\"" + field[1] + "\""));
+    /** @param verdict what the refusal says, or {@code accepted} */
+    static void check(Function<Header, Check> check, String story, String verdict) {
+        String refusal = refusal(story, "", check).orElse("accepted");
+        assertTrue(verdict.equals("accepted") ? refusal.equals(verdict) : refusal.contains(verdict), refusal);
+    }
+
+    /** The verdict on a trace whose air has some settings more. */
+    static Optional<String> refusal(String story, String air, Function<Header, Check> check) {
+        Story told = new Story(check, air);
+        for (String step : story.strip().split("\\s*[;\n]\\s*")) {
+            String[] words = step.replaceFirst("^([0-9.]+) (?=[A-Z])", "$1 b ")
+                    .replaceFirst("^([0-9.]+) ([a-z]+-[a-z]+|crash)", "$1 b $2").split(" ", 4);
+            told.add(Double.parseDouble(words[0]), words[1], words[2], fields(words.length < 4 ? "" : words[3]));
         }
-        if (isPoint && !line.contains("gap=")) {
-            operands.append(",\"gap\":0.001");
+        told.replay.finish();
+        return told.replay.refusal();
+    }
+
+    private void add(double seconds, String board, String what, String fields) {
+        String[] boards = board.split("[>~]");
+        String who = board.equals("-") ? "" : ",'board':'" + board + "'";
+        if (PACKETS.containsKey(what)) {
+            if (!board.contains("~")) {
+                packet("rf-tx", seconds, boards[0], what, fields);
+            }
+            if (boards.length > 1) {
+                packet("rf-rx", seconds + 0.00011, boards[1], what, ",'from':'" + boards[0] + "'" + fields);
+            }
+        } else if (Character.isUpperCase(what.charAt(0))) {
+            line(String.format(Locale.ROOT, "{'t':%.6f%s,'event':'point','name':'%s'%s,'run':%.6f,'gap':%.6f}", seconds,
+                    who, what, fields, seconds, RUN));
+        } else {
+            line("{'t':" + seconds + who + ",'event':'" + what + "'" + fields + "}");
         }
-        return String.format(isPoint ? POINT : EVENT, words[0], words[1], operands);
+    }
+
+    private void packet(String event, double start, String board, String name, String fields) {
+        String payload = PACKETS.get(name);
+        int bits = Airtime.bits(payload.length() / 2);
+        double end = start + (bits - 1) * BIT;
+        line(String.format(Locale.ROOT, "{'t':%.6f,'board':'%s','event':'%s','payload':'%s','kind':'any',"
+                + "'bits':%d,'start':%.6f,'end':%.6f%s}", end, board, event, payload, bits, start, end, fields));
+    }
+
+    private void line(String line) {
+        replay.line(line.replace('\'', '"'));
+    }
+
+    private static String fields(String words) {
+        StringBuilder fields = new StringBuilder();
+        for (String word : words.isEmpty() ? new String[0] : words.split(" ")) {
+            String[] field = word.split("=");
+            String value = PACKETS.getOrDefault(field[1], field[1]);
+            boolean isNumber = value.matches("(0|[1-9][0-9]*)(\\.[0-9]+)?");
+            fields.append(",'" + field[0] + "':" + (isNumber ? value : "'" + value + "'"));
+        }
+        return fields.toString();
     }
 }
