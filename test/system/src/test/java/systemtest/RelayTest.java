@@ -90,6 +90,7 @@ class RelayTest {
         assertTrue(receiver.messages().isEmpty());
         assertEquals(1, relay.counter(Counter.RELAY_COPIES));
         assertEquals(1, relay.counter(Counter.RELAY_ANSWERS));
+        emulator.await("a copy and an answer", 2, event -> event.is("rf-tx", "relay1"));
         assertEquals(List.of("1", "1"), emulator.sentBy("relay1").stream().map(RelayTest::hops).toList());
     }
 
@@ -127,13 +128,13 @@ class RelayTest {
         receiver.as("SUPO", key);
         Host near = Host.of(emulator, "near").as("SUHO", key);
         relays.add(near);
-        for (String to : List.of("////", "//SU", "////")) {
-            String content = "tell;n(" + emulator.sentBy("from").size() + ")";
-            sender.send(to, content);
+        for (String message : List.of("//// a", "//SU b", "//// c")) {
+            String content = "tell;n(" + message.substring(5) + ")";
+            sender.send(message.substring(0, 4), content);
             assertEquals(content, receiver.message().content().toString());
             assertEquals(content, near.message().content().toString());
         }
-        double now = emulator.sentBy("relay1").get(2).seconds();
+        double now = emulator.await("a third copy", 3, event -> event.is("rf-tx", "relay1")).seconds();
         emulator.await("some time without another copy", event -> event.seconds() > now + 1.5);
         assertTrue(receiver.messages().isEmpty() && near.messages().isEmpty());
         assertEquals(List.of("1", "1", "1"), emulator.sentBy("relay1").stream().map(RelayTest::hops).toList());
