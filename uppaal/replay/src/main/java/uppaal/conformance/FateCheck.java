@@ -34,8 +34,6 @@ final class FateCheck implements Check {
         private boolean isOpen;
         /** Packets that it has counted as blocked since then; of one the host may be told later that it is blocked. */
         private int blocked;
-        /** The messages of which fragments have come to it, and one more where it may have been any. */
-        private final Set<String> begun = new HashSet<>();
         boolean isRunning;
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
@@ -75,7 +73,6 @@ final class FateCheck implements Check {
                 case RADIO_OWN -> id.isEmpty() || packet.origin().equals(id) ? "" : "a packet of its own address";
                 case RADIO_NOT_FOR_US -> isForUs ? "a packet for another device" : "";
                 case RADIO_BAD_FRAMES, RADIO_RESERVED -> isGenuine ? "a packet that is none of our firmware's" : "";
-                case RADIO_FRAGMENTS_DROPPED -> isGenuine && begun.size() == 1 ? "that it has no room" : "";
                 default -> "";
             };
         }
@@ -166,10 +163,6 @@ final class FateCheck implements Check {
         Receiver receiver = receivers.get(event.board());
         if (receiver != null && receiver.isRunning) {
             Optional<Transmission> heard = air.sent(event).filter(packet -> event.is("rf-rx"));
-            if (heard.isEmpty() || heard.get().payload().isFragment()) {
-                receiver.begun.add(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
-                        .orElse(""));
-            }
             // It keeps few: the first of two it may have had no place for.
             receiver.waits = receiver.waits == null ? heard.filter(this::isSure).orElse(null) : null;
             receiver.since = event.seconds();

@@ -10,7 +10,6 @@ class FateCheckTest {
     /** Counters of SPEC 4.5: radioNotForUs, radioSent, radioRepeats. */
     private static final String NOT_FOR_US = "COUNT counter=10; ";
     private static final String BLOCKED = "COUNT counter=29; ";
-    private static final String DROPPED = "COUNT counter=20; ";
     private static final String SENT = "COUNT counter=17; ";
     private static final String REPEATS = "COUNT counter=19; ";
     private static final String QUEUED = "QUEUED nonce=0 key=1; ";
@@ -39,10 +38,6 @@ class FateCheckTest {
             "a right frame      | 0.7 a host-id id=ROMA; " + HEARD + "1.2405 COUNT counter=8; 2 QUIET "
                     + "| expected a packet that is none of our firmware's",
             "a wrong frame      | " + HEARD + "1.2405 COUNT counter=8; 2 QUIET | accepted",
-            "room for the first | 0.7 a host-id id=SUPO; 1 a>b FIRST; 1.5 " + DROPPED
-                    + "2 QUIET | expected that it has no",
-            "room for one       | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 1 a>b FIRST; 1.5 " + DROPPED
-                    + "2 QUIET | accepted",
             "acknowledged again | " + HEARD + "1.2405 " + REPEATS + "1.2405 OWE_DELIVERED nonce=0 key=1; 2 QUIET "
                     + "| accepted",
             "not acknowledged   | " + HEARD + "1.2405 " + REPEATS + "2 QUIET | expected OWE_DELIVERED",
