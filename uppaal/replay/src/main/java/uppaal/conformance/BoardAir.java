@@ -44,7 +44,8 @@ final class BoardAir {
         }
         boolean isSend = AirCheck.SENDS.contains(point.name());
         if (!isBusy() && (isSend || point.is("BUSY"))) {
-            quiets.addLast(new Quiet(quiets.removeLast().from, point.run() - point.gap(), point.run(), isSend));
+            double last = isSend ? point.run() : point.run() - point.gap();
+            quiets.addLast(new Quiet(quiets.removeLast().from, last, point.run(), isSend));
             return true;
         }
         return false;

@@ -55,6 +55,9 @@ final class Sending {
         if (isTimeout || point.name().startsWith("SEND")) {
             timer.checkNotEarly(point);
         }
+        if (isTimeout && instance.isAt("Held")) {
+            instance.take(point, "QUIET", Map.of()); // its patience was over as its board began to send
+        }
         if (point.is("CONTEND") && instance.isAt("Contending", "Deferred")) {
             // What it draws anew, once another device is acknowledged, changes when it sends, and nothing else.
             point.require(point.operand("slots") <= MOST_SLOTS_OF_TURN, "at most " + MOST_SLOTS_OF_TURN + " slots");

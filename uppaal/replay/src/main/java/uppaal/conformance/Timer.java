@@ -69,8 +69,12 @@ final class Timer {
         }
     }
 
-    /** It does it now. */
+    /** It does it now; what waits for no slots may be over as a carrier begins. */
     void checkNotEarly(Point point) throws RefusedException {
+        boolean isOver = first == 0 && left.least() * unit <= PhysicalLimits.MILLIS_STEP_SECONDS;
+        if (air != null && air.isBusy() && isOver) {
+            return;
+        }
         double earliest = due().least();
         if (point.run() + PhysicalLimits.MILLIS_STEP_SECONDS < earliest) {
             throw new RefusedException(point + " too early", earliest == Double.POSITIVE_INFINITY ? "quiet air"

@@ -111,6 +111,8 @@ class ModelReplayTest {
     @Test
     void genuineStories_areAccepted() {
         assertEquals(Optional.empty(), refusal(UNICAST));
+        assertEquals(Optional.empty(), refusal(UNICAST.substring(0, UNICAST.indexOf("0.850"))
+                + "0.850 BUSY\n0.850 ATTEMPT_FAILED attempts=1"));
         assertEquals(Optional.empty(), refusal(RECEIVED));
         assertEquals(Optional.empty(), refusal(FRAGMENTS));
         assertEquals(Optional.empty(), refusal("0.010 QUIET\n0.501 TAKE_UP key=255\n0.501 CONTEND slots=3\n"
@@ -126,6 +128,7 @@ class ModelReplayTest {
             "0.523 SEND    | 0.510 SEND                          | SEND too early; expected 0.514",
             "0.501 CONTEND slots=3 | 0.501 CONTEND slots=0 | by 0.523",
             "0.850 ATTEMPT | 0.775 ATTEMPT                       | too early; expected 0.85",
+            "0.850 ATTEMPT | 0.775 BUSY;0.775 ATTEMPT            | too early; expected quiet air",
             "0.850 ATTEMPT_FAILED attempts=1 | 0.850 ATTEMPT_FAILED attempts=2 | expected attempts 1",
             "rounds=0      | rounds=3                            | expected rounds 0",
             "1.110 SEND    | 1.002 SEND                          | too early",
