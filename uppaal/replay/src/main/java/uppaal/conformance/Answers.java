@@ -155,11 +155,8 @@ final class Answers {
         require(!air.isTimed() || isVague || air.isBusy() || first == null || quiet != FRESH_SLOTS
                 || begun >= point.run() - point.gap(), point.board() + " has not put off the answer that it owes",
                 "PUT_OFF while the air was busy");
-        String heard = air.isBusy() ? "BUSY" : "QUIET";
         for (Answer answer : owed) {
-            if (answer.instance.can(heard)) {
-                answer.instance.take(point, heard, Map.of());
-            }
+            answer.instance.hear(point, air.isBusy());
         }
     }
 }

@@ -90,9 +90,12 @@ final class Instance {
         model.cover(way.path);
     }
 
-    /** Whether a point of this name can be taken now. */
-    boolean can(String label) {
-        return !ways(label).isEmpty();
+    /** Its board's air is busy, or quiet, which may mean something where it is. */
+    void hear(Point point, boolean isBusy) throws RefusedException {
+        String heard = isBusy ? "BUSY" : "QUIET";
+        if (!ways(heard).isEmpty()) {
+            take(point, heard, Map.of());
+        }
     }
 
     /** The points that are possible now, in words. */

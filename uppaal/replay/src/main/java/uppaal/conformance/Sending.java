@@ -71,7 +71,7 @@ final class Sending {
             check(point);
         }
         timer = next(point);
-        hear(point);
+        instance.hear(point, air.isBusy());
     }
 
     /** Its board's air has become busy or quiet. */
@@ -79,14 +79,7 @@ final class Sending {
         if (air.isBusy()) {
             timer.busy();
         }
-        hear(point);
-    }
-
-    private void hear(Point point) throws RefusedException {
-        String heard = air.isBusy() ? "BUSY" : "QUIET";
-        if (instance.can(heard)) {
-            instance.take(point, heard, Map.of());
-        }
+        instance.hear(point, air.isBusy());
     }
 
     private void prepare(Point point, boolean isCrowded) {
