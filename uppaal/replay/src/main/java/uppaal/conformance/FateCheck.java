@@ -27,6 +27,8 @@ final class FateCheck implements Check {
 
     private static final int LOW_BYTE = 0xFF;
     private static final int NUMBERS = 256;
+    /** Why a packet is damaged that no board can mend. */
+    private static final String UNREADABLE = "no start symbol";
 
     /** A board with a host, since its last reset. */
     private static final class Receiver {
@@ -100,6 +102,11 @@ final class FateCheck implements Check {
     }
 
     private final Map<String, Receiver> receivers = new HashMap<>();
+    /**
+     * Of boards that have lost no memory since their first epoch, when each packet began that they heard first; also
+     * the origins of damaged ones, which may have been mended.
+     */
+    private final Map<String, Map<String, Double>> histories = new HashMap<>();
     private final Air air;
     private final double arrival;
 
@@ -115,6 +122,9 @@ final class FateCheck implements Check {
 
     @Override
     public void point(Point point) throws RefusedException {
+        if (point.is("EPOCH_STORED") && point.operand("low") == 1) {
+            histories.put(point.board(), new BoundedMap<>());
+        }
         Receiver receiver = receivers.get(point.board());
         if (receiver == null || !point.event().has("run")) {
             return;
@@ -127,7 +137,9 @@ final class FateCheck implements Check {
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
         // Of an earlier packet it has told in the run() before.
         if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
-            String wrong = receiver.wrong(counter.get(), isGenuine(receiver.waits));
+            boolean isNews = counter.get() == Counter.RADIO_REPLAYED && isNews(point.board(), receiver.waits);
+            String wrong = isNews ? "a packet that has come to it before"
+                    : receiver.wrong(counter.get(), isGenuine(receiver.waits));
             RefusedException.require(wrong.isEmpty(),
                     point.board() + " counts " + receiver.waits + " as " + counter.get(), wrong);
         }
@@ -147,9 +159,16 @@ final class FateCheck implements Check {
             case "host-id" ->
                 receivers.computeIfAbsent(event.board(), added -> new Receiver()).id = event.text("id");
             case "host-radio" -> open(event);
-            case "reset", "fault", "crash" -> receivers.replace(event.board(), new Receiver());
+            case "reset", "fault", "crash" -> reset(event);
             case "rf-rx", "rf-damaged" -> hears(event);
             default -> {}
+        }
+    }
+
+    private void reset(TraceEvent event) {
+        receivers.replace(event.board(), new Receiver());
+        if (!event.textOrEmpty("why").equals("port opened")) {
+            histories.remove(event.board());
         }
     }
 
@@ -162,11 +181,31 @@ final class FateCheck implements Check {
     private void hears(TraceEvent event) {
         Receiver receiver = receivers.get(event.board());
         if (receiver != null && receiver.isRunning) {
-            Optional<Transmission> heard = air.sent(event).filter(packet -> event.is("rf-rx"));
+            Optional<Transmission> sent = air.sent(event);
+            Optional<Transmission> heard = sent.filter(packet -> event.is("rf-rx"));
+            remember(event, sent);
             // It keeps few: the first of two it may have had no place for.
             receiver.waits = receiver.waits == null ? heard.filter(this::isSure).orElse(null) : null;
             receiver.since = event.seconds();
         }
+    }
+
+    private void remember(TraceEvent event, Optional<Transmission> sent) {
+        Map<String, Double> history = histories.get(event.board());
+        if (history != null && !event.textOrEmpty("why").equals(UNREADABLE)) {
+            Optional<Payload> payload = sent.map(Transmission::payload);
+            String what = event.is("rf-rx") ? payload.map(each -> each.bytes().hex()).orElse("")
+                    : payload.map(Payload::origin).orElse("");
+            history.putIfAbsent(what, event.real("start"));
+        }
+    }
+
+    /** Whether a board has not had this packet before, nor any that may be it. */
+    private boolean isNews(String board, Transmission packet) {
+        Map<String, Double> history = histories.getOrDefault(board, Map.of());
+        return isGenuine(packet) && !packet.payload().isFragment()
+                && history.getOrDefault(packet.payload().bytes().hex(), 0.0) >= packet.start()
+                && !history.containsKey(packet.payload().origin()) && !history.containsKey("");
     }
 
     /** Whether a board with our firmware and a host sends it as its own. */

@@ -29,6 +29,8 @@ final class ModelBoard {
     private final Answers answers;
     private final Map<Integer, Sending> sending = new HashMap<>();
     private final Map<Integer, String> kinds = new HashMap<>();
+    /** When their hosts were told that the board will send them. */
+    private final Map<Integer, Double> accepted = new HashMap<>();
     /** In the order in which they came. */
     private final Map<Integer, Receiving> receiving = new LinkedHashMap<>();
     private int nextMessage;
@@ -38,6 +40,8 @@ final class ModelBoard {
     private final Set<Integer> goneKeys = new HashSet<>();
     private boolean mayLackKeys;
     private double fragmentAt = Double.NEGATIVE_INFINITY;
+    /** Since when messages wait and none has the turn; infinite while one has. */
+    private double idleSince = Double.POSITIVE_INFINITY;
 
     ModelBoard(DeliveryModels models, BoardAir air) {
         this.models = models;
@@ -50,6 +54,8 @@ final class ModelBoard {
             each.timer().checkNotLate(point);
         }
         answers.checkTimers(point);
+        point.require(idleSince == Double.POSITIVE_INFINITY || point.run() - point.gap() <= idleSince,
+                "CONTEND before, as messages wait and none has the turn");
         if (!unacknowledged.isEmpty() && !WITHIN_TAKING.contains(point.name())) {
             unacknowledged.getFirst().acknowledge(point);
         }
@@ -92,6 +98,13 @@ final class ModelBoard {
             }
             answers.air(point);
         }
+        idle(point.seconds());
+    }
+
+    private void idle(double now) {
+        boolean isIdle = accepted.values().stream().anyMatch(told -> told < now)
+                && sending.values().stream().noneMatch(Sending::hasTurn);
+        idleSince = isIdle ? Math.min(idleSince, now) : Double.POSITIVE_INFINITY;
     }
 
     private void delete(Point point, int key) {
@@ -121,6 +134,7 @@ final class ModelBoard {
         if (point.is("SENT") || point.is("DELIVERED") || point.is("UNDELIVERED")) {
             sending.remove(number);
             kinds.remove(number);
+            accepted.remove(number);
         }
     }
 
@@ -141,8 +155,9 @@ final class ModelBoard {
     }
 
     /** Its host has asked for a transmission, or to relay one, which is sent as a broadcast is. */
-    void transmit(int number, String kind) {
+    void transmit(int number, String kind, double seconds) {
         kinds.put(number, kind);
+        accepted.put(number, seconds);
     }
 
     /** The host has got a message. */
@@ -211,6 +226,7 @@ final class ModelBoard {
     void reset() {
         sending.clear();
         kinds.clear();
+        accepted.clear();
         receiving.clear();
         unacknowledged.clear();
         answers.reset();

@@ -33,8 +33,9 @@ final class ModelReplay implements Check {
         switch (event.name()) {
             case "crash" -> throw new RefusedException(event.board() + "'s program crashes", "that it runs on");
             case "reset" -> board(event.board()).reset();
-            case "host-transmit" -> board(event.board()).transmit(event.number("number"), kind(event));
-            case "host-relay" -> board(event.board()).transmit(event.number("number"), "broadcast");
+            case "host-transmit" ->
+                board(event.board()).transmit(event.number("number"), kind(event), event.seconds());
+            case "host-relay" -> board(event.board()).transmit(event.number("number"), "broadcast", event.seconds());
             case "host-handed" -> board(event.board()).handed(told, event.number("number"), kind(event));
             case "host-taking" -> board(event.board()).takes(told, event.number("number"));
             default -> {}

@@ -10,6 +10,8 @@ class FateCheckTest {
     /** Counters of SPEC 4.5: radioNotForUs, radioSent, radioRepeats. */
     private static final String NOT_FOR_US = "COUNT counter=10; ";
     private static final String BLOCKED = "COUNT counter=29; ";
+    private static final String REPLAYED = "COUNT counter=14; ";
+    private static final String FIRST_BOOT = "0.7 EPOCH_STORED low=1; 0.7 a host-id id=ROMA; ";
     private static final String SENT = "COUNT counter=17; ";
     private static final String REPEATS = "COUNT counter=19; ";
     private static final String QUEUED = "QUEUED nonce=0 key=1; ";
@@ -38,6 +40,12 @@ class FateCheckTest {
             "a right frame      | 0.7 a host-id id=ROMA; " + HEARD + "1.2405 COUNT counter=8; 2 QUIET "
                     + "| expected a packet that is none of our firmware's",
             "a wrong frame      | " + HEARD + "1.2405 COUNT counter=8; 2 QUIET | accepted",
+            "never came         | " + FIRST_BOOT + HEARD + "1.2405 " + REPLAYED
+                    + "2 QUIET | expected a packet that has come to it before",
+            "came before        | " + FIRST_BOOT + HEARD + "1.2405 " + QUEUED + "2 a>b UNICAST; 2.2405 " + REPLAYED
+                    + "3 QUIET | accepted",
+            "lost its memory    | " + FIRST_BOOT + "0.71 b reset why=power; 0.72 b host-id id=SUPP epoch=000002; "
+                    + "0.73 QUIET; " + HEARD + "1.2405 " + REPLAYED + "2 QUIET | accepted",
             "acknowledged again | " + HEARD + "1.2405 " + REPEATS + "1.2405 OWE_DELIVERED nonce=0 key=1; 2 QUIET "
                     + "| accepted",
             "not acknowledged   | " + HEARD + "1.2405 " + REPEATS + "2 QUIET | expected OWE_DELIVERED",

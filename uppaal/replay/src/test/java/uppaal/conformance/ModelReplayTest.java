@@ -124,6 +124,7 @@ class ModelReplayTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "0.501 TAKE_UP |                                     | expected TAKE_UP first",
+            "0.850 CONTEND | 0.854 CONTEND                       | expected CONTEND before, as messages wait",
             "0.500 host-transmit |                               | expected that its host has asked for it",
             "0.523 SEND    | 0.510 SEND                          | SEND too early; expected 0.514",
             "0.501 CONTEND slots=3 | 0.501 CONTEND slots=0 | by 0.523",
@@ -196,7 +197,8 @@ class ModelReplayTest {
 
     @Test
     void serialModule_hasNoTimers() {
-        String late = UNICAST.replace("0.523 SEND", "0.503 SEND").replace("0.850 ATTEMPT", "0.710 ATTEMPT");
+        String late = UNICAST.replace("0.523 SEND", "0.503 SEND").replace("0.850 ATTEMPT", "0.710 ATTEMPT")
+                .replace("0.850 CONTEND", "0.710 CONTEND");
         assertEquals(Optional.empty(), Story.refusal(late, ",\"module\":\"hc-12\"", ModelReplay::new));
         assertTrue(refusal(late).isPresent());
     }
