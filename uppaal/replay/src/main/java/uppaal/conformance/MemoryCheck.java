@@ -135,8 +135,8 @@ final class MemoryCheck implements Check {
                 "place " + place + " of its ring, which begins at " + memory.ring);
         Bytes nonce = written.get(at).from(NONCE_AT);
         Bytes before = memory.floors.get(written.get(at).slice(0, NONCE_AT));
-        require(before == null || number(before) < number(nonce), point.board() + " stores the floor " + nonce,
-                "a higher one than " + before);
+        require(before == null || number(before) < number(nonce) - ABOVE, point.board() + " stores the floor " + nonce,
+                "one for a nonce above " + before);
     }
 
     private static void storeKey(Memory memory, Point point) {

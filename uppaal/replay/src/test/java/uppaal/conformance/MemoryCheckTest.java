@@ -13,11 +13,12 @@ class MemoryCheckTest {
             "support does reset why=watchdog; support stores 400 000002; support stores 420 000002; "
                     + "support EPOCH_STORED low=2; ";
 
-    /** F is a floor of SUPO under key 0, of epoch 1 and counter 31; G one of counter 32, L of 30; O another's. */
+    /** F is a floor of SUPO under key 0, of epoch 1 and counter 31; G one of 63, H of 62, L of 30; O another's. */
     private static String verdict(String script) {
         return new TestTrace(script.replace("STORE; ", STORE).replace("KEY; ", KEY).replace("AGAIN; ", AGAIN)
-                .replaceAll("\\bF\\b", "004943ce00000100001f").replaceAll("\\bG\\b", "004943ce000001000020")
-                .replaceAll("\\bL\\b", "004943ce00000100001e").replaceAll("\\bO\\b", "004943cf00000100001f"))
+                .replaceAll("\\bF\\b", "004943ce00000100001f").replaceAll("\\bG\\b", "004943ce00000100003f")
+                .replaceAll("\\bL\\b", "004943ce00000100001e").replaceAll("\\bO\\b", "004943cf00000100001f")
+                .replaceAll("\\bH\\b", "004943ce00000100003e"))
                 .verdict(MemoryCheck::new);
     }
 
@@ -54,8 +55,8 @@ class MemoryCheckTest {
             "support stores 300 F G; support FLOOR_STORED key=0 place=0 | two whole records",
             "support stores 300 F F; support FLOOR_STORED key=1 place=0 | two whole records",
             "STORE; support FLOOR_STORED key=0 place=0 | two whole records",
-            "STORE; support stores 326 L L; support FLOOR_STORED key=0 place=1"
-                    + " | stores the floor 00000100001e; expected a higher",
+            "STORE; support stores 326 H H; support FLOOR_STORED key=0 place=1"
+                    + " | stores the floor 00000100003e; expected one for a nonce above",
             "STORE; support stores 400 G G; support FLOOR_STORED key=0 place=1"
                     + " | place 1 of its ring, which begins at 300",
             "support queues 0; support hands 0 SUPP 010000 help"
