@@ -46,7 +46,7 @@ final class Cells implements Campaign {
                 new Table("cells", "speed", "air", "to a neighbour", "delivered", "median wait", "to the next cell",
                         "delivered", "median wait");
         Table costs = new Table("cells", "frames a second", "broker, CPU", "memory", "a gateway, CPU",
-                "memory", "an emulator, CPU", "a cell's hosts, CPU");
+                "memory", "an emulator, CPU", "a cell's hosts and replay, CPU");
         Ledger.Sum all = Ledger.Sum.ZERO;
         CellsRun.Result last = null;
         for (int cells : settings.choose(List.of(1, 10), List.of(2))) {

@@ -39,7 +39,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
      * @param speed   emulated time by time on the wall.
      * @param air     the share of a cell's time in which some board sends.
      * @param frames  published in an emulated second.
-     * @param gateway of each gateway, as of each emulator and of the hosts of each cell.
+     * @param gateway of each gateway, as of each emulator and of the hosts and the replay of each cell.
      */
     record Result(int cells, Traffic.Sent near, Traffic.Sent far, double speed, double air, double frames,
             double broker, long brokerBytes, double gateway, long gatewayBytes, double emulator, double hosts) {}
@@ -114,7 +114,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
     private Cell start(int cell, Map<String, Ledger> ledgers, Closing closing) throws Exception {
         AirUsage air = new AirUsage();
         Timetable timetable = closing.add(new Timetable());
-        Emulator.Scenario scenario = timetable.scenario(seed + cell, air).unmodelled();
+        Emulator.Scenario scenario = timetable.scenario(seed + cell, air);
         Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", boards))));
         int devices = boards - 1;
         List<Flow> flows = new ArrayList<>();

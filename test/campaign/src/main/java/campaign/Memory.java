@@ -17,7 +17,7 @@ final class Memory {
     /**
      * One look, in bytes.
      *
-     * @param heap     what is alive on this process's heap, which holds the hosts.
+     * @param heap     what is alive on this process's heap, which holds the hosts and the replay.
      * @param resident what the emulator has in memory.
      */
     record Sample(long heap, long resident) {

@@ -50,10 +50,8 @@ final class Soak implements Campaign {
     @Override
     public void run(Settings settings, Report report) throws Exception {
         try (Closing closing = new Closing()) {
-            // A replay would be in the heap that is measured.
-            Emulator.Scenario scenario =
-                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).discardEvents()
-                            .unmodelled();
+            Emulator.Scenario scenario = new Emulator.Scenario().speed(SPEED).seed(settings.seed())
+                    .listener(this::traced).discardEvents();
             Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
             Field.Post one = field.cell(0).get(0);
             Field.Post two = field.cell(0).get(1);
@@ -104,8 +102,8 @@ final class Soak implements Campaign {
             has a known reason: the board was itself sending when the packet began (*crossed*), or began to send while
             it came, or two packets were on the air.
             """.formatted(SPEED));
-        report.table(new Table("memory", "hosts' heap, emulator").row("at a quarter of the time", memory.at(0.25))
-                .row("at the end", memory.at(1)));
+        report.table(new Table("memory", "heap of hosts and replay, emulator")
+                .row("at a quarter of the time", memory.at(0.25)).row("at the end", memory.at(1)));
         report.table(new Table("longest time without a delivery, emulated", "one way", "the other").row("",
                 Table.text("%.1f s", shortPace.longest()), Table.text("%.1f s", longPace.longest())));
         double hours = air.now() / 3600;
