@@ -31,7 +31,7 @@ final class Air {
     }
 
     void begins(Transmission packet) {
-        injected = header.boards().contains(packet.board()) ? injected : Double.POSITIVE_INFINITY;
+        injected = header.boards().containsKey(packet.board()) ? injected : Double.POSITIVE_INFINITY;
         recent.addLast(packet);
         while (!isKept(recent.getFirst())) {
             recent.removeFirst();

@@ -36,6 +36,8 @@ final class FateCheck implements Check {
         private boolean isOpen;
         /** Packets that it has counted as blocked since then; of one the host may be told later that it is blocked. */
         private int blocked;
+        /** The messages of which fragments have come to it, and one more where it may have been any. */
+        final Set<String> begun = new HashSet<>();
         boolean isRunning;
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
@@ -66,7 +68,7 @@ final class FateCheck implements Check {
         }
 
         /** What a counter says of the packet that it waits for, if that is not so; else nothing. */
-        private String wrong(Counter counter, boolean isGenuine) {
+        private String wrong(Counter counter, boolean isGenuine, boolean hasRoom) {
             Payload packet = waits.payload();
             boolean isForAll = packet.kind() == Payload.Kind.BROADCAST;
             boolean isForUs = packet.destination().equals(id) || isForAll;
@@ -75,6 +77,8 @@ final class FateCheck implements Check {
                 case RADIO_OWN -> id.isEmpty() || packet.origin().equals(id) ? "" : "a packet of its own address";
                 case RADIO_NOT_FOR_US -> isForUs ? "a packet for another device" : "";
                 case RADIO_BAD_FRAMES, RADIO_RESERVED -> isGenuine ? "a packet that is none of our firmware's" : "";
+                case RADIO_FRAGMENTS_DROPPED ->
+                    hasRoom && isGenuine && begun.size() == 1 ? "that it has no room" : "";
                 default -> "";
             };
         }
@@ -107,10 +111,12 @@ final class FateCheck implements Check {
      * the origins of damaged ones, which may have been mended.
      */
     private final Map<String, Map<String, Double>> histories = new HashMap<>();
+    private final Header header;
     private final Air air;
     private final double arrival;
 
     FateCheck(Header header) {
+        this.header = header;
         air = new Air(header);
         arrival = PhysicalLimits.ARRIVAL_BITS * header.bit();
     }
@@ -139,7 +145,7 @@ final class FateCheck implements Check {
         if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
             boolean isNews = counter.get() == Counter.RADIO_REPLAYED && isNews(point.board(), receiver.waits);
             String wrong = isNews ? "a packet that has come to it before"
-                    : receiver.wrong(counter.get(), isGenuine(receiver.waits));
+                    : receiver.wrong(counter.get(), isGenuine(receiver.waits), header.isLarge(point.board()));
             RefusedException.require(wrong.isEmpty(),
                     point.board() + " counts " + receiver.waits + " as " + counter.get(), wrong);
         }
@@ -184,6 +190,10 @@ final class FateCheck implements Check {
             Optional<Transmission> sent = air.sent(event);
             Optional<Transmission> heard = sent.filter(packet -> event.is("rf-rx"));
             remember(event, sent);
+            if (sent.isEmpty() || sent.get().payload().isFragment()) {
+                receiver.begun.add(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
+                        .orElse(""));
+            }
             // It keeps few: the first of two it may have had no place for.
             receiver.waits = receiver.waits == null ? heard.filter(this::isSure).orElse(null) : null;
             receiver.since = event.seconds();

@@ -5,9 +5,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javino.protocol.Airtime;
@@ -16,12 +14,11 @@ import trace.TraceEvent;
 /**
  * A trace's first event.
  *
- * @param boards their names
- * @param seconds by board, how long a second of its clock is, if it is not a second
+ * @param boards by name, what the scenario says of them
  * @param radio the settings of the air
  * @param keys a keyring, or what the emulator's {@code --keys} writes, which may come to be while the trace does
  */
-record Header(List<String> boards, Map<String, Double> seconds, JsonObject radio, Optional<Path> keys) {
+record Header(Map<String, JsonObject> boards, JsonObject radio, Optional<Path> keys) {
 
     /** The version of traces in which boards declare their transitions. */
     static final int VERSION = 2;
@@ -38,25 +35,26 @@ record Header(List<String> boards, Map<String, Double> seconds, JsonObject radio
         RefusedException.require(version.equals(String.valueOf(VERSION)),
                 "the trace has " + (version.isEmpty() ? "no version" : "version " + version),
                 "version " + VERSION + ", of a newer emulator");
-        List<String> boards = new ArrayList<>();
-        Map<String, Double> seconds = new HashMap<>();
+        Map<String, JsonObject> boards = new HashMap<>();
         if (scenario.json("boards") instanceof JsonArray array) {
             for (JsonElement each : array) {
-                JsonObject board = each.getAsJsonObject();
-                boards.add(board.get("name").getAsString());
-                if (board.has("clockError")) {
-                    seconds.put(board.get("name").getAsString(),
-                            1 / (1 + board.get("clockError").getAsInt() / MILLION));
-                }
+                boards.put(each.getAsJsonObject().get("name").getAsString(), each.getAsJsonObject());
             }
         }
-        return new Header(boards, seconds,
+        return new Header(boards,
                 scenario.json("radio") instanceof JsonObject radio ? radio : new JsonObject(), keys);
     }
 
     /** How long a second of a board's clock is: shorter if the clock is fast. */
     double second(String board) {
-        return seconds.getOrDefault(board, 1.0);
+        JsonObject settings = boards.get(board);
+        return settings == null || !settings.has("clockError") ? 1
+                : 1 / (1 + settings.get("clockError").getAsInt() / MILLION);
+    }
+
+    /** Whether a board has room for the longest message; a smaller one drops the fragments of long ones. */
+    boolean isLarge(String board) {
+        return boards.containsKey(board) && new JsonPrimitive("mega").equals(boards.get(board).get("model"));
     }
 
     /** The length of a bit, in seconds. */

@@ -29,7 +29,7 @@ final class Story {
     private Story(Function<Header, Check> check, String air) {
         replay = new Replay(List.of(check), Optional.empty());
         line("{'t':0,'event':'scenario','version':2,'radio':{'bitRate':2000" + air
-                + "},'boards':[{'name':'a'},{'name':'b'},{'name':'c'}]}");
+                + "},'boards':[{'name':'a'},{'name':'b','model':'mega'},{'name':'c'}]}");
     }
 
     /** @param verdict what the refusal says, or {@code accepted} */
