@@ -41,6 +41,9 @@ final class MemoryCheck implements Check {
         final Map<Bytes, Bytes> covering = new HashMap<>();
         /** Whether memory was lost when it has booted. */
         boolean isLost;
+        /** Whether it has told that since its last reset, and whether its power was cut then. */
+        boolean isTold;
+        boolean wasOff;
         /** Where the ring of floors begins; negative while that is not known. */
         int ring = -1;
         /** The beginning of the last key's record that was written, and of that which was stored; empty for none. */
@@ -79,6 +82,8 @@ final class MemoryCheck implements Check {
 
         void reset(boolean isOfPower) {
             isWhole &= isOfPower;
+            isTold = false;
+            wasOff = isOfPower;
             count = 0;
             queued.clear();
             sessions.clear();
@@ -107,10 +112,15 @@ final class MemoryCheck implements Check {
     public void point(Point point) throws RefusedException {
         Memory memory = memory(point.board());
         Map<Integer, Bytes> written = memory.writtenFloors();
+        point.require(memory.isTold || memory.eeprom.epoch() == 0 || point.is("MEMORY") || !point.event().has("run"),
+                "MEMORY first, as it has stored an epoch");
         memory.eeprom.point(point);
         switch (point.name()) {
             case "EPOCH_STORED" -> memory.isWhole |= memory.eeprom.epoch() == 1;
             case "MEMORY" -> {
+                point.require(!memory.isTold && point.operand("kept") <= (memory.wasOff ? 0 : 1),
+                        "it once, and none kept where its power was cut");
+                memory.isTold = true;
                 memory.isLost = point.operand("kept") == 0;
                 memory.covering.keySet().removeIf(pair -> memory.isLost);
             }

@@ -79,6 +79,10 @@ class MemoryCheckTest {
                     + "expected one that it",
             "support stores 300 F; support boots 000002; support answers STALE a:0:00000100001f0000 | one that",
             "support stores 300 F; support QUIET; support queues 0; support hands 0 SUPP 010000 help | that a floor",
+            "AGAIN; support MEMORY kept=1; support MEMORY kept=1 | declares MEMORY; expected it once, and none kept",
+            "support does reset why=power; support stores 400 000002; support stores 420 000002; "
+                    + "support EPOCH_STORED low=2; support MEMORY kept=1 | none kept where its power was cut",
+            "AGAIN; support QUIET | support declares QUIET; expected MEMORY first",
             "support EPOCH_STORED low=2 | support declares an epoch stored that ends in 2; "
                     + "expected two whole records of it, ab",
             "support stores 300 000002; support EPOCH_STORED low=2 | an epoch stored that ends in 2",
