@@ -46,6 +46,8 @@ final class HostCheck implements Check {
         final Map<Integer, String> sent = new HashMap<>();
         /** Its inbox, as its host was handed it; null until that. */
         final List<Identity> inbox = new ArrayList<>();
+        /** The number of the next that it accepts; negative if that is not known. */
+        int next = -1;
         /** The number of the first in the inbox. */
         int first;
         /** What its host has taken, and was not told yet to have. */
@@ -148,11 +150,7 @@ final class HostCheck implements Check {
         switch (event.name()) {
             case "reset" -> sides.remove(event.board());
             case "host-id" -> addresses.put(event.board(), event.text("id"));
-            case "host-transmit" -> {
-                String destination = event.text("destination");
-                side.devices.put(event.number("number"), destination.startsWith("//") ? "" : destination);
-            }
-            case "host-relay" -> side.devices.put(event.number("number"), "");
+            case "host-transmit", "host-relay" -> transmit(side, event);
             case "host-handed" -> hand(side, event);
             case "host-taking" -> taking(side, event);
             case "host-taken" -> confirm(side, event);
@@ -160,6 +158,15 @@ final class HostCheck implements Check {
             case "host-nothing", "percepts" -> reply(side, event);
             default -> {}
         }
+    }
+
+    private static void transmit(Side side, TraceEvent event) throws RefusedException {
+        int number = event.number("number");
+        String destination = event.textOrEmpty("destination");
+        require(side.next < 0 || side.next == number, event.board() + " gives a message the number " + number,
+                "" + side.next);
+        side.next = (number + 1) % NUMBERS;
+        side.devices.put(number, destination.startsWith("//") ? "" : destination);
     }
 
     private void hand(Side side, TraceEvent event) throws RefusedException {

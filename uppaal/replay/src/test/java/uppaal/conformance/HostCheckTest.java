@@ -51,6 +51,9 @@ class HostCheckTest {
     @CsvSource(delimiter = '|', value = {
             "HANDED; police DELIVERED number=0 | police declares message 0 DELIVERED; "
                     + "expected that a host of SUPP has taken it",
+            "police does host-transmit number=7 asked=1 destination=SUPP; "
+                    + "police does host-transmit number=7 asked=2 destination=SUPP"
+                    + " | police gives a message the number 7; expected 8",
             "police DELIVERED number=0 | expected a message under way",
             "SENT; police UNDELIVERED number=0; police UNDELIVERED number=0 | expected a message under way",
             "TWO; police UNDELIVERED number=1 | expected the outcome of message 0 first",
