@@ -42,6 +42,9 @@ final class FateCheck implements Check {
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
         double since;
+        /** How many packets there were that it may not have read, and until when it may read them. */
+        int unread;
+        double unreadUntil;
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
         /** The last bytes of the nonces in its inbox, and the number of the first. */
@@ -124,6 +127,10 @@ final class FateCheck implements Check {
     @Override
     public void begins(Transmission packet) {
         air.begins(packet);
+        receivers.forEach((board, receiver) -> {
+            receiver.unread += packet.board().equals(board) ? 0 : 1;
+            receiver.unreadUntil = packet.end() + header.longest();
+        });
     }
 
     @Override
@@ -141,6 +148,9 @@ final class FateCheck implements Check {
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
+        receiver.unread = point.run() - point.gap() > receiver.unreadUntil ? 0 : receiver.unread;
+        boolean isCounted = counter.filter(COUNTED::contains).isPresent();
+        point.require(!isCounted || receiver.unread-- > 0, "a packet that it has not read before");
         // Of an earlier packet it has told in the run() before.
         if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
             boolean isNews = counter.get() == Counter.RADIO_REPLAYED && isNews(point.board(), receiver.waits);
@@ -149,7 +159,7 @@ final class FateCheck implements Check {
             RefusedException.require(wrong.isEmpty(),
                     point.board() + " counts " + receiver.waits + " as " + counter.get(), wrong);
         }
-        if (FATES.contains(point.name()) || counter.filter(COUNTED::contains).isPresent()) {
+        if (FATES.contains(point.name()) || isCounted) {
             receiver.told(point);
         } else if (receiver.waits != null && point.run() - point.gap() > receiver.since + arrival) {
             RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "

@@ -17,7 +17,8 @@ import trace.TraceEvent;
 /** Gives a trace's events, as they come, to checks that know nothing of each other, until one of them refuses. */
 public final class Replay {
     private static final List<Function<Header, Check>> CHECKS = List.of(AirCheck::new, ModelReplay::new,
-            RelayCheck::new, FateCheck::new, ByteCheck::new, HostCheck::new, HostMachines::new, MemoryCheck::new);
+            RelayCheck::new, FateCheck::new, ByteCheck::new, HostCheck::new, HostMachines::new, MemoryCheck::new,
+            CountCheck::new);
 
     /** What may be refused. */
     private interface Refusable {

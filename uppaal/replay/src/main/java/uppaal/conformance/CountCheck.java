@@ -1,0 +1,70 @@
+package uppaal.conformance;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import javino.protocol.Counter;
+import trace.TraceEvent;
+
+/** A board counts what it declares, right before that or right behind it, and declares nothing twice at once. */
+final class CountCheck implements Check {
+    private static final Map<String, Counter> BEFORE = Map.of("DELIVERED", Counter.RADIO_ACKNOWLEDGED, "UNDELIVERED",
+            Counter.RADIO_UNDELIVERED, "SEND", Counter.RADIO_RESENT, "SEND_PART", Counter.RADIO_RESENT);
+    private static final Map<String, Counter> BEHIND = Map.of("RELAY_COPY", Counter.RELAY_COPIES, "RELAY_ANSWER",
+            Counter.RELAY_ANSWERS, "RELAY_REFUSE", Counter.RELAY_REFUSED, "OWE_STALE", Counter.RADIO_STALE);
+
+    /** What a board has declared since its last reset. */
+    private static final class Declared {
+        String last = "";
+        /** The counters that the next point must be, or be for; nothing where it may be any. */
+        Counter due;
+        Counter before;
+        /** By number, the fragments that it has sent of a message that it has taken up. */
+        final Map<Integer, Integer> sent = new HashMap<>();
+    }
+
+    private final Map<String, Declared> boards = new HashMap<>();
+
+    CountCheck(Header header) {}
+
+    @Override
+    public void point(Point point) throws RefusedException {
+        Declared board = boards.computeIfAbsent(point.board(), added -> new Declared());
+        Optional<Counter> counter = point.is("COUNT") ? Counter.of(point.operand("counter")) : Optional.empty();
+        String told = point.number() + point.event().line().replaceFirst("\"t\":[^,]*,", "");
+        point.require(counter.isPresent() || !told.equals(board.last), "it once in a run()");
+        board.last = told;
+
+        point.require(board.due == null || counter.filter(board.due::equals).isPresent(), "COUNT of " + board.due);
+        // What a relay has no memory for it refuses at once.
+        boolean isAlone = board.due == null && counter.filter(BEHIND::containsValue)
+                .filter(one -> one != Counter.RELAY_REFUSED).isPresent();
+        point.require(!isAlone, "what it counts so before");
+        board.due = BEHIND.get(point.name());
+
+        Counter needed = isCounted(board, point) ? BEFORE.get(point.name()) : null;
+        point.require(needed == board.before, needed == null ? "no COUNT of " + board.before + " before"
+                : "COUNT of " + needed + " before");
+        board.before = counter.filter(BEFORE::containsValue).orElse(null);
+    }
+
+    /** Whether a point has its counter before it: not what was not taken up for want of a key, nor what is sent first. */
+    private static boolean isCounted(Declared board, Point point) {
+        int sent = board.sent.getOrDefault(point.number(), 0);
+        if (point.is("TAKE_UP") || point.is("RESEAL")) {
+            board.sent.put(point.number(), 0);
+        } else if (point.name().startsWith("SEND")) {
+            int fragment = Integer.lowestOneBit(point.operand("pending"));
+            board.sent.put(point.number(), sent | fragment);
+            return (sent & fragment) != 0;
+        }
+        return !point.is("UNDELIVERED") || board.sent.containsKey(point.number());
+    }
+
+    @Override
+    public void event(TraceEvent event) {
+        if (event.is("reset")) {
+            boards.remove(event.board());
+        }
+    }
+}

@@ -1,0 +1,34 @@
+package uppaal.conformance;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class CountCheckTest {
+    /** Counters of SPEC 4.5: radioAcknowledged, radioUndelivered, radioResent, radioStale, relayCopies, relayRefused. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "1 COUNT counter=22; 1 DELIVERED | accepted",
+            "1 DELIVERED | b declares DELIVERED; expected COUNT of radioAcknowledged before",
+            "1 COUNT counter=22; 1 UNDELIVERED | expected no COUNT of radioAcknowledged before",
+            "1 COUNT counter=22; 1 QUIET | no COUNT of radioAcknowledged",
+            "1 UNDELIVERED | accepted",
+            "1 TAKE_UP key=0; 1.1 COUNT counter=23; 1.1 UNDELIVERED | accepted",
+            "1 TAKE_UP key=0; 1.1 UNDELIVERED | COUNT of radioUndelivered before",
+            "1 TAKE_UP key=0; 2 SEND pending=1; 3 COUNT counter=25; 3 SEND pending=1 | accepted",
+            "1 TAKE_UP key=0; 2 SEND pending=3; 3 SEND pending=2; 4 COUNT counter=25; 4 SEND pending=2 | accepted",
+            "1 TAKE_UP key=0; 2 SEND pending=1; 3 SEND pending=1 | COUNT of radioResent before",
+            "1 TAKE_UP key=0; 2 COUNT counter=25; 2 SEND pending=1 | no COUNT of radioResent",
+            "1 TAKE_UP key=0; 2 SEND pending=1; 3 RESEAL key=0; 4 SEND pending=1 | accepted",
+            "1 OWE_STALE nonce=0 key=1; 1 COUNT counter=27 | accepted",
+            "1 OWE_STALE nonce=0 key=1; 1 QUIET | expected COUNT of radioStale",
+            "1 COUNT counter=27 | expected what it counts so before",
+            "1 RELAY_COPY place=1; 1 COUNT counter=36 | expected COUNT of relayCopies",
+            "1 COUNT counter=36; 1 QUIET | accepted",
+            "1 HANDED message=0; 1 HANDED message=0 | b declares HANDED; expected it once in a run()",
+            "1 HANDED message=0; 1 HANDED message=1; 2 HANDED message=1 | accepted",
+            "1 COUNT counter=26; 1 COUNT counter=26 | accepted",
+            "1 RELAY_COPY place=1; 2 b reset why=power; 3 QUIET | accepted"})
+    void counter_isWithItsPoint(String story, String verdict) {
+        Story.check(CountCheck::new, story, verdict);
+    }
+}
