@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import javino.protocol.Bytes;
 import javino.protocol.Payload;
 
 /** The bytes of an acknowledgement (SPEC 7.3). */
@@ -28,14 +29,17 @@ record Acknowledgement(Payload payload, String kind) {
         return kind.equals(wanted);
     }
 
-    /** Whether it may be about a frame. */
+    /** Whether it may be about a frame to its origin; what is stale may also be for its group. */
     boolean mayMean(Frame frame) {
-        return !frame.nonce.isEmpty() && (frame.isUnicast() || is(STALE)) && frame.concerns(payload.origin())
-                && Integer.parseInt(frame.nonce.substring(9), 16) == payload.answered();
+        boolean isForGroup = is(STALE) && !frame.isUnicast()
+                && payload.origin().startsWith(frame.destination.substring(2));
+        return frame.whole.hasNonce() && frame.whole.lastBits() == payload.answered()
+                && (isForGroup || frame.destination.equals(payload.origin()));
     }
 
+    /** Without keys it is believed. */
     boolean isProved(Frame frame, Keys keys) {
-        return isProof(frame, keys, 0) || asksParity(frame, keys);
+        return !keys.areKnown() || isProof(frame, keys, 0) || asksParity(frame, keys);
     }
 
     boolean asksParity(Frame frame, Keys keys) {
@@ -43,8 +47,10 @@ record Acknowledgement(Payload payload, String kind) {
     }
 
     private boolean isProof(Frame frame, Keys keys, int parity) {
-        return keys.of(frame).stream().anyMatch(key -> key.isProof(TYPES.get(kind) | parity, frame.nonce,
-                frame.origin + payload.origin(), payload.message()));
+        Bytes message = payload.message();
+        int end = message.length() - Payload.TAG_LENGTH;
+        return keys.of(frame).anyMatch(key -> message.from(end).equals(key.proof(TYPES.get(kind) | parity,
+                frame.nonce, frame.origin + payload.origin(), message.slice(0, end))));
     }
 
     /** As {@link Frame#answers} has it. */

@@ -59,7 +59,7 @@ final class AgentParts {
 
     /** Its home and its name there, which it keeps. */
     String identity() {
-        return Fields.shown(offer.from(PARTS + parts.size() * PART + TOKEN).toArray());
+        return Fields.shown(offer.from(PARTS + parts.size() * PART + TOKEN));
     }
 
     /** The host has all of it. */

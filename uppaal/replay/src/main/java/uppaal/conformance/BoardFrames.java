@@ -155,7 +155,7 @@ final class BoardFrames {
                     message.length() + " in " + (isCut(message) ? "fragments of " + partLength : "one packet"));
         }
         if (message.sealed > 0) {
-            require(!frame.nonce.isEmpty(), name + " sends a message that it has sealed without a nonce", "a nonce");
+            require(frame.nonce.length() != 0, name + " sends a message that it has sealed without a nonce", "a nonce");
             checkNonce(message);
         }
         if (frame.isCut() && message.content != null) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import trace.TraceEvent;
@@ -48,10 +49,14 @@ final class ByteCheck implements Check {
         return boards.computeIfAbsent(name, added -> new BoardFrames(added, header));
     }
 
+    /** The boards that ever had this address. */
+    private Stream<BoardFrames> called(String address) {
+        return boards.values().stream().filter(board -> board.ids.contains(address));
+    }
+
     /** What the device with this address was ever called. */
     private Set<String> names(String address) {
-        return boards.values().stream().map(board -> board.ids).filter(ids -> ids.contains(address)).findFirst()
-                .orElse(Set.of(address));
+        return called(address).map(board -> board.ids).findFirst().orElse(Set.of(address));
     }
 
     @Override
@@ -112,12 +117,10 @@ final class ByteCheck implements Check {
             require(payload.index() == 0,
                     board.name + " sends fragment " + payload.index() + " of a message first", "fragment 0");
             board.begin(message, payload);
-            if (message.content == null) {
-                keys.open(message.frame);
-            } else {
+            remember(payload, message.frame);
+            if (message.content != null) {
                 keys.check(board.name, message.frame, message.content);
             }
-            frames.put(payload.identity(), message.frame);
         }
         Frame frame = message.frame;
         require(frame.isPart(payload), board.name + " sends other bytes as " + (payload.isFragment()
@@ -156,11 +159,16 @@ final class ByteCheck implements Check {
         }
         Frame frame = new Frame(payload);
         if (frame.length >= Frame.around(frame.destination) && !frames.containsKey(payload.identity())) {
-            keys.open(frame);
+            remember(payload, frame);
             frame.isForged |= frame.isSealed() && frame.content == null
-                    && boards.values().stream().anyMatch(board -> board.declares && board.ids.contains(frame.origin));
-            frames.put(payload.identity(), frame);
+                    && called(frame.origin).anyMatch(board -> board.declares);
         }
+    }
+
+    private void remember(Payload packet, Frame frame) {
+        keys.open(frame);
+        frame.isForged = keys.areKnown() && !frame.isCut() && frame.content == null;
+        frames.put(packet.identity(), frame);
     }
 
     /** A board acknowledges, or somebody tries to. */
@@ -174,8 +182,7 @@ final class ByteCheck implements Check {
         }
         Acknowledgement answer = read.get();
         List<Frame> meant = frames.values().stream().filter(answer::mayMean).toList();
-        List<Frame> proved = meant.stream() // without keys all that may be
-                .filter(frame -> !keys.areKnown() || answer.isProved(frame, keys)).toList();
+        List<Frame> proved = meant.stream().filter(frame -> answer.isProved(frame, keys)).toList();
         if (isOwn) {
             checkOwn(board, answer, meant, proved);
             answer.check(board, packet.start(), proved);
@@ -185,8 +192,7 @@ final class ByteCheck implements Check {
             if (answer.asksParity(frame, keys)) {
                 askedForParity.add(frame.pair());
             }
-            boards.values().stream().filter(sender -> sender.ids.contains(frame.origin))
-                    .forEach(sender -> sender.wasStale |= answer.is(Acknowledgement.STALE));
+            called(frame.origin).forEach(sender -> sender.wasStale |= answer.is(Acknowledgement.STALE));
         }
     }
 
@@ -247,7 +253,7 @@ final class ByteCheck implements Check {
             Fields.check(event, Payload.of(Bytes.copyOf(event.bytes("payload"))));
         }
         air.sent(event).map(Transmission::payload).filter(Payload::isFragment)
-                .ifPresent(fragment -> frames.values().stream().filter(frame -> frame.isOfId(fragment))
+                .ifPresent(fragment -> frames.values().stream().filter(frame -> frame.isOf(fragment))
                         .forEach(frame -> frame.reached
                                 .merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
     }

@@ -43,11 +43,8 @@ final class Fields {
         return line.length() <= MOST_SHOWN ? line : line.substring(0, MOST_SHOWN) + "…";
     }
 
-    static String shown(byte[] content) {
-        return "'" + shown(new String(content, StandardCharsets.UTF_8)) + "'";
-    }
-
     static String shown(Bytes content) {
-        return content == null ? "what nobody knows" : shown(content.toArray());
+        return content == null ? "what nobody knows"
+                : "'" + shown(new String(content.toArray(), StandardCharsets.UTF_8)) + "'";
     }
 }

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
 
@@ -14,10 +15,12 @@ final class Frame {
     static final int CONTENT_AT = HEADER + Payload.NONCE_LENGTH;
     static final String ALL = "////";
 
+    /** As far as its first packet has it. */
+    final Payload whole;
     final String origin;
     final String destination;
-    /** In hexadecimal digits; of a broadcast empty. */
-    final String nonce;
+    /** Empty if it has none. */
+    final Bytes nonce;
     final int length;
     /** The id of its fragments; negative if it is in one packet. */
     final int fragmentId;
@@ -38,28 +41,44 @@ final class Frame {
 
     /** @param packet its first one */
     Frame(Payload packet) {
-        Payload whole = packet.whole();
-        Bytes first = part(packet);
+        whole = packet.whole();
         origin = whole.origin();
         destination = whole.destination();
-        length = Payload.lengthIn(first);
-        nonce = isSealed() && first.length() >= CONTENT_AT ? first.slice(HEADER, CONTENT_AT).hex() : "";
-        fragmentId = packet.isFragment() ? packet.fragmentId() : -1;
-        parts = new Bytes[Math.max(1, (int) Math.ceil((double) length / first.length()))];
-        parts[0] = first;
-        content = isCut() || isSealed() ? null : first.from(HEADER);
+        nonce = whole.hasNonce() ? whole.message().slice(0, Payload.NONCE_LENGTH) : Bytes.EMPTY;
+        length = Payload.lengthIn(whole.bytes());
+        fragmentId = fragmentId(packet);
+        parts = new Bytes[1 + (length - 1) / first().length()];
+        parts[0] = first();
+        content = isCut() || isSealed() ? null : whole.message();
     }
 
-    private static Bytes part(Payload packet) {
-        return packet.isFragment() ? packet.message() : packet.bytes();
+    private static int fragmentId(Payload packet) {
+        return packet.isFragment() ? packet.fragmentId() : -1;
+    }
+
+    /** What its first packet has: all, or the first fragment. */
+    Bytes first() {
+        return whole.bytes();
+    }
+
+    /** What comes before its content. */
+    Bytes head() {
+        return first().slice(0, isSealed() ? CONTENT_AT : HEADER);
+    }
+
+    /** Whether it shows a content as it is, with a nonce before it or without. */
+    boolean isInTheClear(Bytes shown) {
+        Bytes begin = shown.slice(0, Math.min(shown.length(), first().length() - CONTENT_AT));
+        return begin.length() > 0 && IntStream.of(HEADER, CONTENT_AT)
+                .anyMatch(from -> first().slice(from, from + begin.length()).equals(begin));
     }
 
     boolean isSealed() {
-        return !destination.equals(ALL);
+        return whole.kind() != Payload.Kind.BROADCAST;
     }
 
     boolean isUnicast() {
-        return !destination.startsWith("//");
+        return whole.kind() == Payload.Kind.UNICAST;
     }
 
     boolean isCut() {
@@ -77,17 +96,12 @@ final class Frame {
     }
 
     long nonceNumber() {
-        return Long.parseLong(nonce, 16);
+        return nonce.number(0, Payload.NONCE_LENGTH);
     }
 
     /** What a host is told of its nonce: the last byte of the epoch, and the last two of the counter (SPEC 4.3). */
     String id() {
-        return nonce.isEmpty() ? "000000" : nonce.substring(4, 6) + nonce.substring(8);
-    }
-
-    /** What its first packet has: all, or the first fragment. */
-    Bytes first() {
-        return parts[0];
+        return nonce.length() == 0 ? "000000" : Bytes.join(nonce.slice(2, 3), nonce.from(4)).hex();
     }
 
     /** Whether a board may say that these fragments have reached it, bit k for fragment k. */
@@ -95,15 +109,6 @@ final class Frame {
         int come = reached.getOrDefault(board, 0);
         int all = (1 << parts.length) - 1;
         return isCut() && (told & ~come) == 0 && told != all && ((told & 1) != 0 || come == all);
-    }
-
-    /** Whether a device with this address is meant. */
-    boolean concerns(String id) {
-        return !isSealed() || destination.equals(id) || !isUnicast() && id.startsWith(destination.substring(2));
-    }
-
-    boolean isOfId(Payload fragment) {
-        return origin.equals(fragment.origin()) && fragmentId == fragment.fragmentId();
     }
 
     /** Whether these are all its bytes, as far as its first packet shows. */
@@ -116,13 +121,18 @@ final class Frame {
         return true;
     }
 
+    /** Whether a packet is of this frame, as its header says. */
+    boolean isOf(Payload packet) {
+        return origin.equals(packet.origin()) && fragmentId == fragmentId(packet);
+    }
+
     /** Whether a packet has what it must have of this: what is known, or as many bytes, and the same each time. */
     boolean isPart(Payload packet) {
         int index = packet.index();
-        if (packet.isFragment() != isCut() || isCut() && packet.fragmentId() != fragmentId || index >= parts.length) {
+        if (!isOf(packet) || index >= parts.length) {
             return false;
         }
-        Bytes part = part(packet);
+        Bytes part = packet.isFragment() ? packet.message() : packet.bytes();
         boolean isNew = part.length() == Math.min(first().length(), length - index * first().length());
         parts[index] = parts[index] == null && isNew ? part : parts[index];
         return part.equals(parts[index]);
@@ -130,6 +140,6 @@ final class Frame {
 
     @Override
     public String toString() {
-        return origin + " to " + destination + (nonce.isEmpty() ? "" : ", nonce " + nonce);
+        return origin + " to " + destination + (nonce.length() == 0 ? "" : ", nonce " + nonce);
     }
 }

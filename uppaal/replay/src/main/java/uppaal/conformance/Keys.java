@@ -7,17 +7,15 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.HexFormat;
-import java.util.LinkedHashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javino.protocol.Bytes;
 
@@ -34,8 +32,8 @@ final class Keys {
     private final Optional<Path> file;
     private final Function<String, Set<String>> names;
     private String read = "";
-    /** By who shares them, and their digits. */
-    private final Map<String, Map<String, SharedKey>> shared = new HashMap<>();
+    /** By who shares them: two devices, or a group. */
+    private final Map<Set<String>, Set<SharedKey>> shared = new HashMap<>();
     private int opened;
 
     /** @param names what the device with an address was ever called */
@@ -54,20 +52,20 @@ final class Keys {
     }
 
     /** Those that may have sealed a frame. */
-    List<SharedKey> of(Frame frame) {
-        return frame.key != null ? List.of(frame.key)
-                : of(names.apply(frame.origin), names.apply(frame.destination));
+    Stream<SharedKey> of(Frame frame) {
+        return frame.key != null ? Stream.of(frame.key) : of(frame.origin, frame.destination);
     }
 
     /**
-     * Those that were given until now for frames between devices that each had one of these names, or to a group.
+     * Those that were given until now for frames between two devices, or to a group.
      *
      * @throws UncheckedIOException where the file cannot be read
      */
-    List<SharedKey> of(Set<String> origins, Set<String> destinations) {
+    Stream<SharedKey> of(String origin, String destination) {
         file.ifPresent(this::refresh);
-        return destinations.stream().flatMap(to -> origins.stream().map(from -> name(from, to))).distinct()
-                .flatMap(name -> shared.getOrDefault(name, Map.of()).values().stream()).toList();
+        return names.apply(destination).stream()
+                .flatMap(to -> names.apply(origin).stream().map(from -> sharers(from, to))).distinct()
+                .flatMap(sharers -> shared.getOrDefault(sharers, Set.of()).stream());
     }
 
     private void refresh(Path from) {
@@ -83,53 +81,36 @@ final class Keys {
     }
 
     private void add(Matcher line) {
-        String name = name(line.group(1), line.group(2) == null ? line.group(1) : line.group(2));
-        Map<String, SharedKey> known = shared.computeIfAbsent(name, added -> new LinkedHashMap<>());
+        String to = line.group(2) == null ? line.group(1) : line.group(2);
+        Set<SharedKey> known = shared.computeIfAbsent(sharers(line.group(1), to), added -> new LinkedHashSet<>());
         Stream.of(line.group(3), line.group(4)).filter(hex -> hex != null)
-                .forEach(hex -> known.computeIfAbsent(hex, key -> new SharedKey(HexFormat.of().parseHex(key))));
+                .forEach(hex -> known.add(SharedKey.of(Bytes.ofHex(hex))));
     }
 
-    private static String name(String one, String other) {
-        return other.startsWith("//") ? other : String.join(" ", new TreeSet<>(List.of(one, other)));
+    private static Set<String> sharers(String from, String to) {
+        return new HashSet<>(to.startsWith("//") ? List.of(to) : List.of(from, to));
+    }
+
+    /** Finds out what a frame says, if it is sealed in one packet and a key opens it. */
+    void open(Frame frame) {
+        if (frame.isSealed() && !frame.isCut()) {
+            of(frame).forEach(key -> key.open(frame.first()).ifPresent(content -> frame.content = content));
+        }
     }
 
     /** A frame must say what its message says, as far as its first packet shows. Finds out all about it. */
     void check(String board, Frame frame, Bytes content) throws RefusedException {
         String what = board + " sends a frame of " + frame;
         if (frame.isSealed()) {
-            require(content.length() == 0 || !isInTheClear(frame.first(), content),
-                    what + " in the clear: " + Fields.shown(content), "it sealed");
-            frame.key = of(frame).stream().filter(key -> frame.isWhole(key.seal(frame, content))).findFirst()
+            require(!frame.isInTheClear(content), what + " in the clear: " + Fields.shown(content), "it sealed");
+            frame.key = of(frame).filter(key -> frame.isWhole(key.seal(frame.head(), content))).findFirst()
                     .orElse(null);
-            require(!areKnown() || frame.key != null, what + said(frame)
-                    .map(said -> " that says " + Fields.shown(said)).orElse(", which no known key opens"),
-                    Fields.shown(content));
-            opened += areKnown() ? 1 : 0;
-        } else {
-            require(frame.isWhole(Bytes.join(frame.first().slice(0, Frame.HEADER), content)),
-                    what + " that says " + Fields.shown(frame.content), Fields.shown(content));
+            opened += frame.key == null ? 0 : 1;
         }
+        boolean isRight = frame.isSealed() ? frame.key != null || !areKnown()
+                : frame.isWhole(Bytes.join(frame.head(), content));
+        require(isRight, what + (frame.content == null ? ", which no known key opens"
+                : " that says " + Fields.shown(frame.content)), Fields.shown(content));
         frame.content = content;
-    }
-
-    private static boolean isInTheClear(Bytes first, Bytes content) {
-        return IntStream.of(Frame.HEADER, Frame.CONTENT_AT).anyMatch(from -> {
-            int length = Math.min(content.length(), first.length() - from);
-            return first.slice(from, from + length).equals(content.slice(0, length));
-        });
-    }
-
-    /** Finds out what somebody has sent whose host did not tell that. */
-    void open(Frame frame) {
-        if (frame.isSealed()) {
-            frame.content = said(frame).orElse(null);
-            frame.isForged = areKnown() && !frame.isCut() && frame.content == null;
-        }
-    }
-
-    /** What a sealed frame in one packet says, if a key opens it. */
-    private Optional<Bytes> said(Frame frame) {
-        return frame.isCut() ? Optional.empty() : of(frame).stream()
-                .flatMap(key -> key.open(frame.first()).stream()).findFirst();
     }
 }

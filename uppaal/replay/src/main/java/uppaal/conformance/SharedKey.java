@@ -1,93 +1,67 @@
 package uppaal.conformance;
 
-import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import javino.vectors.Crypto;
 
-/** A key that devices share: what they seal and prove with it (SPEC 5 and 7.3). */
-final class SharedKey {
+/** A key that devices share, as two that come from it: what they seal and prove with it (SPEC 5 and 7.3). */
+record SharedKey(Bytes encryption, Bytes authentication) {
     /** What a proof's type differs by where its maker asks for parity. */
     static final int ASKS_PARITY = 0x10;
     private static final int BLOCK = 16;
 
-    private final byte[] encryption;
-    private final byte[] authentication;
-
     /** @param key 16 bytes */
-    SharedKey(byte[] key) {
-        encryption = Crypto.kdf(key, "JavinoEnc");
-        authentication = Crypto.kdf(key, "JavinoMac");
+    static SharedKey of(Bytes key) {
+        return new SharedKey(Bytes.copyOf(Crypto.kdf(key.toArray(), "JavinoEnc")),
+                Bytes.copyOf(Crypto.kdf(key.toArray(), "JavinoMac")));
     }
 
-    /** The header of a frame whose message has so many bytes. */
-    static byte[] header(String destination, String origin, int length) {
-        return javino.protocol.Frame.header(Address.parse(destination), Address.parse(origin), length).toArray();
-    }
-
-    /** What a frame is with this content, as it crosses the air. */
-    Bytes seal(Frame frame, Bytes content) {
-        return Bytes.copyOf(seal(frame.destination, frame.origin, Bytes.ofHex(frame.nonce).toArray(),
-                content.toArray()));
-    }
-
-    byte[] seal(String destination, String origin, byte[] nonce, byte[] content) {
-        byte[] header = header(destination, origin, Payload.NONCE_LENGTH + content.length + Payload.TAG_LENGTH);
-        byte[] signed = join(header, nonce, Crypto.cfb(encryption, iv(origin + destination, nonce), content));
-        return join(signed, tag(signed));
-    }
-
-    private byte[] tag(byte[] signed) {
-        return Arrays.copyOf(Crypto.cmac(authentication, signed), Payload.TAG_LENGTH);
+    /** What a frame is with this content, as it crosses the air; its header and its nonce are given. */
+    Bytes seal(Bytes head, Bytes content) {
+        Bytes signed = Bytes.join(head, encrypt(iv(head), content));
+        return Bytes.join(signed, tag(signed));
     }
 
     /** The content of a sealed frame; nothing where its tag is wrong. */
     Optional<Bytes> open(Bytes frame) {
         int end = frame.length() - Payload.TAG_LENGTH;
-        if (end < Frame.CONTENT_AT || !frame.from(end).equals(Bytes.copyOf(tag(frame.slice(0, end).toArray())))) {
+        if (end < Frame.CONTENT_AT || !frame.from(end).equals(tag(frame.slice(0, end)))) {
             return Optional.empty();
         }
-        String addresses = new String(frame.toArray(), StandardCharsets.US_ASCII);
-        byte[] before = iv(addresses.substring(Address.LENGTH, 2 * Address.LENGTH)
-                + addresses.substring(0, Address.LENGTH), frame.slice(Frame.HEADER, Frame.CONTENT_AT).toArray());
-        byte[] content = {};
+        Bytes content = Bytes.EMPTY;
+        Bytes before = iv(frame);
         for (Bytes block : frame.slice(Frame.CONTENT_AT, end).split(BLOCK).toList()) {
-            content = join(content, Crypto.cfb(encryption, before, block.toArray()));
-            before = block.toArray();
+            content = Bytes.join(content, encrypt(before, block)); // of one block it is its own inverse
+            before = block;
         }
-        return Optional.of(Bytes.copyOf(content));
+        return Optional.of(content);
     }
 
-    /** @param addresses origin and destination */
-    private byte[] iv(String addresses, byte[] nonce) {
-        return Crypto.aes(encryption, join(ascii(addresses), nonce, new byte[2]));
+    private Bytes iv(Bytes frame) {
+        Bytes destination = frame.slice(0, Address.LENGTH);
+        Bytes origin = frame.slice(Address.LENGTH, 2 * Address.LENGTH);
+        Bytes nonce = frame.slice(Frame.HEADER, Frame.CONTENT_AT);
+        Bytes block = Bytes.join(origin, destination, nonce, Bytes.of(0, 0));
+        return Bytes.copyOf(Crypto.aes(encryption.toArray(), block.toArray()));
+    }
+
+    private Bytes encrypt(Bytes iv, Bytes content) {
+        return Bytes.copyOf(Crypto.cfb(encryption.toArray(), iv.toArray(), content.toArray()));
     }
 
     /**
-     * Whether an acknowledgement proves what it says.
+     * The proof of an acknowledgement.
      *
      * @param addresses of the sender and the acknowledger
-     * @param message of the acknowledgement; the proof is its end
+     * @param body what comes before the proof
      */
-    boolean isProof(int type, String nonce, String addresses, Bytes message) {
-        int end = message.length() - Payload.TAG_LENGTH;
-        byte[] claim = join(Bytes.ofHex(nonce).toArray(), ascii(addresses), message.slice(0, end).toArray());
-        return message.from(end).equals(Bytes.copyOf(proof(type, claim)));
+    Bytes proof(int type, Bytes nonce, String addresses, Bytes body) {
+        return tag(Bytes.join(Bytes.of(type), nonce, Bytes.ofText(addresses), body));
     }
 
-    /** The proof of what is claimed: nonce, sender, acknowledger and what comes before the proof. */
-    byte[] proof(int type, byte[] claim) {
-        return tag(join(new byte[] {(byte) type}, claim));
-    }
-
-    static byte[] join(byte[]... parts) {
-        return Bytes.join(Arrays.stream(parts).map(Bytes::copyOf).toArray(Bytes[]::new)).toArray();
-    }
-
-    private static byte[] ascii(String text) {
-        return text.getBytes(StandardCharsets.US_ASCII);
+    private Bytes tag(Bytes signed) {
+        return Bytes.copyOf(Crypto.cmac(authentication.toArray(), signed.toArray())).slice(0, Payload.TAG_LENGTH);
     }
 }

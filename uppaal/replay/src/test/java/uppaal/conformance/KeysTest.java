@@ -19,11 +19,15 @@ class KeysTest {
     private Path folder;
 
     private Keys keys(String... lines) throws IOException {
-        return new Keys(Optional.of(Files.write(folder.resolve("keys"), List.of(lines))), Set::of);
+        return new Keys(Optional.of(Files.write(folder.resolve("keys"), List.of(lines))), KeysTest::names);
+    }
+
+    private static Set<String> names(String address) {
+        return address.equals("SUPX") ? Set.of("SUPX", "SUPO") : Set.of(address);
     }
 
     private static int count(Keys keys, String origin, String destination) {
-        return keys.of(Set.of(origin), Set.of(destination)).size();
+        return (int) keys.of(origin, destination).count();
     }
 
     @Test
@@ -31,11 +35,11 @@ class KeysTest {
         Keys keys = keys("# made by hand", "", "SUPO SUPP = " + ONE + "  # ours", "//SU = " + OTHER,
                 "SUPO: epoch 470367, SUPP 54040d, //SU 530095");
         assertEquals(1, count(keys, "SUPO", "SUPP"));
-        assertEquals(keys.of(Set.of("SUPO"), Set.of("SUPP")), keys.of(Set.of("SUPP"), Set.of("SUPO")));
+        assertEquals(keys.of("SUPO", "SUPP").toList(), keys.of("SUPP", "SUPO").toList());
         assertEquals(1, count(keys, "CAFE", "//SU"));
         assertEquals(0, count(keys, "SUPO", "ROMA"));
         assertEquals(0, count(keys, "SUPO", "//RO"));
-        assertEquals(1, keys.of(Set.of("CAFE", "SUPO"), Set.of("SUPP")).size(), "a board that was called so before");
+        assertEquals(1, count(keys, "SUPX", "SUPP"), "a board that was called so before");
     }
 
     @Test
@@ -48,7 +52,7 @@ class KeysTest {
     @Test
     void of_fileThatComesAndGrows_isReadAgain() throws IOException {
         Path file = folder.resolve("later");
-        Keys keys = new Keys(Optional.of(file), Set::of);
+        Keys keys = new Keys(Optional.of(file), KeysTest::names);
         assertEquals(0, count(keys, "SUPO", "SUPP"));
         Files.writeString(file, "SUPO SUPP = " + ONE + "\n");
         assertEquals(1, count(keys, "SUPO", "SUPP"));

@@ -1,6 +1,5 @@
 package uppaal.conformance;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,17 +10,17 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.StreamSupport;
 import javino.protocol.Bytes;
+import javino.protocol.Payload;
 import org.junit.jupiter.api.Test;
 
 /** The shared vectors, of which the firmware's tests take the other side. */
 class SharedKeyTest {
-    private static final int HEADER = 10;
     private static final Map<String, Integer> TYPES = Map.of("delivered", 6, "fragments", 7, "stale", 8);
     /** The proof's type by the length of the message; others have none. */
     private static final Map<Integer, Integer> TYPE_OF_LENGTH = Map.of(8, 6, 9, 7, 16, 8);
@@ -32,36 +31,38 @@ class SharedKeyTest {
                 false).map(JsonElement::getAsJsonObject).toList();
     }
 
-    private static byte[] hex(JsonObject vector, String field) {
-        return HexFormat.of().parseHex(vector.get(field).getAsString());
+    private static Bytes hex(JsonObject vector, String field) {
+        return Bytes.ofHex(vector.get(field).getAsString());
     }
 
     private static SharedKey key(JsonObject vector) {
-        return new SharedKey(hex(vector, "key"));
+        return SharedKey.of(hex(vector, "key"));
     }
 
     private static boolean isProof(JsonObject vector, int type) {
-        Bytes message = Bytes.copyOf(hex(vector, "frame")).from(HEADER);
+        Bytes frame = hex(vector, "frame");
+        int end = frame.length() - Payload.TAG_LENGTH;
         String addresses = vector.get("sender").getAsString() + vector.get("acknowledger").getAsString();
-        return IntStream.of(type, type | SharedKey.ASKS_PARITY).anyMatch(each -> key(vector).isProof(each,
-                vector.get("nonce").getAsString(), addresses, message));
+        return IntStream.of(type, type | SharedKey.ASKS_PARITY).anyMatch(each -> frame.from(end)
+                .equals(key(vector).proof(each, hex(vector, "nonce"), addresses, frame.slice(Frame.HEADER, end))));
     }
 
     @Test
     void seal_andOpen_giveTheVectors() throws IOException {
         for (JsonObject vector : vectors("envelopes", "valid")) {
-            byte[] sealed = key(vector).seal(vector.get("destination").getAsString(),
-                    vector.get("origin").getAsString(), hex(vector, "nonce"), hex(vector, "content"));
-            assertArrayEquals(hex(vector, "frame"), sealed, vector::toString);
-            assertArrayEquals(hex(vector, "content"), key(vector).open(Bytes.copyOf(sealed)).orElseThrow().toArray(),
-                    vector::toString);
+            Bytes content = hex(vector, "content");
+            Bytes header = TestTrace.header(vector.get("destination").getAsString(),
+                    vector.get("origin").getAsString(), content.length() + TestTrace.SEALED_BYTES);
+            Bytes sealed = key(vector).seal(Bytes.join(header, hex(vector, "nonce")), content);
+            assertEquals(hex(vector, "frame"), sealed, vector::toString);
+            assertEquals(Optional.of(content), key(vector).open(sealed), vector::toString);
         }
     }
 
     @Test
     void open_changedOrAnothers_isNothing() throws IOException {
         for (JsonObject vector : vectors("envelopes", "invalid")) {
-            assertTrue(key(vector).open(Bytes.copyOf(hex(vector, "frame"))).isEmpty(), vector::toString);
+            assertTrue(key(vector).open(hex(vector, "frame")).isEmpty(), vector::toString);
         }
     }
 
@@ -72,7 +73,7 @@ class SharedKeyTest {
                     isProof(vector, type), () -> vector + " as " + kind));
         }
         for (JsonObject vector : vectors("acknowledgements", "invalid")) {
-            Integer type = TYPE_OF_LENGTH.get(hex(vector, "frame").length - HEADER);
+            Integer type = TYPE_OF_LENGTH.get(hex(vector, "frame").length() - Frame.HEADER);
             boolean isOfAnother = vector.get("why").getAsString().equals("the address is of another nonce");
             assertFalse(type != null && !isOfAnother && isProof(vector, type), vector::toString);
         }

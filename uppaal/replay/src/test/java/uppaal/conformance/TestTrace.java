@@ -5,12 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -59,7 +57,7 @@ final class TestTrace {
     private static final Map<String, String> IDS = Map.of("police", "SUPO", "support", "SUPP");
     private static final Map<Integer, Integer> TYPES = Map.of(0, 6, 1, 7, 8, 8);
     private static final int ALL = 0xFF;
-    private static final int ASKS_PARITY = 0x10;
+    static final int SEALED_BYTES = Payload.NONCE_LENGTH + Payload.TAG_LENGTH;
     private static final String KEYS = "src/test/resources/traces/talk.keys";
     private static final double RATE = 4000;
 
@@ -78,7 +76,7 @@ final class TestTrace {
     }
 
     private static SharedKey key(String hex) {
-        return new SharedKey(HexFormat.of().parseHex(hex));
+        return SharedKey.of(Bytes.ofHex(hex));
     }
 
     private void run(String script) {
@@ -107,14 +105,14 @@ final class TestTrace {
                     "content=" + content(words[3]));
             case "seals" -> point(board, "TAKE_UP", "number=" + third, "key=" + (words.length > 3 ? words[3] : 0));
             case "sends", "parts" -> {
-                byte[] packet = packet(words[3]);
+                Bytes packet = packet(words[3]);
                 point(board, "SEND", "number=" + third,
-                        "pending=" + ((verb.equals("parts") ? ALL : 1) << Payload.of(Bytes.copyOf(packet)).index()));
+                        "pending=" + ((verb.equals("parts") ? ALL : 1) << Payload.of(packet).index()));
                 send(board, packet, words.length > 5 ? "trailer=" + words[5] : "");
             }
             case "answers" -> {
-                byte[] packet = packet(words[3]);
-                int nonce = Payload.of(Bytes.copyOf(packet)).answered() & 0xFF;
+                Bytes packet = packet(words[3]);
+                int nonce = Payload.of(packet).answered() & 0xFF;
                 if (!third.equals("nothing")) {
                     point(board, "OWE_" + third, "nonce=" + nonce, "key=0");
                 }
@@ -179,12 +177,12 @@ final class TestTrace {
         return object;
     }
 
-    private void send(String board, byte[] packet, String trailer) {
+    private void send(String board, Bytes packet, String trailer) {
         double start = now + 0.01;
-        int bits = Airtime.bits(packet.length);
-        String kind = Payload.of(Bytes.copyOf(packet)).kind().toString();
+        int bits = Airtime.bits(packet.length());
+        String kind = Payload.of(packet).kind().toString();
         now = start + bits / RATE;
-        String[] fields = {"payload=" + HexFormat.of().formatHex(packet), "kind=" + kind, "start=" + start,
+        String[] fields = {"payload=" + packet.hex(), "kind=" + kind, "start=" + start,
                 "end=" + now, "bits=" + bits, trailer};
         add(board, "rf-tx", fields);
         JsonObject heard = add(board.equals("support") ? "police" : "support", "rf-rx", fields);
@@ -195,53 +193,53 @@ final class TestTrace {
         return word.startsWith("LONG") ? "x".repeat(75 + word.length()) : word;
     }
 
-    static byte[] packet(String words) {
+    static Bytes packet(String words) {
         String[] spoilt = words.split("~");
-        byte[] packet = rightPacket(spoilt[0]);
+        byte[] packet = rightPacket(spoilt[0]).toArray();
         for (String place : Arrays.copyOfRange(spoilt, 1, spoilt.length)) {
             packet[Math.floorMod(Integer.parseInt(place), packet.length)] ^= 1;
         }
-        return packet;
+        return Bytes.copyOf(packet);
     }
 
-    private static byte[] rightPacket(String words) {
+    private static Bytes rightPacket(String words) {
         String[] word = words.split(":", 3);
         switch (word[0]) {
             case "s", "c":
                 String[] more = word[2].split(":", 2);
-                byte[] content = bytes(content(more[1]));
-                byte[] frame = (word[1].startsWith("//") ? GROUP : PAIR).seal(word[1], "SUPO", nonce(more[0]), content);
-                if (word[0].equals("c")) {
-                    System.arraycopy(content, 0, frame, Frame.CONTENT_AT, content.length);
-                }
-                return frame;
+                Bytes content = Bytes.ofText(content(more[1]));
+                Bytes head = Bytes.join(header(word[1], "SUPO", content.length() + SEALED_BYTES), nonce(more[0]));
+                Bytes frame = (word[1].startsWith("//") ? GROUP : PAIR).seal(head, content);
+                return word[0].equals("s") ? frame
+                        : Bytes.join(head, content, frame.from(head.length() + content.length()));
             case "b":
-                byte[] said = bytes(content(word[1]));
-                return SharedKey.join(SharedKey.header("////", "SUPO", said.length), said);
+                return frame("////", "SUPO", Bytes.ofText(content(word[1])));
             case "f":
-                byte[] whole = packet(word[2]);
-                int at = Math.min(whole.length, (word[1].charAt(1) - 'A') % 8 * Payload.PART_LENGTH);
-                byte[] part = Arrays.copyOfRange(whole, at, Math.min(whole.length, at + Payload.PART_LENGTH));
-                return SharedKey.join(SharedKey.header("+F" + word[1], "SUPO", part.length), part);
+                List<Bytes> parts = packet(word[2]).split(Payload.PART_LENGTH).toList();
+                int index = (word[1].charAt(1) - 'A') % 8;
+                return frame("+F" + word[1], "SUPO", index < parts.size() ? parts.get(index) : Bytes.EMPTY);
             case "a", "p":
-                byte[] body = HexFormat.of().parseHex(word[2]);
-                int type = TYPES.getOrDefault(body.length, 0) + (word[0].equals("p") ? ASKS_PARITY : 0);
-                byte[] proof = PAIR.proof(type, SharedKey.join(nonce(word[1]), bytes("SUPOSUPP"), body));
-                int bits = (nonce(word[1])[4] & 0xF) << 8 | nonce(word[1])[5] & 0xFF;
-                return SharedKey.join(SharedKey.header(Address.acknowledgement(bits).toString(), "SUPP",
-                        body.length + proof.length), body, proof);
+                Bytes nonce = nonce(word[1]);
+                Bytes body = Bytes.ofHex(word[2]);
+                int type = TYPES.getOrDefault(body.length(), 0)
+                        + (word[0].equals("p") ? SharedKey.ASKS_PARITY : 0);
+                return frame(Address.acknowledgement((int) nonce.number(4, 6) & 0xFFF).toString(), "SUPP",
+                        Bytes.join(body, PAIR.proof(type, nonce, "SUPOSUPP", body)));
             default:
-                return HexFormat.of().parseHex(word[1]);
+                return Bytes.ofHex(word[1]);
         }
     }
 
-    private static byte[] nonce(String counter) {
-        return HexFormat.of().parseHex(counter.length() > 6 ? counter
-                : "000001" + "0".repeat(6 - counter.length()) + counter);
+    private static Bytes frame(String destination, String origin, Bytes message) {
+        return Bytes.join(header(destination, origin, message.length()), message);
     }
 
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
+    static Bytes header(String destination, String origin, int length) {
+        return javino.protocol.Frame.header(Address.parse(destination), Address.parse(origin), length);
+    }
+
+    private static Bytes nonce(String counter) {
+        return Bytes.ofHex(counter.length() > 6 ? counter : "000001" + "0".repeat(6 - counter.length()) + counter);
     }
 
     static void assertAccepted(String verdict) {
