@@ -16,7 +16,7 @@ import trace.TraceEvent;
 
 /**
  * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards
- * seal is opened if the run's keys are known. Others may send anything; it is only remembered.
+ * seal is sealed again if the run's keys are known. Others may send anything; it is only remembered.
  */
 final class ByteCheck implements Check {
     private static final int LOW_BYTE = 0xFF;
@@ -117,7 +117,7 @@ final class ByteCheck implements Check {
             require(payload.index() == 0,
                     board.name + " sends fragment " + payload.index() + " of a message first", "fragment 0");
             board.begin(message, payload);
-            remember(payload, message.frame);
+            frames.put(payload.identity(), message.frame);
             if (message.content != null) {
                 keys.check(board.name, message.frame, message.content);
             }
@@ -159,16 +159,9 @@ final class ByteCheck implements Check {
         }
         Frame frame = new Frame(payload);
         if (frame.length >= Frame.around(frame.destination) && !frames.containsKey(payload.identity())) {
-            remember(payload, frame);
-            frame.isForged |= frame.isSealed() && frame.content == null
-                    && called(frame.origin).anyMatch(board -> board.declares);
+            frame.isForged = frame.isSealed() && called(frame.origin).anyMatch(board -> board.declares);
+            frames.put(payload.identity(), frame);
         }
-    }
-
-    private void remember(Payload packet, Frame frame) {
-        keys.open(frame);
-        frame.isForged = keys.areKnown() && !frame.isCut() && frame.content == null;
-        frames.put(packet.identity(), frame);
     }
 
     /** A board acknowledges, or somebody tries to. */
@@ -265,9 +258,8 @@ final class ByteCheck implements Check {
                 && frame.destination.equals(event.text("destination"))
                 && frame.id().equals(event.text("id")) && !frame.isForged)
                 .toList();
-        require(content == null || meant.stream().anyMatch(frame -> frame.content == null
-                || !frame.isSealed() && touched.contains(frame.origin + frame.fragmentId)
-                || frame.content.equals(content)),
+        require(content == null || meant.stream().anyMatch(frame -> keys.says(frame, content)
+                || !frame.isSealed() && touched.contains(frame.origin + frame.fragmentId)),
                 event.board() + " hands its host " + Fields.shown(content) + " from " + event.text("origin"),
                 meant.isEmpty() ? "nothing that any key opens" : Fields.shown(meant.get(meant.size() - 1).content));
     }

@@ -28,7 +28,7 @@ final class Frame {
     Bytes content;
     /** What it is sealed with; null where that is not known. */
     SharedKey key;
-    /** Whether no key opens it: nobody may hand it to a host. */
+    /** Whether it is under a board's address, and not of that board: nobody may hand it to a host. */
     boolean isForged;
     /** How it was answered, each with a proof if the keys are known: {@code delivered}, … */
     final Set<String> answers = new HashSet<>();
@@ -114,7 +114,7 @@ final class Frame {
     /** Whether these are all its bytes, as far as its first packet shows. */
     boolean isWhole(Bytes bytes) {
         Bytes[] cut = bytes.split(first().length()).toArray(Bytes[]::new);
-        if (!cut[0].equals(first())) {
+        if (bytes.length() != length || !cut[0].equals(first())) {
             return false;
         }
         System.arraycopy(cut, 0, parts, 0, parts.length);

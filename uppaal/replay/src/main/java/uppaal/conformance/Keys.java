@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 import javino.protocol.Bytes;
 
 /**
- * The keys of a run, if they are known, and what they open. They come from a keyring as {@code javino keygen} makes it,
+ * The keys of a run, if they are known, and what is sealed with them. They come from a keyring as {@code javino keygen} makes it,
  * or from what the emulator's {@code --keys} has written: a pair or a group may have several lines. The file may grow
  * while the run goes on, or come to be only then.
  */
@@ -46,12 +46,12 @@ final class Keys {
         return file.isPresent();
     }
 
-    /** How many messages were opened. */
+    /** How many messages were found to be sealed as they must be. */
     int opened() {
         return opened;
     }
 
-    /** Those that may have sealed a frame. */
+    /** Those that may have sealed a frame; none for a broadcast. */
     Stream<SharedKey> of(Frame frame) {
         return frame.key != null ? Stream.of(frame.key) : of(frame.origin, frame.destination);
     }
@@ -91,26 +91,25 @@ final class Keys {
         return new HashSet<>(to.startsWith("//") ? List.of(to) : List.of(from, to));
     }
 
-    /** Finds out what a frame says, if it is sealed in one packet and a key opens it. */
-    void open(Frame frame) {
-        if (frame.isSealed() && !frame.isCut()) {
-            of(frame).forEach(key -> key.open(frame.first()).ifPresent(content -> frame.content = content));
-        }
-    }
-
-    /** A frame must say what its message says, as far as its first packet shows. Finds out all about it. */
+    /** A frame must say what its message says, as far as its first packet shows. */
     void check(String board, Frame frame, Bytes content) throws RefusedException {
         String what = board + " sends a frame of " + frame;
-        if (frame.isSealed()) {
-            require(!frame.isInTheClear(content), what + " in the clear: " + Fields.shown(content), "it sealed");
-            frame.key = of(frame).filter(key -> frame.isWhole(key.seal(frame.head(), content))).findFirst()
-                    .orElse(null);
-            opened += frame.key == null ? 0 : 1;
-        }
-        boolean isRight = frame.isSealed() ? frame.key != null || !areKnown()
-                : frame.isWhole(Bytes.join(frame.head(), content));
-        require(isRight, what + (frame.content == null ? ", which no known key opens"
+        require(!frame.isSealed() || !frame.isInTheClear(content), what + " in the clear: " + Fields.shown(content),
+                "it sealed");
+        require(says(frame, content), what + (frame.isSealed() ? ", as no known key seals it"
                 : " that says " + Fields.shown(frame.content)), Fields.shown(content));
-        frame.content = content;
+        opened += frame.key == null ? 0 : 1;
+    }
+
+    /** Whether a frame may say that, as far as its first packet shows; if so, it says nothing else from then on. */
+    boolean says(Frame frame, Bytes content) {
+        if (frame.content != null) {
+            return frame.content.equals(content);
+        }
+        frame.key = of(frame).filter(key -> frame.isWhole(key.seal(frame.head(), content))).findFirst().orElse(null);
+        boolean isRight = frame.key != null || frame.isSealed() && !areKnown()
+                || frame.isWhole(Bytes.join(frame.head(), content));
+        frame.content = isRight ? content : null;
+        return isRight;
     }
 }

@@ -86,14 +86,14 @@ class ByteCheckTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             // Cipher and tag.
-            "ASKED; police sends 0 s:SUPP:0:help~-1 | SUPO to SUPP, nonce 000001000000, which no known key opens *",
-            "ASKED; police sends 0 s:SUPP:0:help~16 | which no known key opens; expected 'help' *",
-            "ASKED; police sends 0 s:SUPP:0:halp | that says 'halp'; expected 'help' *",
+            "ASKED; police sends 0 s:SUPP:0:help~-1 | SUPO to SUPP, nonce 000001000000, as no known key seals it *",
+            "ASKED; police sends 0 s:SUPP:0:help~16 | as no known key seals it; expected 'help' *",
+            "ASKED; police sends 0 s:SUPP:0:halp | as no known key seals it; expected 'help' *",
             "ASKED; police sends 0 s:SUPP:0:helps | of 29 bytes; expected 28 in one packet",
             "ASKED; police sends 0 s://SU:0:help | police sends a multicast, SUPO to //SU, "
                     + "nonce 000001000000, of 28 bytes; expected one from [SUPO] to SUPP",
             "police asks SUHO help; police seals 0; police sends 0 s:SUHO:0:help"
-                    + " | SUPO to SUHO, nonce 000001000000, which no known key opens *",
+                    + " | SUPO to SUHO, nonce 000001000000, as no known key seals it *",
             "ASKED; police sends 0 b:help | police sends a broadcast, SUPO to ////, of 14 bytes; expected one from",
             "police asks //// help; police seals 0; police sends 0 b:help"
                     + " | police sends a message that it has sealed without a nonce",
@@ -103,7 +103,7 @@ class ByteCheckTest {
             "ASKED; police sends 0 x:535550505355504f426f00000000000000000000000000"
                     + " | of 23 bytes; expected 28 in one packet",
             "police asks //// help; police seals 0 255; police sends 0 b:halp | that says 'halp'; expected 'help'",
-            "LONG; police parts 0 f:AA:s:SUPP:0:LONG~-1 | which no known key opens *",
+            "LONG; police parts 0 f:AA:s:SUPP:0:LONG~-1 | as no known key seals it *",
             // Fragments.
             "BEGUN; police sends 0 f:AJ:s:SUPP:0:LONG~20"
                     + " | other bytes as fragment 1 of SUPO to SUPP, nonce 0000010000*",

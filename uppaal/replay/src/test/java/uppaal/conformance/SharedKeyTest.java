@@ -2,7 +2,6 @@ package uppaal.conformance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -12,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.StreamSupport;
 import javino.protocol.Bytes;
@@ -48,21 +46,13 @@ class SharedKeyTest {
     }
 
     @Test
-    void seal_andOpen_giveTheVectors() throws IOException {
+    void seal_givesTheVectors() throws IOException {
         for (JsonObject vector : vectors("envelopes", "valid")) {
             Bytes content = hex(vector, "content");
             Bytes header = TestTrace.header(vector.get("destination").getAsString(),
                     vector.get("origin").getAsString(), content.length() + TestTrace.SEALED_BYTES);
             Bytes sealed = key(vector).seal(Bytes.join(header, hex(vector, "nonce")), content);
             assertEquals(hex(vector, "frame"), sealed, vector::toString);
-            assertEquals(Optional.of(content), key(vector).open(sealed), vector::toString);
-        }
-    }
-
-    @Test
-    void open_changedOrAnothers_isNothing() throws IOException {
-        for (JsonObject vector : vectors("envelopes", "invalid")) {
-            assertTrue(key(vector).open(hex(vector, "frame")).isEmpty(), vector::toString);
         }
     }
 
