@@ -19,6 +19,7 @@ record Acknowledgement(Payload payload, String kind) {
     private static final Map<String, Integer> TYPES = Map.of(DELIVERED, 6, FRAGMENTS, 7, STALE, 8);
     private static final double UNITS_A_SECOND = 10;
     private static final int MOST_UNITS = 0xFFFF;
+    private static final int LOW_BYTE = 0xFF;
 
     static Optional<Acknowledgement> of(Payload payload) {
         return Optional.ofNullable(KINDS.get(payload.message().length()))
@@ -88,5 +89,10 @@ record Acknowledgement(Payload payload, String kind) {
         require(uptime <= most && uptime >= least, String.format(Locale.ROOT,
                 "%s says that it has been up for %.1f s", board.name, uptime / UNITS_A_SECOND),
                 String.format(Locale.ROOT, "%.1f to %.1f s", least / UNITS_A_SECOND, most / UNITS_A_SECOND));
+    }
+
+    @Override
+    public String toString() {
+        return String.format("%s of a nonce that ends in %02x", kind, payload.answered() & LOW_BYTE);
     }
 }

@@ -17,7 +17,6 @@ final class BoardFrames {
     private static final int IDS = 64;
     private static final int NO_KEY = 255;
     private static final int COUNTER_BITS = 24;
-    private static final long MOST_COUNTER = (1L << COUNTER_BITS) - 1;
 
     /** What its host wants to be sent. */
     static final class Outgoing {
@@ -39,10 +38,6 @@ final class BoardFrames {
             this.destination = destination;
             this.content = content;
             this.isRelayed = isRelayed;
-        }
-
-        private int length() {
-            return content.length() + (isRelayed ? 0 : Frame.around(destination));
         }
     }
 
@@ -91,18 +86,13 @@ final class BoardFrames {
         String kind = point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT);
         Set<String> same = owed.computeIfAbsent(point.operand("key"), added -> new HashSet<>());
         same.removeIf(before -> !kind.equals(Acknowledgement.STALE) || !before.startsWith(kind));
-        same.add(answer(kind, point.operand("nonce")));
-    }
-
-    private static String answer(String kind, int nonce) {
-        return String.format("%s of a nonce that ends in %02x", kind, nonce);
+        same.add(String.format("%s of a nonce that ends in %02x", kind, point.operand("nonce")));
     }
 
     /** It sends an acknowledgement. How often it may, the model tells. */
-    void pay(String kind, int key, int nonce) throws RefusedException {
-        Set<String> same = owed.getOrDefault(key, Set.of());
-        require(same.contains(answer(kind, nonce)), name + " acknowledges " + answer(kind, nonce),
-                "what it owes: " + same);
+    void pay(Acknowledgement answer) throws RefusedException {
+        Set<String> same = owed.getOrDefault(declared.operand("key"), Set.of());
+        require(same.contains(answer.toString()), name + " acknowledges " + answer, "what it owes: " + same);
     }
 
     /** The message of a point, which must have been taken up. */
@@ -120,12 +110,13 @@ final class BoardFrames {
 
     /** A message is taken up, or sealed anew. */
     void seal(Point point) throws RefusedException {
-        Outgoing told = outgoing.get(point.number());
-        boolean isTold = told != null && told.isTakenUp == point.is("RESEAL");
-        Outgoing message = isTold ? new Outgoing(told.destination, told.content, told.isRelayed)
-                : new Outgoing(null, null, false);
-        outgoing.put(point.number(), message);
+        Outgoing message = outgoing.get(point.number());
+        if (message == null || message.isTakenUp != point.is("RESEAL")) {
+            message = new Outgoing(null, null, false);
+            outgoing.put(point.number(), message);
+        }
         message.isTakenUp = true;
+        message.frame = null;
         message.sealed = point.operand("key") == NO_KEY ? 0 : ++sealed;
         require(message.sealed == 0 || !nonces.isEmpty(), name + " seals message " + point.number(),
                 "that it stores an epoch before");
@@ -137,8 +128,12 @@ final class BoardFrames {
         }
     }
 
+    private static int length(Outgoing message) {
+        return message.content.length() + (message.isRelayed ? 0 : Frame.around(message.destination));
+    }
+
     private boolean isCut(Outgoing message) {
-        return message.length() > Frame.HEADER + partLength;
+        return length(message) > Frame.HEADER + partLength;
     }
 
     /** A message's first packet is on the air. */
@@ -150,15 +145,23 @@ final class BoardFrames {
                 && frame.origin.equals(packet.origin()) && ids.contains(frame.origin),
                 what, "one from " + ids + " to " + message.destination);
         if (message.content != null) {
-            require(frame.length == message.length() && frame.isCut() == isCut(message)
-                    && frame.first().length() == (frame.isCut() ? partLength : frame.length), what,
-                    message.length() + " in " + (isCut(message) ? "fragments of " + partLength : "one packet"));
+            checkCut(message, what);
         }
         if (message.sealed > 0) {
             require(frame.nonce.length() != 0, name + " sends a message that it has sealed without a nonce", "a nonce");
             checkNonce(message);
         }
-        if (frame.isCut() && message.content != null) {
+    }
+
+    /** The length of a frame, that of its parts, and their id. */
+    private void checkCut(Outgoing message, String what) throws RefusedException {
+        Frame frame = message.frame;
+        boolean isCut = isCut(message);
+        int length = length(message);
+        require(frame.length == length && frame.isCut() == isCut
+                && frame.first().length() == (isCut ? partLength : length),
+                what, length + " in " + (isCut ? "fragments of " + partLength : "one packet"));
+        if (isCut) {
             int first = Math.floorMod(frame.fragmentId - message.cut, IDS);
             firstId = firstId < 0 ? first : firstId;
             require(first == firstId, name + " cuts a frame into fragments with id " + frame.fragmentId,
@@ -172,8 +175,8 @@ final class BoardFrames {
         Map.Entry<Integer, Long> before = nonces.lowerEntry(message.sealed);
         Map.Entry<Integer, Long> later = nonces.higherEntry(message.sealed);
         long next = before.getValue() + message.sealed - before.getKey();
-        long end = later == null ? (next | MOST_COUNTER) + 1 : later.getValue();
-        require(nonce == next || wasStale && nonce > next && nonce < end,
+        boolean mayFollow = later == null ? nonce >> COUNTER_BITS == next >> COUNTER_BITS : nonce < later.getValue();
+        require(nonce == next || wasStale && nonce > next && mayFollow,
                 String.format("%s seals a message to %s under nonce %012x", name, message.frame.destination, nonce),
                 String.format("%012x, the next one%s", next, wasStale ? " or one above a floor that it was told" : ""));
         nonces.put(message.sealed, nonce);

@@ -19,8 +19,6 @@ import trace.TraceEvent;
  * seal is sealed again if the run's keys are known. Others may send anything; it is only remembered.
  */
 final class ByteCheck implements Check {
-    private static final int LOW_BYTE = 0xFF;
-
     private final Map<String, BoardFrames> boards = new LinkedHashMap<>();
     private final Keys keys;
     /** By what they begin with. */
@@ -91,15 +89,15 @@ final class ByteCheck implements Check {
         Fields.check(packet.event(), packet.payload());
         BoardFrames board = board(packet.board());
         Payload payload = packet.payload();
-        boolean isOfSketch = board.ids.isEmpty() && payload.kind() == Payload.Kind.BROADCAST;
-        BoardFrames.Outgoing message = isOfSketch || board.declared == null || !board.declared.name().startsWith("SEND")
-                ? null : board.message(board.declared);
-        if (message != null && !message.isRelayed) {
-            send(board, message, packet);
-            return;
+        if (board.declared != null && board.declared.name().startsWith("SEND")) {
+            BoardFrames.Outgoing message = board.message(board.declared);
+            if (!message.isRelayed) {
+                send(board, message, packet);
+                return;
+            }
+            require(payload.bytes().equals(message.content), board.name + " sends " + payload.hex(),
+                    "the bytes that its host wants to be relayed");
         }
-        require(message == null || payload.bytes().equals(message.content), board.name + " sends " + payload.hex(),
-                "the bytes that its host wants to be relayed");
         if (payload.isAcknowledgement()) {
             answer(board, packet);
         } else if (payload.isData()) {
@@ -196,7 +194,7 @@ final class ByteCheck implements Check {
                 "" + board.ids);
         require(!meant.isEmpty(), String.format("%s acknowledges a nonce that ends in %03x", board.name,
                 payload.answered()), "that of a message to it");
-        board.pay(answer.kind(), board.declared.operand("key"), payload.answered() & LOW_BYTE);
+        board.pay(answer);
         require(!proved.isEmpty(), board.name + " acknowledges with a wrong proof",
                 "that of " + meant.get(meant.size() - 1));
         proofs += keys.areKnown() ? 1 : 0;

@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,9 +19,9 @@ import java.util.stream.Stream;
 import javino.protocol.Bytes;
 
 /**
- * The keys of a run, if they are known, and what is sealed with them. They come from a keyring as {@code javino keygen} makes it,
- * or from what the emulator's {@code --keys} has written: a pair or a group may have several lines. The file may grow
- * while the run goes on, or come to be only then.
+ * The keys of a run, if they are known, and what is sealed with them. They come from a keyring as {@code javino keygen}
+ * makes it, or from what the emulator's {@code --keys} has written: a pair or a group may have several lines. The file
+ * may grow while the run goes on, or come to be only then.
  */
 final class Keys {
     private static final String HEX = "(\\p{XDigit}{32})";
@@ -51,9 +50,10 @@ final class Keys {
         return opened;
     }
 
-    /** Those that may have sealed a frame; none for a broadcast. */
+    /** Those that may have sealed a frame; none if it has no nonce. */
     Stream<SharedKey> of(Frame frame) {
-        return frame.key != null ? Stream.of(frame.key) : of(frame.origin, frame.destination);
+        Stream<SharedKey> all = frame.key != null ? Stream.of(frame.key) : of(frame.origin, frame.destination);
+        return all.filter(key -> frame.whole.hasNonce());
     }
 
     /**
@@ -82,7 +82,7 @@ final class Keys {
 
     private void add(Matcher line) {
         String to = line.group(2) == null ? line.group(1) : line.group(2);
-        Set<SharedKey> known = shared.computeIfAbsent(sharers(line.group(1), to), added -> new LinkedHashSet<>());
+        Set<SharedKey> known = shared.computeIfAbsent(sharers(line.group(1), to), added -> new HashSet<>());
         Stream.of(line.group(3), line.group(4)).filter(hex -> hex != null)
                 .forEach(hex -> known.add(SharedKey.of(Bytes.ofHex(hex))));
     }
@@ -107,8 +107,8 @@ final class Keys {
             return frame.content.equals(content);
         }
         frame.key = of(frame).filter(key -> frame.isWhole(key.seal(frame.head(), content))).findFirst().orElse(null);
-        boolean isRight = frame.key != null || frame.isSealed() && !areKnown()
-                || frame.isWhole(Bytes.join(frame.head(), content));
+        boolean isRight = frame.isSealed() ? frame.key != null || !areKnown()
+                : frame.isWhole(Bytes.join(frame.head(), content));
         frame.content = isRight ? content : null;
         return isRight;
     }
