@@ -109,6 +109,7 @@ class ByteCheckTest {
                     + " | other bytes as fragment 1 of SUPO to SUPP, nonce 0000010000*",
             "BEGUN; police sends 0 f:AK:s:SUPP:0:LONG | police sends other bytes as fragment 2",
             "BEGUN; police sends 0 f:BJ:s:SUPP:0:LONG | police sends other bytes as fragment 1",
+            "BEGUN; police sends 0 f:AJ:s:SUPP:0:LONG~7 | police sends other bytes as fragment 1",
             "BEGUN; police sends 0 f:AB:s:SUPP:0:LONG"
                     + " | fragment 1 of SUPO to SUPP, nonce 000001000000 and does not ask",
             "LONG; police parts 0 f:AI:s:SUPP:0:LONG | fragment 0 of SUPO to SUPP, nonce 000001000000 and asks for an",
@@ -119,6 +120,8 @@ class ByteCheckTest {
             "police asks //// LONG; police seals 0 255; police sends 0 f:AI:b:LONG | and asks for an answer",
             "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:AA:s://SU:1:LONG | with id 0; expected 1",
             "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:CA:s://SU:1:LONG | with id 2; expected 1",
+            "police does host-relay number=0 payload=00 asked=3; police seals 0 255; police sends 0 b:help"
+                    + " | expected the bytes that its host wants to be relayed",
             // Nonces and epochs.
             "police asks SUPP help; police sends 0 s:SUPP:0:help | declares SEND of message 0; expected TAKE_UP first",
             "ASKED; police sends 0 s:SUPP:1:help | under nonce 000001000001; expected 000001000000, the next one",
@@ -145,6 +148,8 @@ class ByteCheckTest {
             "TAKEN; support answers DELIVERED a:000002000000: | with a wrong proof *",
             "TAKEN; support answers DELIVERED a:1: | acknowledges a nonce that ends in 001; "
                     + "expected that of a message to",
+            "police asks //SU help; police seals 0 1; police sends 0 s://SU:0:help; support answers DELIVERED a:0:"
+                    + " | acknowledges a nonce that ends in 000; expected that of a message to it",
             "TAKEN; support answers FRAGMENTS a:0: | acknowledges delivered of a nonce that ends in 00; "
                     + "expected what it owes: [fragments of a nonce that ends in 00]",
             "TAKEN; support answers nothing a:0: | delivered of a nonce that ends in 00; expected what it owes: []",
@@ -174,6 +179,13 @@ class ByteCheckTest {
             "SENT; support hands 0 SUPP 010001 help | support hands its host 'help' from SUPO; "
                     + "expected nothing that any key",
             "thief throws s:SUPP:0:help~-1; support hands 0 SUPP 010000 help | expected nothing that any key opens",
+            "thief throws s:SUPP:0:help~7; support does host-handed number=0 destination=SUPP origin=SUPN id=010000 "
+                    + "content=help | expected what nobody knows *",
+            "thief throws f:AA:s:SUPP:0:LONG~7~17; support does host-handed number=0 destination=SUPP origin=SUPN "
+                    + "id=010000 content=help | expected what nobody knows *",
+            "thief throws f:AA:b:LONG~7~17; support does host-handed number=0 destination=//// origin=SUPN id=000000 "
+                    + "content=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
+                    + " | expected what nobody knows",
             "police asks //// LONG; police seals 0 255; police parts 0 f:AA:b:LONG; police sends 0 f:AB:b:LONG; "
                     + "support hands 0 //// 000000 LONGy | support hands its host 'xxxx",
     })
