@@ -5,10 +5,13 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import uppaal.document.Document;
 
 /** The automata of {@code delivery.xml} with all parameters that a trace needs; patience is counted in rounds. */
 final class DeliveryModels {
-    private static final String FILE = "delivery.xml";
+    private static final Document FILE = Model.read("delivery.xml");
     private static final int ATTEMPTS = 8;
     private static final int MULTICASTS = 2;
     private static final int WIDEST = 256;
@@ -59,19 +62,20 @@ final class DeliveryModels {
 
     /** All edges that boards declare. */
     static Set<String> edges() {
-        Set<String> all = new TreeSet<>();
         DeliveryModels made = new DeliveryModels();
         made.sender("unicast", false, 0);
         made.receiver("unicast", 0);
         made.answer("");
-        made.models.values().forEach(model -> all.addAll(model.edges()));
-        return all;
+        return made.ofAll(Model::edges);
     }
 
     /** The edges that boards have declared. */
     Set<String> covered() {
-        Set<String> all = new TreeSet<>();
-        models.values().forEach(model -> all.addAll(model.covered()));
-        return all;
+        return ofAll(Model::covered);
+    }
+
+    private Set<String> ofAll(Function<Model, Set<String>> some) {
+        return models.values().stream().flatMap(model -> some.apply(model).stream())
+                .collect(Collectors.toCollection(TreeSet::new));
     }
 }

@@ -36,7 +36,7 @@ final class Instance {
 
     /** The name of its location. */
     String location() {
-        return model.location(state[model.automaton.slot()]);
+        return model.location(state[model.automaton.slot()]).name();
     }
 
     /** Whether it is at one of these locations. */
@@ -46,7 +46,7 @@ final class Instance {
 
     /** What a variable or clock holds. */
     int get(String variable) {
-        return state[model.slot(variable)];
+        return model.term(variable).value(state);
     }
 
     /** Sets a variable; a clock that is past all that it is compared with stays there. */
@@ -115,7 +115,7 @@ final class Instance {
 
     private void walk(String label, Way so, List<Way> found) {
         int location = so.state[model.automaton.slot()];
-        boolean passes = model.isUrgent(location);
+        boolean passes = model.location(location).urgent();
         for (Transition edge : model.automaton.outgoing(location)) {
             boolean isPoint = label == null ? !edge.points().isEmpty() : edge.points().contains(label);
             boolean isPassed = passes && edge.points().isEmpty() && !so.path.contains(edge);
@@ -124,7 +124,7 @@ final class Instance {
                 path.add(edge);
                 Way way = new Way(path, behind(edge, so.state));
                 int before = found.size();
-                if (!isPoint || label != null && model.isUrgent(edge.target())) {
+                if (!isPoint || label != null && model.location(edge.target()).urgent()) {
                     walk(label, way, found);
                 }
                 if (isPoint && found.size() == before) {

@@ -4,18 +4,18 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import uppaal.ModelException;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
+import uppaal.document.Location;
+import uppaal.language.Term;
 import uppaal.network.Automaton;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
@@ -24,36 +24,26 @@ import uppaal.network.Transition;
 
 /** One automaton of a model's file, whose instances follow boards. */
 final class Model {
-    private static final String INSTANCE = "Instance";
-
     final Automaton automaton;
     private final Network network;
     private final String template;
-    private final Map<String, Integer> slots = new HashMap<>();
-    private final Set<String> covered = Collections.newSetFromMap(new ConcurrentHashMap<>());
+    private final Set<String> covered = new TreeSet<>();
 
     /**
-     * Reads a file beside the classes.
+     * Makes it of a file.
      *
-     * @param file such as {@code relay.xml}
      * @param constants that are others than in the file
      * @param arguments of the template
      */
-    Model(String file, String template, Map<String, Integer> constants, int... arguments) {
-        this(read(file), template, constants, arguments);
-    }
-
     Model(Document document, String template, Map<String, Integer> constants, int... arguments) {
         this.template = template;
         String given = Arrays.toString(arguments).replaceAll("[\\[\\]]", "");
         network = NetworkBuilder.build(document.withDeclarations(with(constants, document))
-                .withSystem(INSTANCE + " = " + template + "(" + given + "); system " + INSTANCE + ";"));
+                .withSystem("Instance = " + template + "(" + given + "); system Instance;"));
         automaton = network.automata().get(0);
-        for (int slot = 0; slot < network.slots().size(); slot++) {
-            slots.put(network.slots().get(slot).name().replace(INSTANCE + ".", ""), slot);
-        }
     }
 
+    /** Reads a file beside the classes, such as {@code relay.xml}. */
     static Document read(String file) {
         try (InputStream bytes = Model.class.getResourceAsStream("/" + file)) {
             return DocumentReader.read(file, bytes);
@@ -81,50 +71,46 @@ final class Model {
 
     /** All edges that boards declare, as {@link #covered} names them. */
     Set<String> edges() {
-        Set<String> edges = new TreeSet<>();
-        automaton.transitions().stream().filter(Model::isOfBoards).map(this::name).forEach(edges::add);
-        return edges;
+        return ofBoards(automaton.transitions());
     }
 
     /** Those of them that its instances took. */
     Set<String> covered() {
-        return new TreeSet<>(covered);
+        return covered;
     }
 
     void cover(List<Transition> path) {
-        path.stream().filter(Model::isOfBoards).map(this::name).forEach(covered::add);
+        covered.addAll(ofBoards(path));
     }
 
-    /** Whether a board declares it by a point; what a host does has a name in small letters. */
-    private static boolean isOfBoards(Transition edge) {
-        return edge.points().stream().anyMatch(point -> Character.isUpperCase(point.charAt(0)));
+    /** Those that a board declares by a point; what a host does has a name in small letters. */
+    private Set<String> ofBoards(List<Transition> edges) {
+        return edges.stream()
+                .filter(edge -> edge.points().stream().anyMatch(point -> Character.isUpperCase(point.charAt(0))))
+                .map(edge -> template + ": " + location(edge.source()).name() + " -> "
+                        + location(edge.target()).name() + " (" + String.join(" ", new TreeSet<>(edge.points())) + ")")
+                .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    private String name(Transition edge) {
-        return template + ": " + location(edge.source()) + " -> " + location(edge.target()) + " ("
-                + String.join(" ", new TreeSet<>(edge.points())) + ")";
+    Location location(int index) {
+        return automaton.locations().get(index);
+    }
+
+    /** What a name stands for in the template: a constant, a variable or a clock. */
+    Term term(String name) {
+        return automaton.scope().term(name).orElseThrow(
+                () -> new ModelException(network.file() + ", template " + template, "there is no '" + name + "'"));
     }
 
     /** A constant of the file. */
     int constant(String constant) {
-        return automaton.scope().term(constant).orElseThrow(() -> new ModelException(network.file(),
-                "there is no constant '" + constant + "'")).value(new int[0]);
+        return term(constant).value(new int[0]);
     }
 
-    boolean isUrgent(int location) {
-        return automaton.locations().get(location).urgent();
-    }
-
-    String location(int index) {
-        return automaton.locations().get(index).name();
-    }
-
+    /** Where a state holds a variable or a clock. */
     int slot(String variable) {
-        Integer slot = slots.get(variable);
-        if (slot == null) {
-            throw new ModelException(network.file() + ", template " + template, "there is no '" + variable + "'");
-        }
-        return slot;
+        Term term = term(variable);
+        return term instanceof Term.Clock clock ? clock.slot() : ((Term.Variable) term).slot();
     }
 
     Slot range(int slot) {

@@ -56,7 +56,8 @@ final class RelayedPacket {
 
     /** The automaton with the firmware's times, in milliseconds. */
     static Model model() {
-        return new Model("relay.xml", "Relay", Map.of("LATE", LATE_MILLIS, "AGAIN", AGAIN_MILLIS), 1, 0, 0);
+        Map<String, Integer> times = Map.of("LATE", LATE_MILLIS, "AGAIN", AGAIN_MILLIS);
+        return new Model(Model.read("relay.xml"), "Relay", times, 1, 0, 0);
     }
 
     /** Whether relays copy such packets. */
