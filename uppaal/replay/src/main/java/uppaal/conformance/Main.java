@@ -2,8 +2,8 @@ package uppaal.conformance;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import trace.TraceReader;
 
@@ -27,22 +27,19 @@ public final class Main {
 
     /** @param keys of the run; null where they are not known */
     static int run(Path file, Path keys) {
-        if (keys != null && !Files.isReadable(keys)) {
-            System.err.println("model: " + keys + ": there are no keys that you may read");
-            return 2;
+        for (Path each : keys == null ? List.of(file) : List.of(file, keys)) {
+            if (!Files.isReadable(each)) {
+                String why = Files.exists(each) ? "you may not read it" : "there is no such file";
+                System.err.println("model: " + each + ": " + why);
+                return 2;
+            }
         }
         Replay replay = keys == null ? new Replay() : new Replay(keys);
         try {
             TraceReader.read(file, replay::event);
             replay.finish();
-        } catch (IllegalArgumentException wrong) {
+        } catch (IllegalArgumentException | IOException wrong) {
             System.err.println("model: " + file + ", " + wrong.getMessage());
-            return 2;
-        } catch (NoSuchFileException missing) {
-            System.err.println("model: " + file + ": there is no such file");
-            return 2;
-        } catch (IOException unreadable) {
-            System.err.println("model: " + file + " cannot be read: " + unreadable.getMessage());
             return 2;
         }
         System.out.println(replay.verdict());
