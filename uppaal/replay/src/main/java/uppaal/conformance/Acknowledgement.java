@@ -17,7 +17,7 @@ record Acknowledgement(Payload payload, String kind) {
     /** By the length of the message. */
     private static final Map<Integer, String> KINDS = Map.of(8, DELIVERED, 9, FRAGMENTS, 16, STALE);
     private static final Map<String, Integer> TYPES = Map.of(DELIVERED, 6, FRAGMENTS, 7, STALE, 8);
-    private static final double UNITS_A_SECOND = 10;
+    private static final double UNIT = 0.1;
     private static final int MOST_UNITS = 0xFFFF;
     private static final int LOW_BYTE = 0xFF;
 
@@ -83,12 +83,16 @@ record Acknowledgement(Payload payload, String kind) {
         require(proved.stream().anyMatch(frame -> floor >= frame.nonceNumber()), String.format(
                 "%s tells the floor %012x for %s", board.name, floor, proved.get(proved.size() - 1)),
                 "at least that nonce");
-        int uptime = (int) payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
-        double most = UNITS_A_SECOND * (now - board.resetAt) / board.second + 1;
-        double least = Math.min(UNITS_A_SECOND * (now - board.runsSince) / board.second - 1, MOST_UNITS);
-        require(uptime <= most && uptime >= least, String.format(Locale.ROOT,
-                "%s says that it has been up for %.1f s", board.name, uptime / UNITS_A_SECOND),
-                String.format(Locale.ROOT, "%.1f to %.1f s", least / UNITS_A_SECOND, most / UNITS_A_SECOND));
+        double most = (now - board.resetAt) / board.second + UNIT;
+        double least = Math.min((now - board.runsSince) / board.second, MOST_UNITS * UNIT) - UNIT;
+        require(uptime() <= most && uptime() >= least, String.format(Locale.ROOT,
+                "%s says that it has been up for %.1f s", board.name, uptime()),
+                String.format(Locale.ROOT, "%.1f to %.1f s", least, most));
+    }
+
+    /** What a stale one says of how long its board is up, in seconds. */
+    double uptime() {
+        return UNIT * payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
     }
 
     @Override

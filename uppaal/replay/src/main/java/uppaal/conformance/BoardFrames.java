@@ -33,6 +33,10 @@ final class BoardFrames {
         private int cut;
         /** As its first packet shows it; null until that. */
         Frame frame;
+        /** When that began, in seconds. */
+        private double sentAt;
+        /** Whether its receiver says that it cannot have had it before it lost its memory. */
+        private boolean isNew;
 
         Outgoing(String destination, Bytes content, boolean isRelayed) {
             this.destination = destination;
@@ -115,7 +119,10 @@ final class BoardFrames {
             message = new Outgoing(null, null, false);
             outgoing.put(point.number(), message);
         }
+        require(!point.is("RESEAL") || message.isNew, name + " seals message " + point.number() + " anew",
+                "that its receiver has been up for longer than it is on its way");
         message.isTakenUp = true;
+        message.isNew = false;
         message.frame = null;
         message.sealed = point.operand("key") == NO_KEY ? 0 : ++sealed;
         require(message.sealed == 0 || !nonces.isEmpty(), name + " seals message " + point.number(),
@@ -126,6 +133,13 @@ final class BoardFrames {
         } else if (isCut(message)) {
             cut++;
         }
+    }
+
+    /** A floor above a message is heard (SPEC 7.3): by a sixteenth and 1 s more, since clocks differ. */
+    void hearStale(Point point) throws RefusedException {
+        Outgoing message = message(point);
+        double onItsWay = (point.run() - message.sentAt) / second;
+        message.isNew = message.frame.uptime > onItsWay + onItsWay / 16 + 1 - PhysicalLimits.MILLIS_STEP_SECONDS;
     }
 
     private static int length(Outgoing message) {
@@ -140,6 +154,7 @@ final class BoardFrames {
     void begin(Outgoing message, Payload packet) throws RefusedException {
         Frame frame = new Frame(packet);
         message.frame = frame;
+        message.sentAt = declared.run();
         String what = name + " sends a " + packet.kind() + ", " + frame + ", of " + frame.length + " bytes";
         require(message.destination == null || frame.destination.equals(message.destination)
                 && frame.origin.equals(packet.origin()) && ids.contains(frame.origin),

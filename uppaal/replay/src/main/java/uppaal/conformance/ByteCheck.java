@@ -68,7 +68,10 @@ final class ByteCheck implements Check {
             case "TAKE_UP", "RESEAL" -> board.seal(point);
             case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> board.owe(point);
             case "DELIVERED" -> answered(board, point, Acknowledgement.DELIVERED);
-            case "STALE_HEARD" -> answered(board, point, Acknowledgement.STALE);
+            case "STALE_HEARD" -> {
+                answered(board, point, Acknowledgement.STALE);
+                board.hearStale(point);
+            }
             case "FRAGMENTS_NEW", "FRAGMENTS_KNOWN" ->
                 answered(board, point, Acknowledgement.FRAGMENTS + point.operand("have"));
             default -> board.declared = AirCheck.SENDS.contains(point.name()) ? point : board.declared;
@@ -180,6 +183,7 @@ final class ByteCheck implements Check {
         }
         for (Frame frame : proved) {
             frame.answers.add(answer.answer());
+            frame.uptime = answer.is(Acknowledgement.STALE) ? answer.uptime() : frame.uptime;
             if (answer.asksParity(frame, keys)) {
                 askedForParity.add(frame.pair());
             }

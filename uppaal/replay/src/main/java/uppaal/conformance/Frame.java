@@ -32,6 +32,8 @@ final class Frame {
     boolean isForged;
     /** How it was answered, each with a proof if the keys are known: {@code delivered}, … */
     final Set<String> answers = new HashSet<>();
+    /** How long the board was up that told a floor above it last, as it says, in seconds. */
+    double uptime;
     /** Bit k for fragment k: what was on the air. */
     int sent;
     /** The same by board: what has reached it, perhaps damaged. */

@@ -17,9 +17,11 @@ class ByteCheckTest {
     private static final String LONG = "police asks SUPP LONG; police seals 0; ";
     private static final String BEGUN = LONG + "police parts 0 f:AA:s:SUPP:0:LONG; ";
     private static final String ASKING = BEGUN + "police sends 0 f:AJ:s:SUPP:0:LONG; ";
+    /** Its receiver has lost its memory before, and some time ago. */
+    private static final String LATE = "support boots 000002; " + SENT;
     private static final String STALE = SENT + "support boots 000002; police sends 0 s:SUPP:0:help; ";
     private static final Map<String, String> BEGINNINGS = Map.of("ASKED", ASKED, "SENT", SENT, "TAKEN", TAKEN,
-            "DELIVERED", DELIVERED, "LONG", LONG, "BEGUN", BEGUN, "ASKING", ASKING, "STALE", STALE);
+            "DELIVERED", DELIVERED, "LONG", LONG, "BEGUN", BEGUN, "ASKING", ASKING, "STALE", STALE, "LATE", LATE);
 
     private static TestTrace trace(String script) {
         String[] parts = script.split("; ", 2);
@@ -56,7 +58,7 @@ class ByteCheckTest {
             "ASKED; police asks //SU help; police seals 1 1; police sends 1 s://SU:1:help; "
                     + "police sends 0 s:SUPP:0:help | 2, 0",
             // What is stale is sealed anew above the floor.
-            "STALE; support answers STALE a:0:00000100001f0015; police STALE_HEARD number=0; "
+            "LATE; support answers STALE a:0:00000100001f0029; police STALE_HEARD number=0; "
                     + "police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | 2, 1",
             "STALE; support answers STALE a:0:00000100001f0015; police sends 0 s:SUPP:0:help; "
                     + "support answers STALE a:0:00000100001f002b | 1, 2",
@@ -138,9 +140,9 @@ class ByteCheckTest {
             "police does host-id id=SUPO epoch=000000 | says that it has epoch 000000; expected 000001, as stored",
             "police EPOCH_STORED low=2 | declares an epoch stored that ends in 2; expected two whole records",
             "police boots 000002; police does host-id id=SUPO epoch=000001 | epoch 000001; expected 000002, as stored",
-            "DELIVERED; police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help"
-                    + " | expected 000001000001, the next one",
             "STALE; support answers STALE a:0:00000100001f0015; police STALE_HEARD number=0; "
+                    + "police RESEAL number=0 key=0 | police seals message 0 anew; expected that its receiver",
+            "LATE; support answers STALE a:0:00000100001f0029; police STALE_HEARD number=0; "
                     + "police RESEAL number=0 key=0; police sends 0 s:SUPP:000002000020:help | or one above a floor",
             // Answers.
             "TAKEN; support answers DELIVERED a:0:~-1 | with a wrong proof; "
