@@ -10,6 +10,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javino.protocol.Counter;
 import trace.TraceEvent;
 
 /**
@@ -120,15 +121,16 @@ final class TraceMutants {
         if (!event.is("point") && !event.is("transition") || event.textOrEmpty("name").matches("QUIET|BUSY")) {
             return;
         }
-        enter(event.name() + " dropped", line, event.text(name), (trace, it) -> trace.events().remove(it));
+        String what = event.text(name) + (event.has("counter")
+                ? " " + Counter.of(event.number("counter")).map(Counter::toString).orElse("") : "");
+        enter(event.name() + " dropped", line, what, (trace, it) -> trace.events().remove(it));
         if (!event.textOrEmpty("name").equals("TURN")) {
-            enter(event.name() + " told twice", line, event.text(name),
-                    (trace, it) -> trace.events().add(line + 1, it));
+            enter(event.name() + " told twice", line, what, (trace, it) -> trace.events().add(line + 1, it));
         }
         other(name, event).ifPresent(other -> enter("another " + name, line, event.text(name) + " as " + other,
                 (trace, it) -> trace.change(it, name, other)));
         OPERANDS.stream().filter(event::has).forEach(operand -> enter("another operand", line,
-                event.text(name) + " " + operand, (trace, it) -> trace.change(it, operand, event.number(operand) + 1)));
+                what + " " + operand, (trace, it) -> trace.change(it, operand, event.number(operand) + 1)));
     }
 
     private void fields(int line) {

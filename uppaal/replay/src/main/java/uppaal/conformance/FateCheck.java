@@ -17,8 +17,7 @@ import trace.TraceEvent;
  */
 final class FateCheck implements Check {
     private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
-            "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD", "COPIED", "RELAY_NEW",
-            "RELAY_ANSWERED");
+            "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
     private static final Set<Counter> COUNTED = Set.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
             Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG,
             Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.RADIO_REPEATS,
@@ -205,7 +204,7 @@ final class FateCheck implements Check {
                         .orElse(""));
             }
             // It keeps few: the first of two it may have had no place for.
-            receiver.waits = receiver.waits == null ? heard.filter(this::isSure).orElse(null) : null;
+            receiver.waits = receiver.waits == null ? heard.filter(packet -> isSure(packet, event.board())).orElse(null) : null;
             receiver.since = event.seconds();
         }
     }
@@ -234,9 +233,9 @@ final class FateCheck implements Check {
                 && receivers.get(packet.board()).id.equals(packet.payload().origin());
     }
 
-    /** Boards without relays do not take copies. */
-    private boolean isSure(Transmission packet) {
-        return packet.path() == 0 && !packet.isOfModule() && air.isKnownSince(packet.start())
+    /** Small boards do not take copies. */
+    private boolean isSure(Transmission packet, String receiver) {
+        return (packet.path() == 0 || header.isLarge(receiver)) && !packet.isOfModule() && air.isKnownSince(packet.start())
                 && air.isAlone(packet, packet.start(), packet.end());
     }
 }
