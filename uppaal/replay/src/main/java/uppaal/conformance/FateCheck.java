@@ -41,9 +41,8 @@ final class FateCheck implements Check {
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
         double since;
-        /** How many packets there were that it may not have read, and until when it may read them. */
+        /** How many packets have come to it that it may not have read; negative where it was told first. */
         int unread;
-        double unreadUntil;
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
         /** The last bytes of the nonces in its inbox, and the number of the first. */
@@ -115,6 +114,7 @@ final class FateCheck implements Check {
     private final Map<String, Map<String, Double>> histories = new HashMap<>();
     private final Header header;
     private final Air air;
+    private double lastEnd;
     private final double arrival;
 
     FateCheck(Header header) {
@@ -126,10 +126,7 @@ final class FateCheck implements Check {
     @Override
     public void begins(Transmission packet) {
         air.begins(packet);
-        receivers.forEach((board, receiver) -> {
-            receiver.unread += packet.board().equals(board) ? 0 : 1;
-            receiver.unreadUntil = packet.end() + header.longest();
-        });
+        lastEnd = packet.end();
     }
 
     @Override
@@ -147,9 +144,12 @@ final class FateCheck implements Check {
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
-        receiver.unread = point.run() - point.gap() > receiver.unreadUntil ? 0 : receiver.unread;
+        boolean isQuiet = point.run() - point.gap() > lastEnd + header.longest();
+        RefusedException.require(!isQuiet || receiver.unread >= 0, point.board() + " has counted more packets than came",
+                "each once");
+        receiver.unread = isQuiet ? 0 : receiver.unread;
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
-        point.require(!isCounted || receiver.unread-- > 0, "a packet that it has not read before");
+        receiver.unread -= isCounted ? 1 : 0;
         // Of an earlier packet it has told in the run() before.
         if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
             boolean isNews = counter.get() == Counter.RADIO_REPLAYED && isNews(point.board(), receiver.waits);
@@ -195,6 +195,9 @@ final class FateCheck implements Check {
 
     private void hears(TraceEvent event) {
         Receiver receiver = receivers.get(event.board());
+        if (receiver != null) {
+            receiver.unread++;
+        }
         if (receiver != null && receiver.isRunning) {
             Optional<Transmission> sent = air.sent(event);
             Optional<Transmission> heard = sent.filter(packet -> event.is("rf-rx"));

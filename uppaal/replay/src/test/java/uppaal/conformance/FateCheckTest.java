@@ -24,8 +24,8 @@ class FateCheckTest {
             "not told           | " + HEARD + "2 QUIET | b has not told what became of a unicast of ROMA; expected",
             "other counter      | " + HEARD + "1.2405 " + SENT + "2 QUIET | became of",
             "counted twice      | " + HEARD + "1.2405 " + NOT_FOR_US + "1.2405 " + NOT_FOR_US
-                    + "2 QUIET | b declares COUNT; expected a packet that it has not read before",
-            "counted of none    | 0.9 " + NOT_FOR_US + "2 QUIET | expected a packet that it has not read before",
+                    + "2 QUIET | b has counted more packets than came; expected each once",
+            "counted of none    | 0.9 " + NOT_FOR_US + "2 QUIET | b has counted more packets than came",
             "first run          | " + HEARD + "1.2415 QUIET | accepted",
             "reset              | " + HEARD + "1.3 b reset why=fault; 2 QUIET | accepted",
             "two at once        | " + HEARD + "1.2595 a>b UNICAST; 2 QUIET | accepted",
