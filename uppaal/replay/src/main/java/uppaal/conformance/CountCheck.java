@@ -48,7 +48,7 @@ final class CountCheck implements Check {
         board.before = counter.filter(BEFORE::containsValue).orElse(null);
     }
 
-    /** Whether a point has its counter before it: not what was not taken up for want of a key, nor what is sent first. */
+    /** Whether its counter is before it: not of what was not taken up for want of a key, nor of what is sent first. */
     private static boolean isCounted(Declared board, Point point) {
         int sent = board.sent.getOrDefault(point.number(), 0);
         if (point.is("TAKE_UP") || point.is("RESEAL")) {

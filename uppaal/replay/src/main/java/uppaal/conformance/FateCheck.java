@@ -145,7 +145,8 @@ final class FateCheck implements Check {
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
         boolean isQuiet = point.run() - point.gap() > lastEnd + header.longest();
-        RefusedException.require(!isQuiet || receiver.unread >= 0, point.board() + " has counted more packets than came",
+        RefusedException.require(!isQuiet || receiver.unread >= 0,
+                point.board() + " has counted more packets than came",
                 "each once");
         receiver.unread = isQuiet ? 0 : receiver.unread;
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
@@ -207,7 +208,8 @@ final class FateCheck implements Check {
                         .orElse(""));
             }
             // It keeps few: the first of two it may have had no place for.
-            receiver.waits = receiver.waits == null ? heard.filter(packet -> isSure(packet, event.board())).orElse(null) : null;
+            receiver.waits =
+                    receiver.waits == null ? heard.filter(packet -> isSure(packet, event.board())).orElse(null) : null;
             receiver.since = event.seconds();
         }
     }
@@ -238,7 +240,8 @@ final class FateCheck implements Check {
 
     /** Small boards do not take copies. */
     private boolean isSure(Transmission packet, String receiver) {
-        return (packet.path() == 0 || header.isLarge(receiver)) && !packet.isOfModule() && air.isKnownSince(packet.start())
+        return (packet.path() == 0 || header.isLarge(receiver)) && !packet.isOfModule()
+                && air.isKnownSince(packet.start())
                 && air.isAlone(packet, packet.start(), packet.end());
     }
 }

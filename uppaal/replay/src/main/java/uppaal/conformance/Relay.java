@@ -45,7 +45,8 @@ final class Relay {
             for (int before : distances) {
                 int told = (hops + 1) % TraceEvent.HOPS + 1;
                 int more = Math.floorMod(told - before % ROW, TraceEvent.HOPS);
-                boolean isDetour = before != 0 && more != 0 && more != TraceEvent.HOPS - 1 && before / ROW < MOST_IN_ROW;
+                boolean isDetour =
+                        before != 0 && more != 0 && more != TraceEvent.HOPS - 1 && before / ROW < MOST_IN_ROW;
                 now.add(isDetour ? before + ROW : told);
             }
             return new Known(score, now);

@@ -4,7 +4,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class CountCheckTest {
-    /** Counters of SPEC 4.5: radioAcknowledged, radioUndelivered, radioResent, radioStale, relayCopies, relayRefused. */
+    /** Counters of SPEC 4.5, of radioAcknowledged, radioUndelivered, radioResent, radioDeferred, radioStale, … */
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "1 COUNT counter=22; 1 DELIVERED | accepted",
