@@ -18,6 +18,9 @@ import trace.TraceEvent;
 final class FateCheck implements Check {
     private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
             "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
+    /** Those of which each packet has one at most, and no counter. */
+    private static final Set<String> READ =
+            Set.of("FRAGMENT", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
     private static final Set<Counter> COUNTED = Set.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
             Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG,
             Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.RADIO_REPEATS,
@@ -43,6 +46,7 @@ final class FateCheck implements Check {
         double since;
         /** How many packets have come to it that it may not have read; negative where it was told first. */
         int unread;
+        double fragmentAt;
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
         /** The last bytes of the nonces in its inbox, and the number of the first. */
@@ -150,7 +154,10 @@ final class FateCheck implements Check {
                 "each once");
         receiver.unread = isQuiet ? 0 : receiver.unread;
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
-        receiver.unread -= isCounted ? 1 : 0;
+        // What is whole by a fragment is queued behind that.
+        boolean isRead = READ.contains(point.name()) || point.is("QUEUED") && receiver.fragmentAt != point.run();
+        receiver.unread -= isCounted || isRead ? 1 : 0;
+        receiver.fragmentAt = point.is("FRAGMENT") ? point.run() : receiver.fragmentAt;
         // Of an earlier packet it has told in the run() before.
         if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
             boolean isNews = counter.get() == Counter.RADIO_REPLAYED && isNews(point.board(), receiver.waits);
