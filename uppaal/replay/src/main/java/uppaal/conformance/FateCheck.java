@@ -32,7 +32,7 @@ final class FateCheck implements Check {
     /** Why a packet is damaged that no board can mend. */
     private static final String UNREADABLE = "no start symbol";
 
-    /** A board with a host, since its last reset. */
+    /** A board with a host or a relay, since its last reset. */
     private static final class Receiver {
         private String id = "";
         private boolean isOpen;
@@ -41,11 +41,15 @@ final class FateCheck implements Check {
         /** The messages of which fragments have come to it, and one more where it may have been any. */
         final Set<String> begun = new HashSet<>();
         boolean isRunning;
+        /** Whether it counts packets: not where a sketch is a bare relay. */
+        boolean isCounting;
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
         double since;
         /** How many packets have come to it that it may not have read; negative where it was told first. */
         int unread;
+        /** When it must have read them, but for a run(). */
+        double readBy;
         double fragmentAt;
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
@@ -58,8 +62,8 @@ final class FateCheck implements Check {
         /** Whether what it waits for must have a fate. */
         private boolean isDemanded() {
             Payload packet = waits.payload();
-            return !packet.isFragment() || assembled.contains(message(packet))
-                    || packet.index() == 0 && packet.whole().kind() != Payload.Kind.BROADCAST;
+            return isCounting && (!packet.isFragment() || assembled.contains(message(packet))
+                    || packet.index() == 0 && packet.whole().kind() != Payload.Kind.BROADCAST);
         }
 
         /** Takes note of a fate. */
@@ -138,6 +142,9 @@ final class FateCheck implements Check {
         if (point.is("EPOCH_STORED") && point.operand("low") == 1) {
             histories.put(point.board(), new BoundedMap<>());
         }
+        if (point.is("RELAY_ON")) {
+            receivers.computeIfAbsent(point.board(), added -> new Receiver());
+        }
         Receiver receiver = receivers.get(point.board());
         if (receiver == null || !point.event().has("run")) {
             return;
@@ -152,10 +159,11 @@ final class FateCheck implements Check {
         RefusedException.require(!isQuiet || receiver.unread >= 0,
                 point.board() + " has counted more packets than came",
                 "each once");
-        receiver.unread = isQuiet ? 0 : receiver.unread;
+        receiver.unread = point.run() - point.gap() > receiver.readBy ? Math.min(receiver.unread, 0) : receiver.unread;
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
         // What is whole by a fragment is queued behind that.
         boolean isRead = READ.contains(point.name()) || point.is("QUEUED") && receiver.fragmentAt != point.run();
+        receiver.isCounting |= isCounted || !receiver.id.isEmpty();
         receiver.unread -= isCounted || isRead ? 1 : 0;
         receiver.fragmentAt = point.is("FRAGMENT") ? point.run() : receiver.fragmentAt;
         // Of an earlier packet it has told in the run() before.
@@ -205,6 +213,9 @@ final class FateCheck implements Check {
         Receiver receiver = receivers.get(event.board());
         if (receiver != null) {
             receiver.unread++;
+            // It mends by a trailer what is damaged, and a module hands on late.
+            boolean isAtOnce = event.is("rf-rx") && !event.has("radio");
+            receiver.readBy = event.seconds() + (isAtOnce ? arrival : header.longest());
         }
         if (receiver != null && receiver.isRunning) {
             Optional<Transmission> sent = air.sent(event);

@@ -44,12 +44,12 @@ class FateCheckTest {
             "a right frame      | 0.7 a host-id id=ROMA; " + HEARD + "1.2405 COUNT counter=8; 2 QUIET "
                     + "| expected a packet that is none of our firmware's",
             "a wrong frame      | " + HEARD + "1.2405 COUNT counter=8; 2 QUIET | accepted",
-            "room for the first | 0.7 a host-id id=SUPO; 1 a>b FIRST; 1.5 " + DROPPED
+            "room for the first | 0.7 a host-id id=SUPO; 1 a>b FIRST; 1.1625 " + DROPPED
                     + "2 QUIET | expected that it has no",
-            "room for one       | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 1 a>b FIRST; 1.5 " + DROPPED
+            "room for one       | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 1 a>b FIRST; 1.1625 " + DROPPED
                     + "2 QUIET | accepted",
             "a small board      | 0.65 c host-id id=SUPP epoch=000001; 0.66 c QUIET; 0.7 a host-id id=SUPO; "
-                    + "1 a>c FIRST; 1.5 c " + DROPPED + "2 c QUIET | accepted",
+                    + "1 a>c FIRST; 1.1625 c " + DROPPED + "2 c QUIET | accepted",
             "never came         | " + FIRST_BOOT + HEARD + "1.2405 " + REPLAYED
                     + "2 QUIET | expected a packet that has come to it before",
             "came before        | " + FIRST_BOOT + HEARD + "1.2405 " + QUEUED + "2 a>b UNICAST; 2.2405 " + REPLAYED
