@@ -5,10 +5,7 @@ import static uppaal.conformance.RefusedException.require;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Predicate;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
@@ -23,35 +20,10 @@ final class Relay {
     private static final int MOST_SLOTS = 256;
     private static final int ADDRESSES = 32;
     private static final int FIRST_SCORE = 1;
-    private static final int ROW = 8;
-    /** Greater distances in a row that do not replace a known one (SPEC 7.5). */
-    private static final int MOST_IN_ROW = 3;
     /** Of time on the air, in milliseconds, and as a share of all time. */
     private static final double MOST_CREDIT = 4000;
     private static final double SHARE = 0.1;
     private static final int MILLIS = 1000;
-
-    /**
-     * What it may know of an address.
-     *
-     * @param distances one more than each possible one, 0 for none, and 8 more for each greater one told in a row
-     */
-    private record Known(int score, Set<Integer> distances) {
-        static final Known NOTHING = new Known(FIRST_SCORE, Set.of(0));
-
-        /** A packet from there was heard, perhaps too damaged for the relay. */
-        Known heard(int hops, boolean isSure) {
-            Set<Integer> now = new HashSet<>(isSure ? Set.of() : distances);
-            for (int before : distances) {
-                int told = (hops + 1) % TraceEvent.HOPS + 1;
-                int more = Math.floorMod(told - before % ROW, TraceEvent.HOPS);
-                boolean isDetour =
-                        before != 0 && more != 0 && more != TraceEvent.HOPS - 1 && before / ROW < MOST_IN_ROW;
-                now.add(isDetour ? before + ROW : told);
-            }
-            return new Known(score, now);
-        }
-    }
 
     private final double bit;
     private final Model model;
@@ -59,7 +31,9 @@ final class Relay {
     private final BoardAir air;
     private final Map<Integer, RelayedPacket> places = new HashMap<>();
     /** By the number of an address. */
-    private final Map<Integer, Known> known = new BoundedMap<>(ADDRESSES);
+    private final Map<Integer, Integer> scores = new BoundedMap<>(ADDRESSES);
+    /** Likewise, bit h for a packet from there with h hops behind it. */
+    private final Map<Integer, Integer> hops = new HashMap<>();
     /** What it may still spend on packets for many, and on others. */
     private final Map<Boolean, Interval> credits;
     private double filled;
@@ -82,7 +56,7 @@ final class Relay {
         air = new BoardAir(header, on.board());
         Interval full = new Interval(air.isTimed() ? MOST_CREDIT : 0, MOST_CREDIT);
         credits = new HashMap<>(Map.of(true, full, false, full));
-        heard.stream().limit(1).forEach(packet -> heard(packet, false)); // it may wait to be read
+        heard.stream().limit(1).forEach(this::heard); // it may wait to be read
     }
 
     void point(Point point) throws RefusedException {
@@ -180,28 +154,25 @@ final class Relay {
         return Crc16.of(Bytes.ofText(address));
     }
 
-    private Known known(String address) {
-        return known.getOrDefault(number(address), Known.NOTHING);
-    }
-
     private int score(String address) {
-        return known(address).score;
+        return scores.getOrDefault(number(address), FIRST_SCORE);
     }
 
     /** A packet has come, perhaps damaged, and tells how far its origin may be. */
-    void heard(Transmission packet, boolean isSure) {
+    void heard(Transmission packet) {
         String origin = packet.payload().origin();
         if (!origin.isEmpty() && !origin.equals(id)) {
-            known.put(number(origin), known(origin).heard(packet.hops(), isSure));
+            hops.merge(number(origin), 1 << packet.hops(), (some, more) -> some | more);
+            scores.put(number(origin), score(origin));
         }
     }
 
-    /** What is told of the distance of a packet's destination is what the relay knows of it. */
+    /** What is told of the distance of a packet's destination, is unknown or one more than some hops. */
     private void checkKnown(String who, Payload packet, int told) throws RefusedException {
-        Set<Integer> distances = new TreeSet<>();
-        known(packet.destination()).distances.forEach(each -> distances.add(each % ROW));
-        require(distances.contains(told), who + " tells the distance " + (told - 1) + " of " + packet.destination(),
-                "one more than the hops behind a packet from there: " + distances);
+        int one = 1 << (told + 2) % TraceEvent.HOPS;
+        require(told == 0 || (hops.getOrDefault(number(packet.destination()), 0) & one) != 0,
+                who + " tells the distance " + (told - 1) + " of " + packet.destination(),
+                "one more than the hops behind a packet from there");
     }
 
     private void begin(Point point, int number) throws RefusedException {
@@ -291,7 +262,7 @@ final class Relay {
         String rule = !isCopied ? "NEEDLESS" : place.isSoon ? "SOON" : isDirect ? "TOO_LATE" : "ELSEWHERE";
         place.take(point, place.answer, score(place.packet.destination()),
                 Map.of(RelayedPacket.RULE, model.constant(rule), "doubt", doubt));
-        known.put(number(place.packet.destination()), new Known(doubt, known(place.packet.destination()).distances));
+        scores.put(number(place.packet.destination()), doubt);
         credit(false, Interval.of(place.spent));
         place.spent = 0;
         if (place.instance.isAt("Carrying")) {
@@ -302,9 +273,7 @@ final class Relay {
     /** A packet of this board begins: of what it has copied the bytes are those that came. */
     void begins(Transmission packet) throws RefusedException {
         if (copies.isEmpty()) {
-            if (packet.told() != 0) {
-                checkKnown(packet.board(), packet.payload(), packet.told());
-            }
+            checkKnown(packet.board(), packet.payload(), packet.told());
         } else {
             Payload expected = copies.remove();
             require(packet.payload().equals(expected), packet.board() + " copies " + packet.payload().hex(),

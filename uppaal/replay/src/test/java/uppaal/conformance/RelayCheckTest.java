@@ -53,14 +53,7 @@ class RelayCheckTest {
                     + "1.25 RELAY_RESERVE | accepted",
             "not nearer: told 3     | " + NEAR + "1 a>b UNICAST distance=3; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "known, and not told    | " + NEAR + COMES + UNKNOWN
-                    + "| b tells the distance -1 of SUPO; "
-                    + "expected one more than the hops behind a packet from there: [2]",
-            "damaged, perhaps heard | 0.6 c ACK; 0.75 b rf-damaged from=c start=0.60011 end=0.7 why=code; " + COMES
-                    + UNKNOWN + "1.25 RELAY_DRAW slots=3 | accepted",
-            "detour                 | " + NEAR + "0.8 c>b ACK hops=1; " + COMES + KNOWN + "1.25 RELAY_DRAW slots=15; "
-                    + "1.435 RELAY_COPY path=9; 1.4352 b UNICAST hops=1 distance=1 | accepted",
-            "not nearer: unknown    | 1 a>b UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
+            "not nearer: unknown    | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
                     + "1.25 RELAY_RESERVE | accepted",
             "late, and away         | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE; "
