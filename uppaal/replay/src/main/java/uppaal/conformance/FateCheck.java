@@ -18,9 +18,11 @@ import trace.TraceEvent;
 final class FateCheck implements Check {
     private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
             "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
-    /** Those of which each packet has one at most, and no counter. */
+    /** Those of which each packet has one at most, and no counter but behind a fragment. */
     private static final Set<String> READ =
-            Set.of("FRAGMENT", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
+            Set.of("QUEUED", "FRAGMENT", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
+    /** Counted beside another fate, or of a host. */
+    private static final Set<Counter> BESIDE = Set.of(Counter.RADIO_ANSWERS_TOLERATED, Counter.MEMORY_DAMAGED);
     private static final Set<Counter> COUNTED = Set.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
             Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG,
             Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.RADIO_REPEATS,
@@ -161,10 +163,11 @@ final class FateCheck implements Check {
                 "each once");
         receiver.unread = point.run() - point.gap() > receiver.readBy ? Math.min(receiver.unread, 0) : receiver.unread;
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
-        // What is whole by a fragment is queued behind that.
-        boolean isRead = READ.contains(point.name()) || point.is("QUEUED") && receiver.fragmentAt != point.run();
+        // What is whole by a fragment is queued, or counted as wrong, behind that.
+        boolean isOne = READ.contains(point.name()) || isCounted && !BESIDE.contains(counter.get());
+        boolean isRead = isOne && receiver.fragmentAt != point.run();
         receiver.isCounting |= isCounted || !receiver.id.isEmpty();
-        receiver.unread -= isCounted || isRead ? 1 : 0;
+        receiver.unread -= isRead ? 1 : 0;
         receiver.fragmentAt = point.is("FRAGMENT") ? point.run() : receiver.fragmentAt;
         // Of an earlier packet it has told in the run() before.
         if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {

@@ -26,6 +26,7 @@ class FateCheckTest {
             "counted twice      | " + HEARD + "1.2405 " + NOT_FOR_US + "1.2405 " + NOT_FOR_US
                     + "2 QUIET | b has counted more packets than came; expected each once",
             "counted of none    | 0.9 " + NOT_FOR_US + "2 QUIET | b has counted more packets than came",
+            "forged as a whole  | 1 a>b FIRST; 1.1625 FRAGMENT; 1.1625 COUNT counter=13; 2 QUIET | accepted",
             "first run          | " + HEARD + "1.2415 QUIET | accepted",
             "reset              | " + HEARD + "1.3 b reset why=fault; 2 QUIET | accepted",
             "two at once        | " + HEARD + "1.2595 a>b UNICAST; 2 QUIET | accepted",
