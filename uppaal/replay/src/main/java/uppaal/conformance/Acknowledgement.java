@@ -97,6 +97,11 @@ record Acknowledgement(Payload payload, String kind) {
 
     @Override
     public String toString() {
-        return String.format("%s of a nonce that ends in %02x", kind, payload.answered() & LOW_BYTE);
+        return described(kind, payload.answered() & LOW_BYTE);
+    }
+
+    /** As the board that owes it tells it, by the nonce's last byte. */
+    static String described(String kind, int nonce) {
+        return String.format("%s of a nonce that ends in %02x", kind, nonce);
     }
 }

@@ -90,7 +90,7 @@ final class BoardFrames {
         String kind = point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT);
         Set<String> same = owed.computeIfAbsent(point.operand("key"), added -> new HashSet<>());
         same.removeIf(before -> !kind.equals(Acknowledgement.STALE) || !before.startsWith(kind));
-        same.add(String.format("%s of a nonce that ends in %02x", kind, point.operand("nonce")));
+        same.add(Acknowledgement.described(kind, point.operand("nonce")));
     }
 
     /** It sends an acknowledgement. How often it may, the model tells. */
