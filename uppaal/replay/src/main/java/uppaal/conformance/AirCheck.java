@@ -89,7 +89,7 @@ final class AirCheck implements Check {
      * declared may be there, but for a reset or the trace's end.
      */
     private boolean isQuietFor(Point busy) {
-        double from = busy.run() - busy.gap() - (SILENT_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
+        double from = busy.runBefore() - (SILENT_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
         return air.isKnownSince(from) && air.isSilent(from, busy.seconds())
                 && stations.values().stream().allMatch(other -> other.declared == null);
     }

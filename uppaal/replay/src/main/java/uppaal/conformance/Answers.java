@@ -139,7 +139,7 @@ final class Answers {
     void checkTimers(Point point) throws RefusedException {
         if (isVague) {
             timer = Timer.NONE;
-            if (!air.isBusy() && air.slots(air.quiet().from(), point.run() - point.gap())
+            if (!air.isBusy() && air.slots(air.quiet().from(), point.runBefore())
                     .least() > MOST_PUT_OFF_SLOTS * owed.size()) {
                 reset();
             }
@@ -153,7 +153,7 @@ final class Answers {
             timer.busy();
         }
         require(!air.isTimed() || isVague || air.isBusy() || first == null || quiet != FRESH_SLOTS
-                || begun >= point.run() - point.gap(), point.board() + " has not put off the answer that it owes",
+                || begun >= point.runBefore(), point.board() + " has not put off the answer that it owes",
                 "PUT_OFF while the air was busy");
         for (Answer answer : owed) {
             answer.instance.hear(point, air.isBusy());

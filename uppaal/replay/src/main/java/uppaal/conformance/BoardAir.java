@@ -44,7 +44,7 @@ final class BoardAir {
         }
         boolean isSend = AirCheck.SENDS.contains(point.name());
         if (!isBusy() && (isSend || point.is("BUSY"))) {
-            double last = isSend ? point.run() : point.run() - point.gap();
+            double last = isSend ? point.run() : point.runBefore();
             quiets.addLast(new Quiet(quiets.removeLast().from, last, point.run(), isSend));
             return true;
         }
@@ -84,7 +84,7 @@ final class BoardAir {
 
     /** An answer that is waited for; what hears a copy counts the time from the run() before. */
     Timer patience(Point point, int rounds, String what) {
-        return isTimed() ? new Timer(this, point.run() - point.gap(), second / MILLIS, 0, rounds * ROUND, rounds, what)
+        return isTimed() ? new Timer(this, point.runBefore(), second / MILLIS, 0, rounds * ROUND, rounds, what)
                 : Timer.NONE;
     }
 

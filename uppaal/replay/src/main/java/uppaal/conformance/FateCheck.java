@@ -157,11 +157,10 @@ final class FateCheck implements Check {
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
-        boolean isQuiet = point.run() - point.gap() > lastEnd + header.longest();
+        boolean isQuiet = point.runBefore() > lastEnd + header.longest();
         RefusedException.require(!isQuiet || receiver.unread >= 0,
-                point.board() + " has counted more packets than came",
-                "each once");
-        receiver.unread = point.run() - point.gap() > receiver.readBy ? Math.min(receiver.unread, 0) : receiver.unread;
+                point.board() + " has counted more packets than came", "each once");
+        receiver.unread = point.runBefore() > receiver.readBy ? Math.min(receiver.unread, 0) : receiver.unread;
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
         // What is whole by a fragment is queued, or counted as wrong, behind that.
         boolean isOne = READ.contains(point.name()) || isCounted && !BESIDE.contains(counter.get());
@@ -179,7 +178,7 @@ final class FateCheck implements Check {
         }
         if (FATES.contains(point.name()) || isCounted) {
             receiver.told(point);
-        } else if (receiver.waits != null && point.run() - point.gap() > receiver.since + arrival) {
+        } else if (receiver.waits != null && point.runBefore() > receiver.since + arrival) {
             RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "
                     + receiver.waits, "a point or COUNT for it");
             receiver.waits = null;

@@ -54,7 +54,7 @@ final class ModelBoard {
             each.timer().checkNotLate(point);
         }
         answers.checkTimers(point);
-        point.require(idleSince == Double.POSITIVE_INFINITY || point.run() - point.gap() <= idleSince,
+        point.require(idleSince == Double.POSITIVE_INFINITY || point.runBefore() <= idleSince,
                 "CONTEND before, as messages wait and none has the turn");
         if (!unacknowledged.isEmpty() && !WITHIN_TAKING.contains(point.name())) {
             unacknowledged.getFirst().acknowledge(point);

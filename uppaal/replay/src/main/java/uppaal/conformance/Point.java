@@ -52,4 +52,9 @@ record Point(TraceEvent event, String name, int number) {
     double gap() {
         return event.real("gap");
     }
+
+    /** When that run() before began, in seconds. */
+    double runBefore() {
+        return run() - gap();
+    }
 }

@@ -69,7 +69,7 @@ final class Relay {
         for (RelayedPacket place : places.values()) {
             place.due.checkNotLate(point);
             boolean isTold = !place.isOnAir || point.name().endsWith("_ENDED")
-                    || point.run() - point.gap() < sentUntil + 2 * PhysicalLimits.ARRIVAL_BITS * bit;
+                    || point.runBefore() < sentUntil + 2 * PhysicalLimits.ARRIVAL_BITS * bit;
             point.require(isTold, "first that what it has copied has ended");
         }
         if (point.name().startsWith("RELAY_")) {

@@ -135,7 +135,7 @@ final class RelayedPacket {
     /** Quiet slots since the end of its last copy, or since it came. */
     Interval quiet(Point point) {
         return !air.isTimed() ? Interval.ANY
-                : air.isBusy() ? counted : counted.plus(slots(point.run() - point.gap(), point.run()));
+                : air.isBusy() ? counted : counted.plus(slots(point.runBefore(), point.run()));
     }
 
     private Interval slots(double least, double most) {

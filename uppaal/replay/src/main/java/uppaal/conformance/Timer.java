@@ -62,7 +62,7 @@ final class Timer {
         }
         longestGap = Math.max(longestGap, point.gap());
         double latest = due().most();
-        if (latest + PhysicalLimits.MILLIS_STEP_SECONDS < point.run() - point.gap()) {
+        if (latest + PhysicalLimits.MILLIS_STEP_SECONDS < point.runBefore()) {
             throw new RefusedException(String.format(Locale.ROOT, "%s has not done what its timer was for by %.6f s",
                     point.board(), point.run()),
                     String.format(Locale.ROOT, "%s at its first run() after %.6f s", what, latest));
