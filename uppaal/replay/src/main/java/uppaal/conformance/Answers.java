@@ -150,7 +150,7 @@ final class Answers {
     /** The air has become busy or quiet, which it was not. */
     void air(Point point) throws RefusedException {
         if (air.isBusy()) {
-            timer.busy();
+            timer.busy(point);
         }
         require(!air.isTimed() || isVague || air.isBusy() || first == null || quiet != FRESH_SLOTS
                 || begun >= point.runBefore(), point.board() + " has not put off the answer that it owes",

@@ -81,7 +81,7 @@ final class Relay {
         }
         before = point;
         if (air.changes(point)) {
-            places.values().forEach(RelayedPacket::air);
+            places.values().forEach(each -> each.air(point));
         }
     }
 

@@ -125,9 +125,9 @@ final class RelayedPacket {
     }
 
     /** The board's air has become busy or quiet. */
-    void air() {
+    void air(Point point) {
         if (air.isBusy()) {
-            due.busy();
+            due.busy(point);
             counted = counted.plus(slots(air.quiet().last(), air.quiet().until()));
         }
     }

@@ -77,7 +77,7 @@ final class Sending {
     /** Its board's air has become busy or quiet. */
     void air(Point point) throws RefusedException {
         if (air.isBusy()) {
-            timer.busy();
+            timer.busy(point);
         }
         instance.hear(point, air.isBusy());
     }

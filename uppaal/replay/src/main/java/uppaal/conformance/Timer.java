@@ -47,10 +47,11 @@ final class Timer {
         return new Interval(due.least(), Math.max(begun, due.most()) + (rounds - 1) * longestGap);
     }
 
-    /** The board's air has become busy. */
-    void busy() {
+    /** The board's air has become busy; in a run() that sends, what comes behind the send counts none of its units. */
+    void busy(Point point) {
         if (air != null) {
-            left = left.minus(counted(air.quiet().last()).minus(passed).atLeast(0)).atLeast(0);
+            Interval all = new Interval(counted(point.runBefore()).least(), counted(air.quiet().last()).most());
+            left = left.minus(all.minus(passed).atLeast(0)).atLeast(0);
             passed = Interval.of(first);
         }
     }

@@ -195,6 +195,16 @@ class ModelReplayTest {
         assertEquals(Optional.empty(), refusal(silent + "0.851 QUIET"));
     }
 
+    /** In a run() that sends something else, contention may count no slots. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"1.208 | accepted", "1.100 | too early; expected 1.104", "1.220 | by 1.22"})
+    void contention_countsNoSlotsUpToACopy(String sent, String why) {
+        String story = UNICAST.substring(0, UNICAST.indexOf("0.900")) + "0.950 RELAY_COPY gap=0.099\n0.951 BUSY\n"
+                + "1.000 QUIET\n" + sent + " SEND pending=1\n";
+        String refusal = refusal(story).orElse("accepted");
+        assertTrue(refusal.contains(why), refusal);
+    }
+
     @Test
     void serialModule_hasNoTimers() {
         String late = UNICAST.replace("0.523 SEND", "0.503 SEND").replace("0.850 ATTEMPT", "0.710 ATTEMPT")

@@ -11,7 +11,8 @@ import javino.protocol.Airtime;
 
 /**
  * What boards a, b and c send, hear and declare, as {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}, or a line
- * each: words in capital letters are points, whose run() came 1 ms behind the one before. All is of b unless a board
+ * each: words in capital letters are points, whose run() came 1 ms behind the one before, or a
+ * {@code gap}. All is of b unless a board
  * is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c).
  */
 final class Story {
@@ -61,8 +62,8 @@ final class Story {
                 packet("rf-rx", seconds + 0.00011, boards[1], what, ",'from':'" + boards[0] + "'" + fields);
             }
         } else if (Character.isUpperCase(what.charAt(0))) {
-            line(String.format(Locale.ROOT, "{'t':%.6f%s,'event':'point','name':'%s'%s,'run':%.6f,'gap':%.6f}", seconds,
-                    who, what, fields, seconds, RUN));
+            line(String.format(Locale.ROOT, "{'t':%.6f%s,'event':'point','name':'%s','run':%.6f,'gap':%.6f%s}", seconds,
+                    who, what, seconds, RUN, fields));
         } else {
             line("{'t':" + seconds + who + ",'event':'" + what + "'" + fields + "}");
         }
