@@ -34,8 +34,15 @@ final class FateCheck implements Check {
     /** Why a packet is damaged that no board can mend. */
     private static final String UNREADABLE = "no start symbol";
 
+    /** What has come, if undamaged, and when it must have been read, but for a run(). */
+    private record Arrival(Optional<Transmission> packet, double readBy) {}
+
+    /** A fate, and why it is refused if nothing comes that it can be of. */
+    private record Told(double seconds, RefusedException refusal) {}
+
     /** A board with a host or a relay, since its last reset. */
     private static final class Receiver {
+        private final String board;
         private String id = "";
         private boolean isOpen;
         /** Packets that it has counted as blocked since then; of one the host may be told later that it is blocked. */
@@ -48,10 +55,10 @@ final class FateCheck implements Check {
         /** What it has not told of; nothing where it may have missed it. */
         Transmission waits;
         double since;
-        /** How many packets have come to it that it may not have read; negative where it was told first. */
-        int unread;
-        /** When it must have read them, but for a run(). */
-        double readBy;
+        /** What has come to it and it may not have read yet, in that order. */
+        final Deque<Arrival> unread = new ArrayDeque<>();
+        /** What it has told before a packet came that it can be of, if the trace tells that at once. */
+        Told early;
         double fragmentAt;
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
@@ -60,6 +67,10 @@ final class FateCheck implements Check {
         int first;
         /** Whether it is to acknowledge again what its host has taken. */
         boolean owes;
+
+        Receiver(String board) {
+            this.board = board;
+        }
 
         /** Whether what it waits for must have a fate. */
         private boolean isDemanded() {
@@ -76,22 +87,6 @@ final class FateCheck implements Check {
                 assembled.add(message(waits.payload()));
             }
             waits = null;
-        }
-
-        /** What a counter says of the packet that it waits for, if that is not so; else nothing. */
-        private String wrong(Counter counter, boolean isGenuine, boolean hasRoom) {
-            Payload packet = waits.payload();
-            boolean isForAll = packet.kind() == Payload.Kind.BROADCAST;
-            boolean isForUs = packet.destination().equals(id) || isForAll;
-            return switch (counter) {
-                case RADIO_BLOCKED -> isOpen && blocked++ > 0 ? "a radio that its host has not opened" : "";
-                case RADIO_OWN -> id.isEmpty() || packet.origin().equals(id) ? "" : "a packet of its own address";
-                case RADIO_NOT_FOR_US -> isForUs ? "a packet for another device" : "";
-                case RADIO_BAD_FRAMES, RADIO_RESERVED -> isGenuine ? "a packet that is none of our firmware's" : "";
-                case RADIO_FRAGMENTS_DROPPED ->
-                    hasRoom && isGenuine && begun.size() == 1 ? "that it has no room" : "";
-                default -> "";
-            };
         }
 
         private static String message(Payload fragment) {
@@ -124,7 +119,6 @@ final class FateCheck implements Check {
     private final Map<String, Map<String, Double>> histories = new HashMap<>();
     private final Header header;
     private final Air air;
-    private double lastEnd;
     private final double arrival;
 
     FateCheck(Header header) {
@@ -136,7 +130,6 @@ final class FateCheck implements Check {
     @Override
     public void begins(Transmission packet) {
         air.begins(packet);
-        lastEnd = packet.end();
     }
 
     @Override
@@ -145,7 +138,7 @@ final class FateCheck implements Check {
             histories.put(point.board(), new BoundedMap<>());
         }
         if (point.is("RELAY_ON")) {
-            receivers.computeIfAbsent(point.board(), added -> new Receiver());
+            receivers.computeIfAbsent(point.board(), Receiver::new);
         }
         Receiver receiver = receivers.get(point.board());
         if (receiver == null || !point.event().has("run")) {
@@ -157,24 +150,16 @@ final class FateCheck implements Check {
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
-        boolean isQuiet = point.runBefore() > lastEnd + header.longest();
-        RefusedException.require(!isQuiet || receiver.unread >= 0,
-                point.board() + " has counted more packets than came", "each once");
-        receiver.unread = point.runBefore() > receiver.readBy ? Math.min(receiver.unread, 0) : receiver.unread;
+        receiver.unread.removeIf(arrival -> arrival.readBy < point.runBefore());
+        checkCame(receiver, point.seconds());
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
         // What is whole by a fragment is queued, or counted as wrong, behind that.
         boolean isOne = READ.contains(point.name()) || isCounted && !BESIDE.contains(counter.get());
         boolean isRead = isOne && receiver.fragmentAt != point.run();
         receiver.isCounting |= isCounted || !receiver.id.isEmpty();
-        receiver.unread -= isRead ? 1 : 0;
         receiver.fragmentAt = point.is("FRAGMENT") ? point.run() : receiver.fragmentAt;
-        // Of an earlier packet it has told in the run() before.
-        if (receiver.waits != null && counter.isPresent() && point.gap() < receiver.waits.seconds()) {
-            boolean isNews = counter.get() == Counter.RADIO_REPLAYED && isNews(point.board(), receiver.waits);
-            String wrong = isNews ? "a packet that has come to it before"
-                    : receiver.wrong(counter.get(), isGenuine(receiver.waits), header.isLarge(point.board()));
-            RefusedException.require(wrong.isEmpty(),
-                    point.board() + " counts " + receiver.waits + " as " + counter.get(), wrong);
+        if (isRead) {
+            read(receiver, point, counter);
         }
         if (FATES.contains(point.name()) || isCounted) {
             receiver.told(point);
@@ -185,12 +170,77 @@ final class FateCheck implements Check {
         }
     }
 
+    /** What it tells is of the first packet that it can be of: those before it has missed, or ignored. */
+    private void read(Receiver receiver, Point point, Optional<Counter> counter) {
+        String told = counter.map(Counter::toString).orElse(point.name());
+        String who = point.board() + (counter.isEmpty() ? " tells " : " counts ") + told + " of ";
+        RefusedException first = null;
+        for (Arrival arrival : receiver.unread) {
+            String wrong = arrival.packet.map(packet -> wrong(receiver, point, told, packet)).orElse("");
+            if (wrong.isEmpty()) {
+                while (receiver.unread.remove() != arrival) {
+                }
+                receiver.blocked += counter.equals(Optional.of(Counter.RADIO_BLOCKED)) ? 1 : 0;
+                return;
+            }
+            first = first == null ? new RefusedException(who + arrival.packet.get(), wrong) : first;
+        }
+        if (receiver.early == null && header.slot() > 0) {
+            receiver.early = new Told(point.seconds(),
+                    first != null ? first : new RefusedException(who + "no packet that came", "each once"));
+        }
+    }
+
+    /** What a packet must be that is told so, if it is something else; else nothing. */
+    private String wrong(Receiver receiver, Point point, String told, Transmission packet) {
+        Payload payload = packet.payload();
+        boolean isForUs = payload.destination().equals(receiver.id) || payload.kind() == Payload.Kind.BROADCAST;
+        boolean isAnswer = payload.isAcknowledgement();
+        return switch (told) {
+            case "QUEUED" -> isAnswer || payload.isFragment() ? "a whole message"
+                    : RelayedPacket.mark(payload) != point.operand("nonce") ? "the byte " + RelayedPacket.mark(payload)
+                            : "";
+            case "FRAGMENT" -> payload.isFragment() ? "" : "a fragment";
+            case "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD", "radioBadProofs" ->
+                isAnswer ? "" : "an acknowledgement";
+            case "radioBlocked" ->
+                isAnswer || receiver.isOpen && receiver.blocked > 0 ? "a radio that its host has not opened" : "";
+            case "radioOwn" -> isAnswer || !isOwn(receiver, payload) ? "a packet of its own address" : "";
+            case "radioNotForUs" -> isForUs ? "a packet for another device" : "";
+            case "radioBadFrames", "radioReserved" ->
+                isGenuine(packet) ? "a packet that is none of our firmware's" : "";
+            case "radioReplayed" ->
+                isAnswer || isNews(receiver, packet) ? "a packet that has come to it before" : "";
+            case "radioFragmentsDropped" -> !payload.isFragment() || header.isLarge(receiver.board) && isGenuine(packet)
+                    && receiver.begun.size() == 1 ? "that it has no room" : "";
+            default -> isAnswer ? "a message" : "";
+        };
+    }
+
+    /** Whether a board may take it for a packet of its own; the address of one without a host is not known. */
+    private boolean isOwn(Receiver receiver, Payload payload) {
+        return receiver.id.isEmpty()
+                ? receivers.values().stream().noneMatch(other -> other.id.equals(payload.origin()))
+                : receiver.id.equals(payload.origin())
+                        && (payload.kind() != Payload.Kind.UNICAST || payload.destination().equals(receiver.id));
+    }
+
+    /** What it has told must have come: only of what is damaged the trace tells later. */
+    private void checkCame(Receiver receiver, double now) throws RefusedException {
+        if (receiver.early != null && receiver.early.seconds + arrival < now) {
+            throw receiver.early.refusal;
+        }
+    }
+
     @Override
-    public void event(TraceEvent event) {
+    public void event(TraceEvent event) throws RefusedException {
+        if (receivers.containsKey(event.board())) {
+            checkCame(receivers.get(event.board()), event.seconds());
+        }
         air.event(event);
         switch (event.name()) {
             case "host-id" ->
-                receivers.computeIfAbsent(event.board(), added -> new Receiver()).id = event.text("id");
+                receivers.computeIfAbsent(event.board(), Receiver::new).id = event.text("id");
             case "host-radio" -> open(event);
             case "reset", "fault", "crash" -> reset(event);
             case "rf-rx", "rf-damaged" -> hears(event);
@@ -199,14 +249,14 @@ final class FateCheck implements Check {
     }
 
     private void reset(TraceEvent event) {
-        receivers.replace(event.board(), new Receiver());
+        receivers.replace(event.board(), new Receiver(event.board()));
         if (!event.textOrEmpty("why").equals("port opened")) {
             histories.remove(event.board());
         }
     }
 
     private void open(TraceEvent event) {
-        Receiver receiver = receivers.computeIfAbsent(event.board(), added -> new Receiver());
+        Receiver receiver = receivers.computeIfAbsent(event.board(), Receiver::new);
         receiver.isOpen = event.text("radio").equals("open");
         receiver.blocked = 0;
     }
@@ -214,10 +264,7 @@ final class FateCheck implements Check {
     private void hears(TraceEvent event) {
         Receiver receiver = receivers.get(event.board());
         if (receiver != null) {
-            receiver.unread++;
-            // It mends by a trailer what is damaged, and a module hands on late.
-            boolean isAtOnce = event.is("rf-rx") && !event.has("radio");
-            receiver.readBy = event.seconds() + (isAtOnce ? arrival : header.longest());
+            comes(receiver, event);
         }
         if (receiver != null && receiver.isRunning) {
             Optional<Transmission> sent = air.sent(event);
@@ -234,6 +281,18 @@ final class FateCheck implements Check {
         }
     }
 
+    private void comes(Receiver receiver, TraceEvent event) {
+        if (receiver.early != null && event.is("rf-damaged")) {
+            receiver.early = null;
+            return;
+        }
+        // It mends by a trailer what is damaged, a module hands on late, and what comes behind them waits.
+        boolean isAtOnce = event.is("rf-rx") && !event.has("radio");
+        double least = receiver.unread.isEmpty() ? 0 : receiver.unread.getLast().readBy;
+        receiver.unread.add(new Arrival(air.sent(event).filter(packet -> event.is("rf-rx")),
+                Math.max(least, event.seconds() + (isAtOnce ? arrival : header.longest()))));
+    }
+
     private void remember(TraceEvent event, Optional<Transmission> sent) {
         Map<String, Double> history = histories.get(event.board());
         if (history != null && !event.textOrEmpty("why").equals(UNREADABLE)) {
@@ -245,8 +304,8 @@ final class FateCheck implements Check {
     }
 
     /** Whether a board has not had this packet before, nor any that may be it. */
-    private boolean isNews(String board, Transmission packet) {
-        Map<String, Double> history = histories.getOrDefault(board, Map.of());
+    private boolean isNews(Receiver receiver, Transmission packet) {
+        Map<String, Double> history = histories.getOrDefault(receiver.board, Map.of());
         return isGenuine(packet) && !packet.payload().isFragment()
                 && history.getOrDefault(packet.payload().bytes().hex(), 0.0) >= packet.start()
                 && !history.containsKey(packet.payload().origin()) && !history.containsKey("");

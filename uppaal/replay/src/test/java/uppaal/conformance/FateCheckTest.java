@@ -24,19 +24,28 @@ class FateCheckTest {
             "not told           | " + HEARD + "2 QUIET | b has not told what became of a unicast of ROMA; expected",
             "other counter      | " + HEARD + "1.2405 " + SENT + "2 QUIET | became of",
             "counted twice      | " + HEARD + "1.2405 " + NOT_FOR_US + "1.2405 " + NOT_FOR_US
-                    + "2 QUIET | b has counted more packets than came; expected each once",
-            "counted of none    | 0.9 " + NOT_FOR_US + "2 QUIET | b has counted more packets than came",
+                    + "2 QUIET | b counts radioNotForUs of no packet that came; expected each once",
+            "counted of none    | 0.9 " + NOT_FOR_US + "2 QUIET | of no packet that came",
+            "before damage      | 0.9 a host-id id=ROMA; 1 a UNICAST; 1.2396 " + QUEUED
+                    + "1.242 b rf-damaged from=a start=1.0001 end=1.2396; 2 QUIET | accepted",
+            "behind another     | 1 a>b FIRST; " + "1.2 a>b UNICAST; 1.4405 " + QUEUED + "2 QUIET | accepted",
+            "other nonce        | " + HEARD + "1.2405 QUEUED nonce=1 key=1; 2 QUIET | expected the byte 0",
+            "whole of a part    | 1 a>b FIRST; 1.1625 " + QUEUED + "2 QUIET | tells QUEUED of a fragment of SUPO",
+            "part of a whole    | " + HEARD + "1.2405 FRAGMENT; 2 QUIET | expected a fragment",
+            "no answer          | " + HEARD + "1.2405 DELIVERED; 2 QUIET | expected an acknowledgement",
+            "own of another     | 0.7 a host-id id=ROMA; 0.7 c RELAY_ON on=1; 0.8 c QUIET; 1 a>c UNICAST; "
+                    + "1.2405 c COUNT counter=11; 2 c QUIET | expected a packet of its own address",
             "forged as a whole  | 1 a>b FIRST; 1.1625 FRAGMENT; 1.1625 COUNT counter=13; 2 QUIET | accepted",
             "first run          | " + HEARD + "1.2415 QUIET | accepted",
             "reset              | " + HEARD + "1.3 b reset why=fault; 2 QUIET | accepted",
             "two at once        | " + HEARD + "1.2595 a>b UNICAST; 2 QUIET | accepted",
-            "assembled message  | 1 a>b FIRST; 1.5 FRAGMENT; 2 a>b LATER; 3 QUIET "
+            "assembled message  | 1 a>b FIRST; 1.1625 FRAGMENT; 2 a>b LATER; 3 QUIET "
                     + "| b has not told what became of a fragment of SUPO",
-            "ignored message    | 1 a>b FIRST; 1.5 " + NOT_FOR_US + "2 a>b LATER; 3 QUIET | accepted",
-            "behind the last    | 1 a>b FIRST; 1.5 FRAGMENT; 1.5 " + QUEUED + "2 a>b LATER; 3 QUIET | accepted",
+            "ignored message    | 1 a>b FIRST; 1.1625 " + NOT_FOR_US + "2 a>b LATER; 3 QUIET | accepted",
+            "behind the last    | 1 a>b FIRST; 1.1625 FRAGMENT; 1.1625 " + QUEUED + "2 a>b LATER; 3 QUIET | accepted",
             "not blocked        | 0.7 b host-radio radio=open; " + HEARD + "1.2405 " + BLOCKED
                     + "2 a>b UNICAST; 2.2405 "
-                    + BLOCKED + "3 QUIET | counts a unicast of ROMA as radioBlocked; expected a radio that its",
+                    + BLOCKED + "3 QUIET | b counts radioBlocked of a unicast of ROMA; expected a radio that its",
             "blocked again      | 0.7 b host-radio radio=open; 0.8 b host-radio radio=blocked; " + HEARD + "1.2405 "
                     + BLOCKED + "2 a>b UNICAST; 2.2405 " + BLOCKED + "3 QUIET | accepted",
             "not its own        | " + HEARD + "1.2405 COUNT counter=11; 2 QUIET | expected a packet of its own address",
