@@ -3,6 +3,7 @@ package uppaal.conformance;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import javino.protocol.Counter;
 import trace.TraceEvent;
 
@@ -13,6 +14,10 @@ final class CountCheck implements Check {
     private static final Map<String, Counter> BEHIND = Map.of("RELAY_COPY", Counter.RELAY_COPIES, "RELAY_ANSWER",
             Counter.RELAY_ANSWERS, "RELAY_REFUSE", Counter.RELAY_REFUSED, "OWE_STALE", Counter.RADIO_STALE);
 
+    private static final Set<String> WAITS = Set.of("CONTEND", "PART_SENT");
+    private static final Set<String> ENDS =
+            Set.of("TAKE_UP", "PASSED", "SEND", "SEND_PART", "ATTEMPT_FAILED", "DELIVERED", "UNDELIVERED", "SENT");
+
     /** What a board has declared since its last reset. */
     private static final class Declared {
         String last = "";
@@ -21,6 +26,13 @@ final class CountCheck implements Check {
         Counter before;
         /** By number, the fragments that it has sent of a message that it has taken up. */
         final Map<Integer, Integer> sent = new HashMap<>();
+        /** The message that waits for its slots, if any; and when a carrier has come that it does not count yet. */
+        int waiting = -1;
+        boolean isCounted;
+        /** Whether it has just counted one. */
+        boolean isDeferred;
+        double heardAt = Double.POSITIVE_INFINITY;
+        boolean isSending;
     }
 
     private final Map<String, Declared> boards = new HashMap<>();
@@ -41,11 +53,32 @@ final class CountCheck implements Check {
                 .filter(one -> one != Counter.RELAY_REFUSED).isPresent();
         point.require(!isAlone, "what it counts so before");
         board.due = BEHIND.get(point.name());
+        defers(board, point, counter);
 
         Counter needed = isCounted(board, point) ? BEFORE.get(point.name()) : null;
         point.require(needed == board.before, needed == null ? "no COUNT of " + board.before + " before"
                 : "COUNT of " + needed + " before");
         board.before = counter.filter(BEFORE::containsValue).orElse(null);
+    }
+
+    /** What waits for its slots and hears a carrier is put off: it counts that once, in that run(). */
+    private static void defers(Declared board, Point point, Optional<Counter> counter) throws RefusedException {
+        if (WAITS.contains(point.name())) {
+            board.isCounted &= board.waiting == point.number();
+            board.waiting = point.number();
+        } else if (ENDS.contains(point.name()) && board.waiting == point.number()) {
+            board.waiting = -1;
+        }
+        board.isCounted |= counter.filter(Counter.RADIO_DEFERRED::equals).isPresent();
+        boolean isHeard = point.is("BUSY") && !board.isSending;
+        board.heardAt = board.waiting < 0 || board.isCounted ? Double.POSITIVE_INFINITY
+                : isHeard ? Math.min(point.run(), board.heardAt) : board.heardAt;
+        point.require(board.waiting < 0 || point.run() <= board.heardAt,
+                "COUNT of " + Counter.RADIO_DEFERRED + " before");
+        point.require(!point.is("PUT_OFF") || board.isDeferred || board.isSending,
+                "COUNT of " + Counter.RADIO_DEFERRED + " before");
+        board.isDeferred = counter.filter(Counter.RADIO_DEFERRED::equals).isPresent();
+        board.isSending = AirCheck.SENDS.contains(point.name()) || board.isSending && !point.is("QUIET");
     }
 
     /** Whether its counter is before it: not of what was not taken up for want of a key, nor of what is sent first. */
