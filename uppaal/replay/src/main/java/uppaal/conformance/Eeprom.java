@@ -57,19 +57,26 @@ final class Eeprom {
     void point(Point point) throws RefusedException {
         if (point.is("EPOCH_STORED")) {
             storeEpoch(point);
+        } else if (point.is("MEMORY")) {
+            List<Long> copies = newEpochs();
+            point.require(copies.size() == copies.stream().distinct().count(), "EPOCH_STORED, as there is a new one");
         }
         written.clear();
     }
 
     private void storeEpoch(Point point) throws RefusedException {
         long low = point.operand("low");
-        List<Long> copies = begins(EPOCH + SEAL).mapToObj(at -> record(at, EPOCH)).flatMap(Optional::stream)
-                .map(record -> record.number(0, EPOCH)).filter(copy -> copy % BYTE == low && copy > highest).toList();
+        List<Long> copies = newEpochs().stream().filter(copy -> copy % BYTE == low).toList();
         require(copies.size() > 1 && copies.get(0).equals(copies.get(1)),
                 point.board() + " declares an epoch stored that ends in " + low,
                 "two whole records of it" + (highest < 0 ? "" : String.format(", above %06x", highest)));
         highest = copies.get(0);
         epoch = highest;
+    }
+
+    private List<Long> newEpochs() {
+        return begins(EPOCH + SEAL).mapToObj(at -> record(at, EPOCH)).flatMap(Optional::stream)
+                .map(record -> record.number(0, EPOCH)).filter(copy -> copy > highest).toList();
     }
 
     /** Where something so long may begin of which a byte was written since the last point. */

@@ -17,6 +17,7 @@ import trace.TraceEvent;
 /** Epochs, keys and floors that a board declares stored are in its EEPROM at that moment (SPEC 5.1). */
 final class MemoryCheck implements Check {
     private static final int NO_KEY = 255;
+    private static final Bytes ALL = address("////");
     private static final int NUMBERS = 256;
     private static final int COUNTERS = 0x10000;
     /** A floor: place of the key and origin, then a nonce. */
@@ -29,6 +30,8 @@ final class MemoryCheck implements Check {
     private static final int KEY_RECORD = 43;
     private static final int CHECK_AT = 5;
     private static final int KEY_TOLD = 8;
+    /** From one key's record to the next. */
+    private static final int KEY_PLACE = 44;
 
     /** A message that the inbox has taken in, and the floors that may cover it. */
     private record Queued(int nonce, int key, Map<Bytes, Bytes> floors) {}
@@ -50,6 +53,12 @@ final class MemoryCheck implements Check {
         Bytes writtenKey = Bytes.EMPTY;
         Bytes storedKey = Bytes.EMPTY;
         double keyStoredAt = -1;
+        /** Where that record was written, and where the first key's place is; negative while that is not known. */
+        int keyAt = -1;
+        int keysAt = -1;
+        /** By place, the address of each key that was stored since the trace began. */
+        final Map<Integer, Bytes> keys = new HashMap<>();
+        final Map<Integer, Bytes> destinations = new HashMap<>();
         final Set<Integer> sessions = new HashSet<>();
         /** By number, since the last reset, but for those without a floor. */
         final Map<Integer, Queued> queued = new HashMap<>();
@@ -87,6 +96,7 @@ final class MemoryCheck implements Check {
             count = 0;
             queued.clear();
             sessions.clear();
+            destinations.clear();
             writtenKey = Bytes.EMPTY;
             keyStoredAt = -1;
         }
@@ -126,7 +136,11 @@ final class MemoryCheck implements Check {
             }
             case "FLOOR_STORED" -> storeFloor(memory, point, written);
             case "KEY_STORED" -> storeKey(memory, point);
-            case "KEY_DELETED" -> memory.forget(point.operand("key"));
+            case "KEY_DELETED" -> {
+                memory.forget(point.operand("key"));
+                memory.keys.remove(point.operand("key"));
+            }
+            case "TAKE_UP" -> takeUp(memory, point);
             case "QUEUED" -> queue(memory, point);
             default -> memory.declared = AirCheck.SENDS.contains(point.name()) ? point : memory.declared;
         }
@@ -149,8 +163,26 @@ final class MemoryCheck implements Check {
                 "one for a nonce above " + before);
     }
 
-    private static void storeKey(Memory memory, Point point) {
+    /** A message is sealed with a key of its destination, if that is known, or is for all. */
+    private static void takeUp(Memory memory, Point point) throws RefusedException {
         int key = point.operand("key");
+        Bytes to = memory.destinations.get(point.number());
+        point.require(to == null || to.equals(ALL) == (key == NO_KEY), "no key, if it is for all");
+        point.require(to == null || to.equals(memory.keys.getOrDefault(key, to))
+                && (memory.keys.containsKey(key) || !memory.keys.containsValue(to) || memory.sessions.contains(key)),
+                "the place of a key of " + memory.destinations.get(point.number()));
+    }
+
+    private static void storeKey(Memory memory, Point point) throws RefusedException {
+        int key = point.operand("key");
+        if (memory.writtenKey.length() == 0) {
+            memory.keys.remove(key);
+        } else {
+            int begin = memory.keyAt - key * KEY_PLACE;
+            memory.keysAt = memory.keysAt < 0 ? begin : memory.keysAt;
+            point.require(begin == memory.keysAt, "place " + (memory.keyAt - memory.keysAt) / KEY_PLACE);
+            memory.keys.put(key, memory.writtenKey.slice(0, NONCE_AT - 1));
+        }
         memory.storedKey = memory.writtenKey;
         memory.writtenKey = Bytes.EMPTY;
         memory.keyStoredAt = point.seconds();
@@ -192,11 +224,14 @@ final class MemoryCheck implements Check {
                 Bytes told = Bytes.copyOf(event.bytes("hex"));
                 boolean isKey = event.number("length") >= KEY_RECORD && told.length() >= KEY_TOLD;
                 memory.writtenKey = isKey ? told : memory.writtenKey;
+                memory.keyAt = isKey ? event.number("at") : memory.keyAt;
             }
             case "fault" -> memory.isWhole &= !event.has("torn");
             case "reset" -> memory.reset(event.text("why").equals("power"));
             case "host-key" -> keep(memory, event);
             case "host-handed" -> hand(memory, event);
+            case "host-transmit" ->
+                memory.destinations.put(event.number("number"), address(event.text("destination")));
             default -> {}
         }
         memory.eeprom.event(event);

@@ -30,6 +30,9 @@ class MemoryCheckTest {
                     + "support hands 0 SUPP 010020 help",
             "support KEY_STORED key=9; support queues 0 9; support hands 0 SUPP 010000 help",
             "support queues 0 255; support hands 0 //// 000000 help",
+            "KEY; support asks SUPO help; support seals 0 0",
+            "KEY; support KEY_DELETED key=0; support asks SUPO help; support seals 0 1",
+            "KEY; support KEY_STORED key=1; support asks SUPO help; support seals 0 1",
             "KEY; support does host-key step=set asked=3 address=SUPO check=aabbcc",
             "support does host-key step=set asked=3 address=SUPO check=aabbcc",
             "STORE; AGAIN; support MEMORY kept=1; support queues 1; support hands 0 SUPP 010001 help",
@@ -83,6 +86,13 @@ class MemoryCheckTest {
             "support does reset why=power; support stores 400 000002; support stores 420 000002; "
                     + "support EPOCH_STORED low=2; support MEMORY kept=1 | none kept where its power was cut",
             "AGAIN; support QUIET | support declares QUIET; expected MEMORY first",
+            "support does reset why=watchdog; support stores 400 000002; support stores 420 000002; "
+                    + "support MEMORY kept=1 | expected EPOCH_STORED, as there is a new one",
+            "KEY; support does eeprom at=544 length=43 hex=4943ce0001aabbcc; support KEY_STORED key=2 | expected place 1",
+            "support does eeprom at=500 length=43 hex=4943cf0001aabbcc; support KEY_STORED key=0; "
+                    + "support asks SUPO help; support seals 0 0 | expected the place of a key of",
+            "KEY; support asks SUPO help; support seals 0 1 | expected the place of a key of",
+            "support asks SUPO help; support seals 0 255 | expected no key, if it is for all",
             "support EPOCH_STORED low=2 | support declares an epoch stored that ends in 2; "
                     + "expected two whole records of it, ab",
             "support stores 300 000002; support EPOCH_STORED low=2 | an epoch stored that ends in 2",
