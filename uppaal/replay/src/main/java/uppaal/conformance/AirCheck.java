@@ -38,6 +38,8 @@ final class AirCheck implements Check {
         Transmission lacking;
         /** When a reset or a cut of its power came last: perhaps before the end of a packet that it broke. */
         double brokenAt = Double.NEGATIVE_INFINITY;
+        /** When its power comes back; negative while it has power. */
+        double offUntil = -1;
 
         Station(BoardAir air) {
             this.air = air;
@@ -63,6 +65,7 @@ final class AirCheck implements Check {
     @Override
     public void point(Point point) throws RefusedException {
         Station station = station(point.board());
+        point.require(station.offUntil < 0, "nothing before a reset, as its power was cut");
         station.isOurs = true;
         station.isRelay = point.is("RELAY_ON") ? point.operand("on") == 1 : station.isRelay;
         if (station.lacking != null) {
@@ -169,6 +172,9 @@ final class AirCheck implements Check {
             station.declared = null;
             station.isRelay = false;
             station.brokenAt = event.seconds();
+            require(!event.is("reset") || event.seconds() >= station.offUntil, event.board() + " begins anew",
+                    String.format(Locale.ROOT, "that its power is back at %.6f s", station.offUntil));
+            station.offUntil = event.textOrEmpty("do").equals("power-cut") ? event.real("until") : -1;
             station.air.reset();
         }
     }

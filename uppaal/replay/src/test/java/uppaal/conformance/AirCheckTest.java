@@ -40,6 +40,9 @@ class AirCheckTest {
             "trailer lost by reset | " + BROKEN + "1.243 a reset why=fault; 2 a QUIET | accepted",
             "power cut before      | 1.2396 a fault do=power-cut until=1.4396; " + BROKEN
                     + "1.4396 a reset why=power | accepted",
+            "no power              | 1.1 a fault do=power-cut until=1.2; 1.3 a QUIET | expected nothing before a reset",
+            "power back too soon   | 1.1 a fault do=power-cut until=1.3; 1.2 a reset why=power "
+                    + "| a begins anew; expected that its power is back at 1.300000 s",
             "trailer missing       | " + BROKEN + "2 a QUIET | expected 492 for these bytes and this trailer",
             "long before reset     | " + BROKEN + "1.5 a reset why=fault | expected 492"})
     void ends_isJudged(String what, String story, String verdict) {
