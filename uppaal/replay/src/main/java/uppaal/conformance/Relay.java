@@ -131,6 +131,7 @@ final class Relay {
                 places.remove(number);
             }
             case "RELAY_COPY_ENDED", "RELAY_ANSWER_ENDED" -> {
+                point.require(place.isOnAir, "a copy before");
                 place.isOnAir = false;
                 place.restart(point);
                 if (place.instance.isAt(point.is("RELAY_COPY_ENDED") ? "Waiting" : "Carrying")) {

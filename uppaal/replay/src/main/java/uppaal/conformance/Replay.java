@@ -33,6 +33,8 @@ public final class Replay {
     /** A line tells of a packet when that has ended, but it counts when it began. */
     private record Step(TraceEvent event, double seconds, long count, Action action) {}
 
+    private static final int NO_TURN = -1;
+
     private final PriorityQueue<Step> steps =
             new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparingLong(Step::count));
     private final List<Function<Header, Check>> made;
@@ -101,6 +103,9 @@ public final class Replay {
             enterPoint(event);
             return;
         }
+        if (event.is("reset")) {
+            turns.remove(event.board());
+        }
         if (event.is("rf-tx")) {
             Transmission packet = Transmission.of(event);
             begun.put(event.board(), packet.start());
@@ -117,7 +122,7 @@ public final class Replay {
             turns.put(event.board(), event.number("number"));
         } else {
             boolean isPart = name.equals("SEND") && Integer.bitCount(event.number("pending")) > 1;
-            Point point = new Point(event, isPart ? "SEND_PART" : name, turns.getOrDefault(event.board(), 0));
+            Point point = new Point(event, isPart ? "SEND_PART" : name, turns.getOrDefault(event.board(), NO_TURN));
             add(event, event.seconds(), check -> check.point(point));
         }
     }

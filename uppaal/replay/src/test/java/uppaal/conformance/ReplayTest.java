@@ -65,6 +65,6 @@ class ReplayTest {
     @Test
     void event_timeRunsBackwards_isRefused() {
         Story.check(header -> new Check() {}, "2 BUSY; 1 QUIET",
-                "event 3 (1.000000 s, b, point): time runs backwards; expected 1.996");
+                "event 4 (1.000000 s, b, point): time runs backwards; expected 1.996");
     }
 }

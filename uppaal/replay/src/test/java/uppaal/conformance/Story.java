@@ -31,6 +31,7 @@ final class Story {
         replay = new Replay(List.of(check), Optional.empty());
         line("{'t':0,'event':'scenario','version':2,'radio':{'bitRate':2000" + air
                 + "},'boards':[{'name':'a'},{'name':'b','model':'mega'},{'name':'c'}]}");
+        line("{'t':0,'board':'b','event':'point','name':'TURN','number':0}");
     }
 
     /** @param verdict what the refusal says, or {@code accepted} */

@@ -64,7 +64,7 @@ final class TestTrace {
     final List<JsonObject> lines = new ArrayList<>();
     private double now;
     private int asked;
-    private final Map<String, String> turns = new HashMap<>(Map.of("police", "number=0"));
+    private final Map<String, String> turns = new HashMap<>();
 
     TestTrace(String script) {
         JsonArray boards = new JsonArray();
@@ -93,6 +93,7 @@ final class TestTrace {
             case "boots" -> {
                 String epoch = third.isEmpty() ? "000001" : third;
                 add(board, "reset", "why=power");
+                turns.remove(board);
                 store(board, "100", epoch);
                 store(board, "200", epoch);
                 point(board, "EPOCH_STORED", "low=" + Integer.parseInt(epoch.substring(4), 16));
