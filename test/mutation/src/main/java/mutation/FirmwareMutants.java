@@ -23,7 +23,6 @@ final class FirmwareMutants implements Part {
     private static final double GOAL = 0.85;
     private static final int USUAL = 60;
     /** So begins the reason for a survivor that does harm. */
-    private static final String UNSEEN = "unseen: ";
     /** Of the air. A mutant that the first does not kill has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L);
     /**
@@ -200,8 +199,7 @@ final class FirmwareMutants implements Part {
     }
 
     private static boolean isHarmless(Judged judged, Options options) {
-        return judged.fate == Fate.SURVIVED && options.survivors().reason(judged.mutant.toString())
-                .filter(reason -> !reason.startsWith(UNSEEN)).isPresent();
+        return judged.fate == Fate.SURVIVED && options.survivors().isHarmless(judged.mutant.toString());
     }
 
     private static void survivors(List<Judged> judged, Survivors known, Report report) {

@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 final class Survivors {
 
     private static final String BECAUSE = " because ";
+    private static final String UNSEEN = "unseen: ";
     private final List<Known> all = new ArrayList<>();
 
     private record Known(Pattern mutant, String reason) {}
@@ -44,5 +45,10 @@ final class Survivors {
     /** Why this mutant may survive; empty where nobody has said so. */
     Optional<String> reason(String mutant) {
         return all.stream().filter(known -> known.mutant.matcher(mutant).matches()).map(Known::reason).findFirst();
+    }
+
+    /** Whether this mutant does no harm: one that is only unseen may. */
+    boolean isHarmless(String mutant) {
+        return reason(mutant).filter(reason -> !reason.startsWith(UNSEEN)).isPresent();
     }
 }
