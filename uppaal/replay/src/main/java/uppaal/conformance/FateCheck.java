@@ -198,7 +198,7 @@ final class FateCheck implements Check {
         boolean isAnswer = payload.isAcknowledgement();
         return switch (told) {
             case "QUEUED" -> isAnswer || payload.isFragment() ? "a whole message"
-                    : RelayedPacket.mark(payload) != point.operand("nonce") ? "the byte " + RelayedPacket.mark(payload)
+                    : payload.hasNonce() && (payload.lastBits() & LOW_BYTE) != point.operand("nonce") ? "its nonce"
                             : "";
             case "FRAGMENT" -> payload.isFragment() ? "" : "a fragment";
             case "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD", "radioBadProofs" ->
@@ -289,8 +289,9 @@ final class FateCheck implements Check {
         // It mends by a trailer what is damaged, a module hands on late, and what comes behind them waits.
         boolean isAtOnce = event.is("rf-rx") && !event.has("radio");
         double least = receiver.unread.isEmpty() ? 0 : receiver.unread.getLast().readBy;
-        receiver.unread.add(new Arrival(air.sent(event).filter(packet -> event.is("rf-rx")),
-                Math.max(least, event.seconds() + (isAtOnce ? arrival : header.longest()))));
+        receiver.unread
+                .add(new Arrival(air.sent(event).filter(packet -> event.is("rf-rx")),
+                        Math.max(least, event.seconds() + (isAtOnce ? arrival : header.longest()))));
     }
 
     private void remember(TraceEvent event, Optional<Transmission> sent) {

@@ -232,6 +232,7 @@ final class MemoryCheck implements Check {
             case "host-handed" -> hand(memory, event);
             case "host-transmit" ->
                 memory.destinations.put(event.number("number"), address(event.text("destination")));
+            case "host-relay" -> memory.destinations.put(event.number("number"), ALL);
             default -> {}
         }
         memory.eeprom.event(event);

@@ -29,7 +29,7 @@ class FateCheckTest {
             "before damage      | 0.9 a host-id id=ROMA; 1 a UNICAST; 1.2396 " + QUEUED
                     + "1.242 b rf-damaged from=a start=1.0001 end=1.2396; 2 QUIET | accepted",
             "behind another     | 1 a>b FIRST; " + "1.2 a>b UNICAST; 1.4405 " + QUEUED + "2 QUIET | accepted",
-            "other nonce        | " + HEARD + "1.2405 QUEUED nonce=1 key=1; 2 QUIET | expected the byte 0",
+            "other nonce        | " + HEARD + "1.2405 QUEUED nonce=1 key=1; 2 QUIET | expected its nonce",
             "whole of a part    | 1 a>b FIRST; 1.1625 " + QUEUED + "2 QUIET | tells QUEUED of a fragment of SUPO",
             "part of a whole    | " + HEARD + "1.2405 FRAGMENT; 2 QUIET | expected a fragment",
             "no answer          | " + HEARD + "1.2405 DELIVERED; 2 QUIET | expected an acknowledgement",
