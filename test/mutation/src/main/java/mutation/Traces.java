@@ -102,7 +102,8 @@ final class Traces implements Part {
             Each mutant is one of %d genuine traces with one change. They are those in
             `uppaal/replay/src/test/resources/traces`, and one of today's firmware, from the run of the unchanged
             firmware below. *Refused*: the replay says that no board does this. *Genuine*: boards may well do this, or
-            no trace can show it; the reasons are below. *Unseen*: a trace could show it, the replay does not look. Of each change and trace the seed has drawn at most %d mutants.
+            no trace can show it; the reasons are below. *Unseen*: a trace could show it, and the
+            replay does not look. Of each change and trace the seed has drawn at most %d mutants.
             """.formatted(files, options.mutants(USUAL)));
         Table table = new Table("change", "mutants", "refused", "genuine", "refused of all", "of the others");
         List<Judged> all = byOperator.values().stream().flatMap(List::stream).toList();
@@ -148,7 +149,8 @@ final class Traces implements Part {
         report.text("So many mutants each reason excuses:");
         report.table(excused);
         report.text(
-                "Accepted:\n\n| change and event | times | for one | genuine or unseen, since |\n| --- | ---: | --- | --- |\n"
+                "Accepted:\n\n| change and event | times | for one | genuine or unseen, since |\n"
+                        + "| --- | ---: | --- | --- |\n"
                         + alike.entrySet().stream()
                                 .map(each -> "| " + each.getKey().replace("|", "\\|") + " | " + each.getValue().size()
                                         + " | "

@@ -88,7 +88,8 @@ class MemoryCheckTest {
             "AGAIN; support QUIET | support declares QUIET; expected MEMORY first",
             "support does reset why=watchdog; support stores 400 000002; support stores 420 000002; "
                     + "support MEMORY kept=1 | expected EPOCH_STORED, as there is a new one",
-            "KEY; support does eeprom at=544 length=43 hex=4943ce0001aabbcc; support KEY_STORED key=2 | expected place 1",
+            "KEY; support does eeprom at=544 length=43 hex=4943ce0001aabbcc; support KEY_STORED key=2"
+                    + " | expected place 1",
             "support does eeprom at=500 length=43 hex=4943cf0001aabbcc; support KEY_STORED key=0; "
                     + "support asks SUPO help; support seals 0 0 | expected the place of a key of",
             "KEY; support asks SUPO help; support seals 0 1 | expected the place of a key of",
