@@ -29,6 +29,7 @@ import javino.protocol.Key;
 public final class Host implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 60;
+    private static final Duration LONGEST = Duration.ofSeconds(PATIENCE_SECONDS);
     private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
@@ -80,10 +81,14 @@ public final class Host implements AutoCloseable {
         return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
     }
 
+    /** On a bad line, where a damaged word of the board may make the time of an action pass in vain. */
+    public static Host onBadLine(LinkOpener link) {
+        return new Host(link, BoardConfig.create(config -> config.setPatience(LONGEST)));
+    }
+
     /** On a busy machine a board may take long to boot, and to perform an action. */
     public static void patience(BoardConfig.Builder config) {
-        Duration longest = Duration.ofSeconds(PATIENCE_SECONDS);
-        config.setPatience(longest).setActionTime(longest);
+        config.setPatience(LONGEST).setActionTime(LONGEST);
     }
 
     /** Waits until the board was greeted so often. */

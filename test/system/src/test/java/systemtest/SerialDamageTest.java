@@ -41,7 +41,7 @@ class SerialDamageTest {
     void requests_completeOrFailClearlyAndNoneIsPerformedTwice() throws Exception {
         try (SketchBoard board = start(folder)) {
             List<String> failures = new ArrayList<>();
-            try (Host host = Host.over(DamagedLink.opener(SerialLink.opener(board.port()), 4711, DAMAGED_BYTES))) {
+            try (Host host = Host.onBadLine(DamagedLink.opener(SerialLink.opener(board.port()), 4711, DAMAGED_BYTES))) {
                 host.board.percepts(true);
                 for (int number = 1; number <= ACTIONS; number++) {
                     note(host, number, failures);
@@ -56,7 +56,7 @@ class SerialDamageTest {
     private static void note(Host host, int number, List<String> failures) throws Exception {
         CompletableFuture<Void> action = host.board.act("note(" + number + ")");
         try {
-            action.get(60, TimeUnit.SECONDS);
+            action.get(5, TimeUnit.MINUTES);
         } catch (ExecutionException failed) {
             assertTrue(failed.getCause() instanceof JavinoException, failed.toString());
             failures.add(failed.getCause().getMessage());
