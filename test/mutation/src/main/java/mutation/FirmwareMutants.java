@@ -22,7 +22,6 @@ final class FirmwareMutants implements Part {
 
     private static final double GOAL = 0.85;
     private static final int USUAL = 60;
-    /** So begins the reason for a survivor that does harm. */
     /** Of the air. A mutant that the first does not kill has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L);
     /**

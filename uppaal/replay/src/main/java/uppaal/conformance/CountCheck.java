@@ -26,11 +26,12 @@ final class CountCheck implements Check {
         Counter before;
         /** By number, the fragments that it has sent of a message that it has taken up. */
         final Map<Integer, Integer> sent = new HashMap<>();
-        /** The message that waits for its slots, if any; and when a carrier has come that it does not count yet. */
+        /** The message that waits for its slots; negative for none. */
         int waiting = -1;
-        boolean isCounted;
-        /** Whether it has just counted one. */
-        boolean isDeferred;
+        /** Whether it has counted that it was put off; and whether that is the last that it has told. */
+        boolean hasDeferred;
+        boolean hasJustDeferred;
+        /** When it heard a carrier that it has not counted yet. */
         double heardAt = Double.POSITIVE_INFINITY;
         boolean isSending;
     }
@@ -42,7 +43,7 @@ final class CountCheck implements Check {
     @Override
     public void point(Point point) throws RefusedException {
         Declared board = boards.computeIfAbsent(point.board(), added -> new Declared());
-        Optional<Counter> counter = point.is("COUNT") ? Counter.of(point.operand("counter")) : Optional.empty();
+        Optional<Counter> counter = point.counter();
         String told = point.number() + point.event().line().replaceFirst("\"t\":[^,]*,", "");
         point.require(counter.isPresent() || !told.equals(board.last), "it once in a run()");
         board.last = told;
@@ -63,21 +64,24 @@ final class CountCheck implements Check {
 
     /** What waits for its slots and hears a carrier is put off: it counts that once, in that run(). */
     private static void defers(Declared board, Point point, Optional<Counter> counter) throws RefusedException {
+        boolean counts = counter.equals(Optional.of(Counter.RADIO_DEFERRED));
         if (WAITS.contains(point.name())) {
-            board.isCounted &= board.waiting == point.number();
+            board.hasDeferred &= board.waiting == point.number();
             board.waiting = point.number();
         } else if (ENDS.contains(point.name()) && board.waiting == point.number()) {
             board.waiting = -1;
         }
-        board.isCounted |= counter.filter(Counter.RADIO_DEFERRED::equals).isPresent();
-        boolean isHeard = point.is("BUSY") && !board.isSending;
-        board.heardAt = board.waiting < 0 || board.isCounted ? Double.POSITIVE_INFINITY
-                : isHeard ? Math.min(point.run(), board.heardAt) : board.heardAt;
-        point.require(board.waiting < 0 || point.run() <= board.heardAt,
-                "COUNT of " + Counter.RADIO_DEFERRED + " before");
-        point.require(!point.is("PUT_OFF") || board.isDeferred || board.isSending,
-                "COUNT of " + Counter.RADIO_DEFERRED + " before");
-        board.isDeferred = counter.filter(Counter.RADIO_DEFERRED::equals).isPresent();
+        board.hasDeferred |= counts;
+        boolean mustCount = board.waiting >= 0 && !board.hasDeferred;
+        boolean isLate = mustCount && point.run() > board.heardAt
+                || point.is("PUT_OFF") && !board.hasJustDeferred && !board.isSending;
+        point.require(!isLate, "COUNT of " + Counter.RADIO_DEFERRED + " before");
+        if (!mustCount) {
+            board.heardAt = Double.POSITIVE_INFINITY;
+        } else if (point.is("BUSY") && !board.isSending) {
+            board.heardAt = point.run();
+        }
+        board.hasJustDeferred = counts;
         board.isSending = AirCheck.SENDS.contains(point.name()) || board.isSending && !point.is("QUIET");
     }
 

@@ -146,7 +146,7 @@ final class FateCheck implements Check {
         }
         receiver.isRunning = true;
         receiver.queue(point);
-        Optional<Counter> counter = point.is("COUNT") ? Counter.of(point.operand("counter")) : Optional.empty();
+        Optional<Counter> counter = point.counter();
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
@@ -263,12 +263,13 @@ final class FateCheck implements Check {
 
     private void hears(TraceEvent event) {
         Receiver receiver = receivers.get(event.board());
-        if (receiver != null) {
-            comes(receiver, event);
+        if (receiver == null) {
+            return;
         }
-        if (receiver != null && receiver.isRunning) {
-            Optional<Transmission> sent = air.sent(event);
-            Optional<Transmission> heard = sent.filter(packet -> event.is("rf-rx"));
+        Optional<Transmission> sent = air.sent(event);
+        Optional<Transmission> heard = sent.filter(packet -> event.is("rf-rx"));
+        comes(receiver, event, heard);
+        if (receiver.isRunning) {
             remember(event, sent);
             if (sent.isEmpty() || sent.get().payload().isFragment()) {
                 receiver.begun.add(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
@@ -281,7 +282,7 @@ final class FateCheck implements Check {
         }
     }
 
-    private void comes(Receiver receiver, TraceEvent event) {
+    private void comes(Receiver receiver, TraceEvent event, Optional<Transmission> heard) {
         if (receiver.early != null && event.is("rf-damaged")) {
             receiver.early = null;
             return;
@@ -290,8 +291,7 @@ final class FateCheck implements Check {
         boolean isAtOnce = event.is("rf-rx") && !event.has("radio");
         double least = receiver.unread.isEmpty() ? 0 : receiver.unread.getLast().readBy;
         receiver.unread
-                .add(new Arrival(air.sent(event).filter(packet -> event.is("rf-rx")),
-                        Math.max(least, event.seconds() + (isAtOnce ? arrival : header.longest()))));
+                .add(new Arrival(heard, Math.max(least, event.seconds() + (isAtOnce ? arrival : header.longest()))));
     }
 
     private void remember(TraceEvent event, Optional<Transmission> sent) {

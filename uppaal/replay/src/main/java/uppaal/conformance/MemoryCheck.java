@@ -87,6 +87,7 @@ final class MemoryCheck implements Check {
         void forget(int key) {
             floors.keySet().removeIf(pair -> pair.at(0) == key);
             covering.keySet().removeIf(pair -> pair.at(0) == key);
+            keys.remove(key);
         }
 
         void reset(boolean isOfPower) {
@@ -136,10 +137,7 @@ final class MemoryCheck implements Check {
             }
             case "FLOOR_STORED" -> storeFloor(memory, point, written);
             case "KEY_STORED" -> storeKey(memory, point);
-            case "KEY_DELETED" -> {
-                memory.forget(point.operand("key"));
-                memory.keys.remove(point.operand("key"));
-            }
+            case "KEY_DELETED" -> memory.forget(point.operand("key"));
             case "TAKE_UP" -> takeUp(memory, point);
             case "QUEUED" -> queue(memory, point);
             default -> memory.declared = AirCheck.SENDS.contains(point.name()) ? point : memory.declared;
@@ -167,17 +165,22 @@ final class MemoryCheck implements Check {
     private static void takeUp(Memory memory, Point point) throws RefusedException {
         int key = point.operand("key");
         Bytes to = memory.destinations.get(point.number());
-        point.require(to == null || to.equals(ALL) == (key == NO_KEY), "no key, if it is for all");
-        point.require(to == null || to.equals(memory.keys.getOrDefault(key, to))
-                && (memory.keys.containsKey(key) || !memory.keys.containsValue(to) || memory.sessions.contains(key)),
-                "the place of a key of " + memory.destinations.get(point.number()));
+        if (to == null) {
+            return;
+        }
+        point.require(to.equals(ALL) == (key == NO_KEY), "no key, if it is for all");
+        boolean mayBeOfIt = memory.sessions.contains(key) || !memory.keys.containsValue(to);
+        point.require(memory.keys.containsKey(key) ? memory.keys.get(key).equals(to) : mayBeOfIt,
+                "the place of a key of " + to);
     }
 
     private static void storeKey(Memory memory, Point point) throws RefusedException {
         int key = point.operand("key");
+        memory.forget(key);
         if (memory.writtenKey.length() == 0) {
-            memory.keys.remove(key);
+            memory.sessions.add(key);
         } else {
+            memory.sessions.remove(key);
             int begin = memory.keyAt - key * KEY_PLACE;
             memory.keysAt = memory.keysAt < 0 ? begin : memory.keysAt;
             point.require(begin == memory.keysAt, "place " + (memory.keyAt - memory.keysAt) / KEY_PLACE);
@@ -186,11 +189,6 @@ final class MemoryCheck implements Check {
         memory.storedKey = memory.writtenKey;
         memory.writtenKey = Bytes.EMPTY;
         memory.keyStoredAt = point.seconds();
-        memory.forget(key);
-        memory.sessions.remove(key);
-        if (memory.storedKey.length() == 0) {
-            memory.sessions.add(key);
-        }
     }
 
     private static void queue(Memory memory, Point point) {

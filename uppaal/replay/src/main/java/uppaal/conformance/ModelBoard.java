@@ -10,14 +10,14 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import javino.protocol.Counter;
 
 /** What a board declares of its messages, and what its host says of them. */
 final class ModelBoard {
     private static final int NO_KEY = 255;
     private static final int NUMBERS = 256;
-    /** RADIO_ANSWERS_DROPPED of SPEC 4.5. */
-    private static final int ANSWERS_DROPPED = 30;
     private static final Set<String> OF_SENDERS = Set.of("TAKE_UP", "RESEAL", "CONTEND", "PASSED", "SEND_PART", "SEND",
             "PART_SENT", "AWAIT", "COPIED", "ATTEMPT_FAILED", "FRAGMENTS_KNOWN", "FRAGMENTS_NEW", "STALE_HEARD", "SENT",
             "DELIVERED", "UNDELIVERED");
@@ -61,7 +61,7 @@ final class ModelBoard {
         }
         switch (point.name()) {
             case "COUNT" -> {
-                if (point.operand("counter") == ANSWERS_DROPPED) {
+                if (point.counter().equals(Optional.of(Counter.RADIO_ANSWERS_DROPPED))) {
                     answers.dropFirst(point);
                 }
             }

@@ -1,5 +1,7 @@
 package uppaal.conformance;
 
+import java.util.Optional;
+import javino.protocol.Counter;
 import trace.TraceEvent;
 
 /**
@@ -41,6 +43,11 @@ record Point(TraceEvent event, String name, int number) {
      */
     int operand(String operand) {
         return event.number(operand);
+    }
+
+    /** What it counts, if it is a COUNT. */
+    Optional<Counter> counter() {
+        return is("COUNT") ? Counter.of(operand("counter")) : Optional.empty();
     }
 
     /** When the run() began that it lies in, in seconds. */
