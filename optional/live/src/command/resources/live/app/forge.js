@@ -100,10 +100,10 @@ export function verdicts(app, model, state, t) {
     <details><summary>the others</summary><ul>${others.map((line) => html`<li>${line}</li>`)}</ul></details>` };
 }
 
-/** Puts a box beside the first of some spots, inside of the road, where it hides the fewest of them. */
+/** Puts a box beside the first of some spots, inside of the road, where it hides the fewest of them; it does not move under a pointer. */
 export function beside(box, spots, { clientWidth, clientHeight }) {
   box.hidden = !spots[0];
-  if (box.hidden) return;
+  if (box.hidden || box.matches(':hover')) return;
   const [x, y] = spots[0];
   const [wide, tall] = [box.offsetWidth, box.offsetHeight];
   const within = (at, most) => Math.max(0, Math.min(at, most));
