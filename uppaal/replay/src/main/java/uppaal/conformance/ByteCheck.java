@@ -263,6 +263,6 @@ final class ByteCheck implements Check {
         require(content == null || meant.stream().anyMatch(frame -> keys.says(frame, content)
                 || !frame.isSealed() && touched.contains(frame.origin + frame.fragmentId)),
                 event.board() + " hands its host " + Fields.shown(content) + " from " + event.text("origin"),
-                meant.isEmpty() ? "nothing that any key opens" : Fields.shown(meant.get(meant.size() - 1).content));
+                meant.isEmpty() ? "a message that it has sent" : Fields.shown(meant.get(meant.size() - 1).content));
     }
 }

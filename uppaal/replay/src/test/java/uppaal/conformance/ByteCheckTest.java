@@ -179,8 +179,8 @@ class ByteCheckTest {
             // What a host is handed.
             "SENT; support hands 0 SUPP 010000 halp | support hands its host 'halp' from SUPO; expected 'help'",
             "SENT; support hands 0 SUPP 010001 help | support hands its host 'help' from SUPO; "
-                    + "expected nothing that any key",
-            "thief throws s:SUPP:0:help~-1; support hands 0 SUPP 010000 help | expected nothing that any key opens",
+                    + "expected a message that it",
+            "thief throws s:SUPP:0:help~-1; support hands 0 SUPP 010000 help | expected a message that it has sent",
             "thief throws s:SUPP:0:help~7; support does host-handed number=0 destination=SUPP origin=SUPN id=010000 "
                     + "content=help | expected what nobody knows *",
             "thief throws f:AA:s:SUPP:0:LONG~7~17; support does host-handed number=0 destination=SUPP origin=SUPN "
