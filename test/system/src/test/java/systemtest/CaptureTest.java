@@ -36,7 +36,7 @@ class CaptureTest {
     void capture_ofABoard_hasAllThatWasOnTheAir() throws Exception {
         Path file = folder.resolve("capture.pcapng");
         try (Emulator emulator = new Emulator.Scenario().board("police", "Station").board("bus", "Station")
-                .board("ear", "Station").start(folder);
+                .board("ear", "Station").speed("0.5").start(folder);
                 Host police = Host.of(emulator, "police").as("SUPO", Map.of("ROMA", TestKeys.PAIR));
                 Host bus = Host.of(emulator, "bus").as("ROMA", Map.of("SUPO", TestKeys.PAIR))) {
             CompletableFuture<Integer> status = new CompletableFuture<>();
@@ -54,6 +54,8 @@ class CaptureTest {
             }
             capture.interrupt();
             assertEquals(0, status.get());
+            emulator.await("the last packet",
+                    event -> event.is("rf-rx", "ear") && event.textOrEmpty("content").equals("tell;last"));
             List<TraceEvent> heard =
                     emulator.trace().stream().filter(event -> event.is("rf-rx", "ear")).toList();
             compare(heard, Tshark.dissect(Files.readAllBytes(file), KEYRING));

@@ -39,6 +39,7 @@ class NonceTest {
             for (int message = 0; message < MESSAGES_A_RUN; message++) {
                 police.send(message % 50 == 0 ? "SUPP" : "//SU", "tell;x");
             }
+            emulator.await("the last outcome", MESSAGES_A_RUN, event -> event.is("host-outcome", "police"));
             for (TraceEvent sent : emulator.sentBy("police")) {
                 byte[] frame = sent.bytes("payload");
                 String nonce = HexFormat.of().formatHex(frame, 10, 16);

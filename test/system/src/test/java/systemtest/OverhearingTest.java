@@ -62,13 +62,14 @@ class OverhearingTest {
     }
 
     private Board ear(String name, Consumer<PollReply.Overheard> hearer) {
-        return Board.open(SerialLink.opener(emulator.port(name)), BoardConfig.create(), new BoardListener() {
-            @Override
-            public void overheard(PollReply.Overheard packet) {
-                overheard.add(packet);
-                hearer.accept(packet);
-            }
-        });
+        return Board.open(SerialLink.opener(emulator.port(name)), BoardConfig.create(Host::patience),
+                new BoardListener() {
+                    @Override
+                    public void overheard(PollReply.Overheard packet) {
+                        overheard.add(packet);
+                        hearer.accept(packet);
+                    }
+                });
     }
 
     private static void relay(PollReply.Overheard packet, Board into) {
@@ -110,7 +111,7 @@ class OverhearingTest {
     void broadcast_isOverheardAsItIsOnTheAir() throws Exception {
         bus.send("////", "tell;roadClosed");
         assertEquals("tell;roadClosed", police.message().content().toString());
-        TraceEvent sent = emulator.sentBy("bus").get(0);
+        TraceEvent sent = emulator.await("the packet", event -> event.is("rf-tx", "bus"));
         assertEquals(sent.text("payload"), overheard.get(0).payload().hex());
         assertEquals(PollReply.Reception.INTACT, overheard.get(0).how());
         // The board's clock began when the board did: with the reset as its port was opened.

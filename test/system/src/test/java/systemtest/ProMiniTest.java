@@ -48,6 +48,7 @@ class ProMiniTest {
     @Test
     void broadcast_hasBitsOfTheSameLengthAsAllBoards() throws Exception {
         mini.send("////", "tell;help");
+        emulator.await("the end of the packet", event -> event.is("rf-tx", "mini"));
 
         List<TraceEvent> edges = emulator.trace().stream().filter(event -> event.is("pin", "mini"))
                 .dropWhile(edge -> edge.number("level") == 0).toList();

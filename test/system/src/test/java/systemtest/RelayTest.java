@@ -114,7 +114,7 @@ class RelayTest {
         List<TraceEvent> copies = emulator.sentBy("relay1").stream()
                 .filter(packet -> packet.text("destination").equals("SUPO")).toList();
         assertEquals(OptionalInt.empty(), copies.get(0).distance());
-        assertEquals(OptionalInt.of(3), copies.get(copies.size() - 1).distance());
+        assertTrue(copies.stream().anyMatch(copy -> copy.distance().equals(OptionalInt.of(3))));
     }
 
     /** Who hears the relay only has it once, as does who hears its sender, too. */
@@ -175,6 +175,7 @@ class RelayTest {
         for (int i = 0; i < 5; i++) {
             assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
         }
+        emulator.await("the last outcome", 5, event -> event.is("host-outcome", "from"));
         // Not all copies: a relay that does not hear an answer in time sends its copy again, and a host may be late.
         // Now and then both take the same slot. If they always did, it would be 20.
         long carried = Stream.of("one", "other").mapToLong(
