@@ -27,8 +27,6 @@ import org.junit.jupiter.api.io.TempDir;
 class OlderBoardTest {
 
     private static final int ACTIONS = 30;
-    /** Long after the slowest Java virtual machine has started an agent. */
-    private static final double UNPLUGGED_SECONDS = 20;
 
     private static Emulator.Scenario scenario() {
         return new Emulator.Scenario().board("lamp", "OlderBoard",
@@ -97,9 +95,7 @@ class OlderBoardTest {
     }
 
     private static void runArgo(Platform platform, Path folder) throws Exception {
-        Emulator.Scenario scenario = scenario()
-                .fault(UNPLUGGED_SECONDS, "lamp", "unplug").fault(UNPLUGGED_SECONDS + 2, "lamp", "plug");
-        try (Emulator emulator = scenario.start(folder);
+        try (Emulator emulator = scenario().start(folder);
                 AgentProcess agent = AgentProcess.start(platform, "argo", List.of("argo"), folder)) {
             agent.await("lamp is on");
             agent.await("led is off");
@@ -107,7 +103,9 @@ class OlderBoardTest {
             agent.await("led is on");
             agent.await("led is off", 2);
             agent.await("led is then on", 2);
+            emulator.command(Map.of("do", "unplug", "board", "lamp"));
             agent.await("lamp is off");
+            emulator.command(Map.of("do", "plug", "board", "lamp"));
             agent.await("lamp is on", 2);
             agent.await("led is on", 2);
             assertTrue(emulator.trace().stream().anyMatch(event -> event.is("pin", "lamp")));

@@ -9,6 +9,7 @@ import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,20 +17,17 @@ import org.junit.jupiter.api.io.TempDir;
 /** An agent that knows how open its MAS is, by a real board's radio. */
 class OpennessTest {
 
-    /** Long after the slowest Java virtual machine has started an agent. */
-    private static final double UNPLUGGED_SECONDS = 20;
-    /** Long after a Mega has booted. */
-    private static final double UNPLUGGED_AGAIN_SECONDS = 32;
-
     @Test
     @Tag("verify")
     void boardGoesAndComes_agentGoesThroughAllTransitionsOfFigureOne(@TempDir Path folder) throws Exception {
-        Emulator.Scenario scenario = new Emulator.Scenario().board("antenna", "Vehicle")
-                .fault(UNPLUGGED_SECONDS, "antenna", "unplug").fault(UNPLUGGED_SECONDS + 2, "antenna", "plug")
-                .fault(UNPLUGGED_AGAIN_SECONDS, "antenna", "unplug");
-        try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("wanderer", folder)) {
-            emulator.await("the board unplugged again", 2,
-                    event -> event.is("port", "antenna") && event.text("state").equals("unplugged"));
+        try (Emulator emulator = new Emulator.Scenario().board("antenna", "Vehicle").start(folder);
+                AgentProcess agent = AgentProcess.start("wanderer", folder)) {
+            agent.await("openness open");
+            emulator.command(Map.of("do", "unplug", "board", "antenna"));
+            agent.await("openness limitedOpen", 2);
+            emulator.command(Map.of("do", "plug", "board", "antenna"));
+            agent.await("openness closed", 2);
+            emulator.command(Map.of("do", "unplug", "board", "antenna"));
             agent.await("openness totallyClosed", 3);
             assertEquals(List.of(
                     "totallyClosed",

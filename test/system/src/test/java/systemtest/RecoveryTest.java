@@ -16,31 +16,34 @@ import org.junit.jupiter.api.io.TempDir;
 /** An agent whose board goes and comes. */
 class RecoveryTest {
 
-    /** Long after the slowest Java virtual machine has started an agent. */
-    private static final double FAULT_SECONDS = 20;
     private static final Map<String, Object> SENSORS =
             Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
 
     @Test
     @Tag("verify")
     void resetBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
-        comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "reset"));
+        comesBack(folder, "reset");
     }
 
     @Test
     void unpluggedBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
-        comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "unplug").fault(FAULT_SECONDS + 2,
-                "lamp", "plug"));
+        comesBack(folder, "unplug", "plug");
     }
 
-    private static void comesBack(Path folder, Emulator.Scenario scenario) throws Exception {
-        try (Emulator emulator = scenario.board("lamp", "Vehicle", SENSORS).board("other", "Transmitter").start(folder);
+    private static void comesBack(Path folder, String... faults) throws Exception {
+        Emulator.Scenario scenario =
+                new Emulator.Scenario().board("lamp", "Vehicle", SENSORS).board("other", "Transmitter");
+        try (Emulator emulator = scenario.start(folder);
                 Transmitter other = Transmitter.of(emulator, "other");
                 AgentProcess agent = AgentProcess.start("watcher", folder)) {
             agent.await("answered");
             agent.await("light 300");
+            agent.await("ready");
 
-            agent.await("port off");
+            for (String fault : faults) {
+                emulator.command(Map.of("do", fault, "board", "lamp"));
+                agent.await("port off");
+            }
             agent.await("port on", 2);
             agent.await("answered", 2);
             other.send("////CAFFBotell;hello(1)".getBytes(StandardCharsets.US_ASCII));

@@ -5,7 +5,8 @@
     .port("ports/lamp");
     .percepts(open);
     .setMyRFId(CAFE);
-    .getRFMessages(open).
+    .getRFMessages(open);
+    .print("ready").
 
 +port(_, off) <- .print("port off").
 +port(_, on)  <- .print("port on"); !ask.
