@@ -136,15 +136,15 @@ public final class Host implements AutoCloseable {
 
     /** The first percepts from now on that are as wanted. */
     public List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
-        while (true) {
-            List<String> now = percepts.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        long end = System.nanoTime() + LONGEST.toNanos();
+        List<String> now;
+        do {
+            now = percepts.poll(end - System.nanoTime(), TimeUnit.NANOSECONDS);
             if (now == null) {
                 throw new AssertionError("no such percepts came");
             }
-            if (wanted.test(now)) {
-                return now;
-            }
-        }
+        } while (!wanted.test(now));
+        return now;
     }
 
     /** All sets of percepts that came and were not taken; does not wait. */

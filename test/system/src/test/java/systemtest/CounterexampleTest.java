@@ -46,7 +46,7 @@ class CounterexampleTest {
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
                 .board("police", "Station").board("thief", "Transmitter").board("support", "Station")
-                .start(folder);
+                .speed("0.5").start(folder);
         thief = Transmitter.of(emulator, "thief");
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
@@ -105,6 +105,7 @@ class CounterexampleTest {
         police.send("SUPP", "tell;first");
         byte[] replayed = overheard("support", 1);
         Host.get(support.board.radio(false));
+        emulator.await("its outcome", event -> event.is("host-outcome", "police"));
         int before = emulator.sentBy("police").size();
         CompletableFuture<Outcome> sending = sendUnheard();
         byte[] addressed = replayed.clone();

@@ -17,6 +17,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -66,8 +67,10 @@ class HighwayTest {
             assertEquals(0, status);
         }
 
-        void assertNothingLeft() throws IOException {
-            assertTrue(children.stream().noneMatch(ProcessHandle::isAlive), "a process was left");
+        void assertNothingLeft() throws Exception {
+            for (ProcessHandle child : children) {
+                child.onExit().get(1, TimeUnit.MINUTES);
+            }
             Path ports = folder.resolve("ports");
             try (Stream<Path> left = Files.exists(ports) ? Files.list(ports) : Stream.of()) {
                 assertEquals(List.of(), left.toList());
@@ -152,7 +155,7 @@ class HighwayTest {
     @Test
     @Tag("verify")
     void badRadio_endsCleanlyAndSaysWhatWasMissing() throws Exception {
-        Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=60");
+        Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=100");
 
         assertTrue(run.lastButOne().matches("highway: (\\d+) of (?!\\1 )\\d+ behaviours observed"), run::toString);
         assertTrue(run.last().matches("model: trace accepted \\(\\d+ events, \\d+ messages opened, \\d+ proofs\\)"),
@@ -328,6 +331,9 @@ class HighwayTest {
                 "--enable-native-access=ALL-UNNAMED", "-cp", classPath, "highway.Highway", "--plain", "--emulator",
                 emulator));
         command.addAll(List.of(options));
+        if (!command.get(command.size() - 1).startsWith("--timeout")) {
+            command.add("--timeout=300");
+        }
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
     }
 

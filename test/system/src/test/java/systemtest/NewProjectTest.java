@@ -24,7 +24,7 @@ import trace.TraceReader;
 @Tag("verify")
 class NewProjectTest {
 
-    private static final long PATIENCE_SECONDS = 30;
+    private static final long PATIENCE_SECONDS = 240;
     private static final String JAVA_HOME = System.getProperty("java.home");
 
     @TempDir

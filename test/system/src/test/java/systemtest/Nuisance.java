@@ -54,6 +54,11 @@ final class Nuisance {
                 : Map.of("do", what, "board", board, "duration", POWER_CUT_SECONDS));
     }
 
+    /** A slower run leaves a test more time to react. */
+    void speed(double times) throws InterruptedException {
+        command(Map.of("do", "speed", "value", times));
+    }
+
     /** Waits until so much emulated time has passed. */
     void pass(double seconds) throws InterruptedException {
         double end = now() + seconds;

@@ -53,6 +53,7 @@ class PhasesTest {
     private static final double PATIENCE = 0.17;
     private static final double LATE_PATIENCE = 0.62;
     private static final int LATE = 2;
+    private static final double SLOW = 0.3;
 
     private Emulator emulator;
     private Nuisance nuisance;
@@ -193,6 +194,7 @@ class PhasesTest {
 
     @Test
     void fragment_thatIsLostEachTime_isGivenUp() throws Exception {
+        nuisance.speed(SLOW);
         CompletableFuture<Outcome> lost = transmit("SUPP", LONG);
         next("rf-tx", "police", 0);
         nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
@@ -266,6 +268,7 @@ class PhasesTest {
 
     @Test
     void receiver_cutOffWhileItOwesAnAnswer_givesItsHostNothingTwice() throws Exception {
+        nuisance.speed(SLOW);
         for (String what : List.of(RESET, POWER_CUT)) {
             int before = count("host-taking", "support");
             transmit("SUPP", "tell;taken");

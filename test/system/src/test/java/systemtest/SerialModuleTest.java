@@ -59,8 +59,8 @@ class SerialModuleTest {
     @ParameterizedTest
     @ValueSource(strings = {"hc-12", "e32"})
     void unicasts_withoutLosses_areSentOnce(String module) throws Exception {
-        // At the speed of life: a host that is late is no loss, but its message is sent again.
-        start(module, 0, 1, "1");
+        // A host that is late is no loss, but its message is sent again.
+        start(module, 0, 1, "0.3");
         for (int i = 0; i < 3; i++) {
             assertDelivers("tell;n(" + i + ")");
         }
@@ -78,7 +78,7 @@ class SerialModuleTest {
 
     @Test
     void unicast_byARelay_isDelivered() throws Exception {
-        start("hc-12", 0, 2, "4");
+        start("hc-12", 0, 2, "1");
         try (Host relay = Host.of(emulator, "relay")) {
             assertTrue(Host.get(relay.board.relaying(true)));
             assertDelivers("tell;help");

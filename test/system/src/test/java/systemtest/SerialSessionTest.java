@@ -118,6 +118,9 @@ class SerialSessionTest {
     @Test
     void textOnTheLine_delaysNoPerceptAndLosesNoAction() throws Exception {
         neighbour(List.of(light(100)), (board, host) -> {
+            get(host.board.greeted());
+            // A board that is late is sent more than it can take before it greets.
+            long before = host.counter(Counter.SERIAL_DAMAGED);
             for (int millis : List.of(100, 5)) {
                 get(host.board.act("print(" + millis + ")"));
                 for (int kept = millis; kept < millis + 5; kept++) {
@@ -128,7 +131,7 @@ class SerialSessionTest {
             }
             host.awaitOnline(1);
             if (board.isInEmulatedTime()) {
-                assertEquals(0, host.counter(Counter.SERIAL_DAMAGED));
+                assertEquals(before, host.counter(Counter.SERIAL_DAMAGED));
             }
         });
     }

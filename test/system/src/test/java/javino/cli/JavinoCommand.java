@@ -1,5 +1,6 @@
 package javino.cli;
 
+import harness.Host;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
@@ -20,7 +21,8 @@ public final class JavinoCommand {
     public static List<String> run(String... words) {
         StringWriter written = new StringWriter();
         CommandLine command = Main.commandLine(
-                PortOption.factory(SerialLink::opener, BoardConfig.create(config -> config.setAttempts(ATTEMPTS))));
+                PortOption.factory(SerialLink::opener,
+                        BoardConfig.create(config -> Host.patience(config.setAttempts(ATTEMPTS)))));
         command.setOut(new PrintWriter(written, true));
         command.setErr(new PrintWriter(written, true));
         int status = command.execute(words);
