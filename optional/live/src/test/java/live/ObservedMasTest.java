@@ -91,9 +91,9 @@ class ObservedMasTest {
 
     @Test
     void belief_goneAndIntentionEnded_areTold() throws Exception {
-        run("!go. +!go <- +light(1); .wait(300); -light(1); +dark.");
+        run("!go. +!go <- +light(1); .wait(3000); -light(1); +dark.");
 
-        await(Set.of("light(1)[source(self)]"), "[\"+!go[source(self)] / .wait(300)\"]");
+        await(Set.of("light(1)[source(self)]"), "[\"+!go[source(self)] / .wait(3000)\"]");
         await(Set.of("dark[source(self)]"), "[]");
         assertTrue(beliefs.stream().noneMatch(belief -> belief.startsWith("light")), beliefs.toString());
     }

@@ -57,9 +57,11 @@ class LivePageTest {
             page.await("section.agent", 5);
             WebElement slider = page.await("#slider");
             page.driver().findElement(By.tagName("body")).sendKeys(Keys.SPACE);
-            page.script("arguments[0].value = arguments[0].max; "
-                    + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", slider);
-            page.await(OBSERVED, 9);
+            page.await("the end", driver -> { // of what has been read of the trace
+                page.script("arguments[0].value = arguments[0].max; "
+                        + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", slider);
+                return page.all(OBSERVED).size() >= 9 && !page.all("#verdict").isEmpty();
+            });
             page.awaitText("#verdict", "model: trace accepted");
             page.script("arguments[0].value = 0; "
                     + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", slider);
@@ -75,7 +77,7 @@ class LivePageTest {
     @Tag("verify")
     void highway_endedBeforeItsEnd_isNoFailure() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
-            page.awaitText("section.agent[data-board='bus'] .said", "is on");
+            page.await("section.agent[data-board='bus']:not([data-openness=''])");
             assertEquals(0, run.end(), run::said);
         }
     }
@@ -200,7 +202,7 @@ class LivePageTest {
                 {"t":2,"board":"b","event":"rf-rx",%1$s"bits":372,"start":1.8,"end":2}
                 """.formatted(packet));
         try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
-            page.driver().findElement(By.id("tab-air")).click();
+            click(page, "tab-air");
             page.awaitText("tr.packet", "sealed, with parity");
             assertEquals("1.2001 b , 1.204 c wrong CRC; 1.22 b", page.script("""
                     const text = arguments[0];
@@ -245,6 +247,9 @@ class LivePageTest {
                 """.formatted(LiveRun.ROOT));
         Process emulator = new ProcessBuilder(LiveRun.ROOT.resolve("emulator/build/javino-emulator").toString(),
                 "lamp.json").directory(folder.toFile()).inheritIO().start();
+        while (emulator.isAlive() && !Files.exists(folder.resolve("ports/car"))) {
+            Thread.sleep(20);
+        }
         try (LiveRun watch = LiveRun.watch(folder, "--port", "ports/car"); Page page = Page.open(watch.address())) {
             page.awaitText("#cards", "drive");
             page.awaitText("#cards", "light");

@@ -68,11 +68,23 @@ final class Page implements AutoCloseable {
         return driver;
     }
 
-    /** Makes what is seen of the page so large. */
+    /** Makes what is seen of the page so large, and waits until it is drawn so. */
     void size(Dimension size) {
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
                 Map.of("width", size.width, "height", size.height,
                         "deviceScaleFactor", 1, "mobile", false));
+        awaitFrames();
+    }
+
+    /** Waits until the page was drawn some times: a busy machine draws seldom. */
+    void awaitFrames() {
+        script("""
+                let left = 4;
+                return new Promise((done) => {
+                  const next = () => left-- ? requestAnimationFrame(next) : done(true);
+                  next();
+                });
+                """);
     }
 
     void reload() {

@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -144,8 +146,8 @@ class ViewTest {
                 """.formatted(LiveRun.ROOT.resolve("javino-firmware/build/station/Station.ino.elf")));
         try (LiveRun run = LiveRun.piped(folder, "two.json"); Page page = Page.open(run.address())) {
             page.await("#labels .name", 2);
-            List<?> house = drawnAt(page, 0);
-            List<?> car = drawnAt(page, 1);
+            List<?> house = page.await("a house that stands", driver -> standing(page, 0));
+            List<?> car = page.await("a car that stands", driver -> standing(page, 1));
             LivePageTest.choose(page, "board car");
             LivePageTest.place(page, -5, 0);
             page.await("a car that has moved", driver -> !drawnAt(page, 1).equals(car));
@@ -193,6 +195,14 @@ class ViewTest {
         return (List<?>) page.script(DRAWN_AT, hue);
     }
 
+    /** Where it is drawn, unless that changes with the page's layout. */
+    private static List<?> standing(Page page, int hue) {
+        List<?> before = drawnAt(page, hue);
+        LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
+        page.awaitFrames();
+        return !before.isEmpty() && before.equals(drawnAt(page, hue)) ? before : null;
+    }
+
     private static int coordinate(List<?> place, int axis) {
         return Math.toIntExact((Long) place.get(axis));
     }
@@ -209,7 +219,8 @@ class ViewTest {
         }
         Files.write(folder.resolve("trace.jsonl"), trace);
         try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
-            page.await("#slider");
+            page.await("the whole trace", driver -> Boolean.TRUE.equals(
+                    page.script("return Number(document.getElementById('slider')?.max) >= 30")));
             LivePageTest.slide(page, "slider", 30);
             page.await("a plot of all values", driver -> Boolean.TRUE.equals(page.script(
                     "const c = document.querySelector('canvas.plot');"

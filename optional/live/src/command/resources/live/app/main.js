@@ -70,6 +70,7 @@ const app = {
     ui.chosen = name === undefined ? undefined : { kind, name };
     app.typed = undefined;
     drawText();
+    placeMenu();
   },
   mode(mode) {
     ui.mode = ui.mode === mode ? '' : mode;
