@@ -189,7 +189,7 @@ class OpennessBeliefTest {
     void silence_messageComes_isHeardAtOnceAndForAWhile() {
         FakeBoard board = board();
         RunningAgent agent = open(board);
-        agent.achieve("silence(20)");
+        agent.achieve("silence(500)");
         changes(agent, "closed", "totallyClosed");
         board.receive("////", "ROMA", "tell;x");
         changes(agent, "totallyClosed", "closed");
@@ -200,7 +200,7 @@ class OpennessBeliefTest {
     void silence_messageIsDelivered_isHeard() {
         FakeBoard board = board().endAll(Outcome.DELIVERED);
         RunningAgent agent = open(board);
-        agent.achieve("silence(20)");
+        agent.achieve("silence(500)");
         changes(agent, "closed", "totallyClosed");
         agent.achieve("send");
         changes(agent, "totallyClosed", "closed");
@@ -232,7 +232,7 @@ class OpennessBeliefTest {
     void silence_boardGoesAndComes_listensAnew() {
         FakeBoard board = board();
         RunningAgent agent = open(board);
-        agent.achieve("silence(20)");
+        agent.achieve("silence(500)");
         changes(agent, "closed", "totallyClosed");
         board.port.unplug();
         board.port.plug();

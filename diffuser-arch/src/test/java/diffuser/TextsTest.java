@@ -222,7 +222,7 @@ class TextsTest {
     /** Jason's parser would take twice as long with each level. */
     @ParameterizedTest
     @CsvSource({"A[,],150", "_[,],150", "_1[,],110", "p(-A[,]),65", "({,};b),70", "({+a(A[x]),};b),30"})
-    @Timeout(5)
+    @Timeout(60)
     void readContent_nestedInAWayThatTakesForEver_isMalformedAtOnce(String opening, String closing, int depth) {
         String text = opening.repeat(depth) + "x" + closing.repeat(depth);
         assertMalformed(Performative.TELL, "p({" + text + "})");

@@ -43,6 +43,8 @@ class BoardTest extends BoardFixture {
     /** A hold that no test waits for. */
     private static final Duration LONG = Duration.ofMinutes(1);
     private static final Duration HOUR = Duration.ofHours(1);
+    /** So many waits in vain that a busy machine does not lose its board. */
+    private static final int PATIENT = 1500;
 
     private void open() {
         open(listener);
@@ -554,7 +556,8 @@ class BoardTest extends BoardFixture {
 
     @Test
     void port_unplugged_pendingFailAndBoardIsFoundAgain() throws Exception {
-        openAndAwaitOnline();
+        open(listener, config -> config.setAttempts(PATIENT));
+        listener.until("online");
         CompletableFuture<Void> underWay = actUnderWay("one");
         CompletableFuture<Void> waiting = board.act("two");
         port.unplug();
@@ -823,7 +826,8 @@ class BoardTest extends BoardFixture {
 
     @Test
     void close_requestsWaiting_fail() throws Exception {
-        openAndAwaitOnline();
+        open(listener, config -> config.setAttempts(PATIENT));
+        listener.until("online");
         CompletableFuture<Void> underWay = actUnderWay("one");
         CompletableFuture<Void> waiting = board.act("two");
         board.close();

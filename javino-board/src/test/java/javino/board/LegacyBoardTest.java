@@ -24,12 +24,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(60)
 class LegacyBoardTest {
 
+    /** The board is given more than a second: nothing that is late on a busy machine counts as lost. */
+    private static final int ATTEMPTS = 60;
+
     private final FakeLegacyBoard fake = new FakeLegacyBoard();
     private final RecordingListener listener = new RecordingListener();
     private Board board;
 
     private void open() throws InterruptedException {
-        board = Board.open(fake.port, BoardFixture.quick(config -> {}), listener);
+        board = Board.open(fake.port, BoardFixture.quick(config -> config.setAttempts(ATTEMPTS)), listener);
         listener.until("online");
     }
 

