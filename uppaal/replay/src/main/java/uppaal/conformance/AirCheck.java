@@ -23,6 +23,8 @@ final class AirCheck implements Check {
     private static final int HEARD_BITS = 12;
     private static final int SILENT_BITS = 10;
     private static final Set<String> BOOTS = Set.of("reset", "fault", "crash");
+    /** Hosts have given up a board by then, also one whose loop() takes long. */
+    private static final double HANGS_SECONDS = 10;
     /** What a reset may take of a packet's end (emulator/README.md, rf-tx). */
     private static final int LOST_BITS = 12;
 
@@ -32,6 +34,9 @@ final class AirCheck implements Check {
         /** Whether it runs our firmware: it declares points, or greets a host of ours. Others may send anything. */
         boolean isOurs;
         boolean isRelay;
+        boolean hasRadio;
+        /** When it has told something last, or begun anew. */
+        double toldAt;
         /** The send that it has declared, and that is not yet on the air. */
         Point declared;
         /** Its last packet, if that lacks bits that only a reset may have taken. */
@@ -64,7 +69,10 @@ final class AirCheck implements Check {
 
     @Override
     public void point(Point point) throws RefusedException {
+        checkRun(point.seconds());
         Station station = station(point.board());
+        station.hasRadio |= point.is("MEMORY");
+        station.toldAt = point.seconds();
         point.require(station.offUntil < 0, "nothing before a reset, as its power was cut");
         station.isOurs = true;
         station.isRelay = point.is("RELAY_ON") ? point.operand("on") == 1 : station.isRelay;
@@ -80,6 +88,20 @@ final class AirCheck implements Check {
             throw new RefusedException(point.board() + " declares that it hears a carrier", "silence: nobody sends");
         }
         station.air.changes(point);
+    }
+
+    /** Who hears nothing declares that at its next run(). */
+    private void checkRun(double now) throws RefusedException {
+        double since = now - HANGS_SECONDS;
+        if (air.isKnownSince(since) && air.isSilent(since, now)) {
+            for (Map.Entry<String, Station> each : stations.entrySet()) {
+                Station station = each.getValue();
+                require(!station.hasRadio || station.offUntil >= 0 || !station.air.isBusy() || station.toldAt > since,
+                        String.format(Locale.ROOT, "%s has declared nothing since %.6f s", each.getKey(),
+                                station.toldAt),
+                        "QUIET, as nobody sends");
+            }
+        }
     }
 
     private static RefusedException unsent(Point declared) {
@@ -158,6 +180,7 @@ final class AirCheck implements Check {
     @Override
     public void event(TraceEvent event) throws RefusedException {
         air.event(event);
+        checkRun(event.seconds());
         Station station = station(event.board());
         if (event.is("rf-rx") || event.is("rf-damaged")) {
             reaches(event);
@@ -172,6 +195,7 @@ final class AirCheck implements Check {
             station.declared = null;
             station.isRelay = false;
             station.brokenAt = event.seconds();
+            station.toldAt = event.seconds();
             require(!event.is("reset") || event.seconds() >= station.offUntil, event.board() + " begins anew",
                     String.format(Locale.ROOT, "that its power is back at %.6f s", station.offUntil));
             station.offUntil = event.textOrEmpty("do").equals("power-cut") ? event.real("until") : -1;

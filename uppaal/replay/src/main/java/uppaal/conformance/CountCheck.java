@@ -1,6 +1,8 @@
 package uppaal.conformance;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -18,6 +20,9 @@ final class CountCheck implements Check {
     private static final Set<String> ENDS =
             Set.of("TAKE_UP", "PASSED", "SEND", "SEND_PART", "ATTEMPT_FAILED", "DELIVERED", "UNDELIVERED", "SENT");
 
+    /** After that without a new fragment a message is forgotten (SPEC 7.1). */
+    static final double FORGOTTEN_SECONDS = 5;
+
     /** What a board has declared since its last reset. */
     private static final class Declared {
         String last = "";
@@ -34,11 +39,18 @@ final class CountCheck implements Check {
         /** When it heard a carrier that it has not counted yet. */
         double heardAt = Double.POSITIVE_INFINITY;
         boolean isSending;
+        /** The fragments of the last time; and whether another one is coming for which a message had to go. */
+        final List<Point> fragments = new ArrayList<>();
+        boolean makesRoom;
     }
 
     private final Map<String, Declared> boards = new HashMap<>();
 
-    CountCheck(Header header) {}
+    private final Header header;
+
+    CountCheck(Header header) {
+        this.header = header;
+    }
 
     @Override
     public void point(Point point) throws RefusedException {
@@ -55,6 +67,7 @@ final class CountCheck implements Check {
         point.require(!isAlone, "what it counts so before");
         board.due = BEHIND.get(point.name());
         defers(board, point, counter);
+        forgets(board, point, counter);
 
         Counter needed = isCounted(board, point) ? BEFORE.get(point.name()) : null;
         point.require(needed == board.before, needed == null ? "no COUNT of " + board.before + " before"
@@ -83,6 +96,21 @@ final class CountCheck implements Check {
         }
         board.hasJustDeferred = counts;
         board.isSending = AirCheck.SENDS.contains(point.name()) || board.isSending && !point.is("QUIET");
+    }
+
+    /** A message is forgotten some time behind a fragment, or for one of another message. */
+    private void forgets(Declared board, Point point, Optional<Counter> counter) throws RefusedException {
+        boolean isFragment = point.is("FRAGMENT") || counter.equals(Optional.of(Counter.RADIO_FRAGMENTS_DROPPED));
+        point.require(!board.makesRoom || isFragment, "no COUNT of " + Counter.RADIO_EXPIRED + " before, as no "
+                + "fragment came " + (int) FORGOTTEN_SECONDS + " s before");
+        double ago = FORGOTTEN_SECONDS * header.second(point.board());
+        double error = PhysicalLimits.MILLIS_STEP_SECONDS;
+        board.fragments.removeIf(fragment -> fragment.seconds() + ago + error < point.runBefore());
+        board.makesRoom = counter.equals(Optional.of(Counter.RADIO_EXPIRED))
+                && board.fragments.stream().noneMatch(fragment -> fragment.run() + ago - error <= point.seconds());
+        if (point.is("FRAGMENT")) {
+            board.fragments.add(point);
+        }
     }
 
     /** Whether its counter is before it: not of what was not taken up for want of a key, nor of what is sent first. */

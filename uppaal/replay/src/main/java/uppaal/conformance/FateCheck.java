@@ -19,7 +19,7 @@ final class FateCheck implements Check {
     private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
             "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
     /** Those of which each packet has one at most, and no counter but behind a fragment. */
-    private static final Set<String> READ =
+    static final Set<String> READ =
             Set.of("QUEUED", "FRAGMENT", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
     /** Counted beside another fate, or of a host. */
     private static final Set<Counter> BESIDE = Set.of(Counter.RADIO_ANSWERS_TOLERATED, Counter.MEMORY_DAMAGED);
@@ -47,8 +47,8 @@ final class FateCheck implements Check {
         private boolean isOpen;
         /** Packets that it has counted as blocked since then; of one the host may be told later that it is blocked. */
         private int blocked;
-        /** The messages of which fragments have come to it, and one more where it may have been any. */
-        final Set<String> begun = new HashSet<>();
+        /** When a fragment of each message came to it last, and one that may have been any's. */
+        final Map<String, Double> begun = new HashMap<>();
         boolean isRunning;
         /** Whether it counts packets: not where a sketch is a bare relay. */
         boolean isCounting;
@@ -87,6 +87,12 @@ final class FateCheck implements Check {
                 assembled.add(message(waits.payload()));
             }
             waits = null;
+        }
+
+        /** Whether nothing else is in its memory: another message in fragments is forgotten a second before this. */
+        private boolean hasRoom(Payload fragment, double now) {
+            begun.values().removeIf(came -> came < now - CountCheck.FORGOTTEN_SECONDS - 1);
+            return inbox.isEmpty() && Set.of(message(fragment)).containsAll(begun.keySet());
         }
 
         private static String message(Payload fragment) {
@@ -212,7 +218,7 @@ final class FateCheck implements Check {
             case "radioReplayed" ->
                 isAnswer || isNews(receiver, packet) ? "a packet that has come to it before" : "";
             case "radioFragmentsDropped" -> !payload.isFragment() || header.isLarge(receiver.board) && isGenuine(packet)
-                    && receiver.begun.size() == 1 ? "that it has no room" : "";
+                    && receiver.hasRoom(payload, point.seconds()) ? "that it has no room" : "";
             default -> isAnswer ? "a message" : "";
         };
     }
@@ -272,8 +278,8 @@ final class FateCheck implements Check {
         if (receiver.isRunning) {
             remember(event, sent);
             if (sent.isEmpty() || sent.get().payload().isFragment()) {
-                receiver.begun.add(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
-                        .orElse(""));
+                receiver.begun.put(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
+                        .orElse(""), event.seconds());
             }
             // It keeps few: the first of two it may have had no place for.
             receiver.waits =

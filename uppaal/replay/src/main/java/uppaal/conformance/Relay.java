@@ -5,10 +5,14 @@ import static uppaal.conformance.RefusedException.require;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
+import javino.protocol.Counter;
 import javino.protocol.Crc16;
 import javino.protocol.Payload;
 import trace.TraceEvent;
@@ -44,6 +48,10 @@ final class Relay {
     private Point before;
     /** When its last packet ended. */
     private double sentUntil;
+    /** What has come last, if that is undamaged and the trace tells when. */
+    private Transmission intact;
+    /** The numbers of origins of which it has surely read a packet. */
+    private final Set<Integer> read = new HashSet<>();
     /** The packets that it has copied and that are not yet on the air. */
     private final Deque<Payload> copies = new ArrayDeque<>();
 
@@ -56,10 +64,11 @@ final class Relay {
         air = new BoardAir(header, on.board());
         Interval full = new Interval(air.isTimed() ? MOST_CREDIT : 0, MOST_CREDIT);
         credits = new HashMap<>(Map.of(true, full, false, full));
-        heard.stream().limit(1).forEach(this::heard); // it may wait to be read
+        heard.stream().limit(1).forEach(packet -> heard(packet, false)); // it may wait to be read
     }
 
     void point(Point point) throws RefusedException {
+        read(point);
         if (point.is("COUNT")) {
             return;
         }
@@ -82,6 +91,23 @@ final class Relay {
         before = point;
         if (air.changes(point)) {
             places.values().forEach(each -> each.air(point));
+        }
+    }
+
+    /** It looks at a packet as a relay before it tells what it is. */
+    private void read(Point point) throws RefusedException {
+        double error = PhysicalLimits.ARRIVAL_BITS * bit;
+        boolean isForOthers = point.counter().equals(Optional.of(Counter.RADIO_NOT_FOR_US));
+        if (intact == null || !isForOthers && !FateCheck.READ.contains(point.name())
+                || point.gap() > intact.seconds() / 2
+                || Math.abs(point.run() - point.gap() / 2 - intact.end()) > point.gap() / 2 + error) {
+            return; // perhaps another one
+        }
+        read.add(number(intact.payload().origin()));
+        for (int place : places.keySet()) {
+            RelayedPacket packet = places.get(place);
+            point.require(!isForOthers || packet.answer != null || !packet.isAnsweredWholeBy(intact.payload()),
+                    "RELAY_ANSWERED of place " + place + " before");
         }
     }
 
@@ -160,7 +186,8 @@ final class Relay {
     }
 
     /** A packet has come, perhaps damaged, and tells how far its origin may be. */
-    void heard(Transmission packet) {
+    void heard(Transmission packet, boolean isIntact) {
+        intact = isIntact && !packet.isOfModule() ? packet : null;
         String origin = packet.payload().origin();
         if (!origin.isEmpty() && !origin.equals(id)) {
             hops.merge(number(origin), 1 << packet.hops(), (some, more) -> some | more);
@@ -196,6 +223,9 @@ final class Relay {
         if (isEarly) {
             place.told = before.operand("distance");
             checkKnown(point.board(), place.packet, place.told);
+            boolean isKnown = read.contains(number(place.packet.destination())) && scores.size() < ADDRESSES;
+            require(place.told != 0 || !isKnown, point.board() + " tells no distance of "
+                    + place.packet.destination(), "one, as it has read a packet from there");
             boolean isNearer = place.told != 0 && (place.told + 1 - packet.told()) % TraceEvent.HOPS == 0;
             place.instance.set("away", packet.told() == 0 || isNearer ? 0 : 1);
         }
@@ -252,8 +282,7 @@ final class Relay {
 
     private void answered(Point point, RelayedPacket place) throws RefusedException {
         place.answer = came(point, place::isAnswer);
-        int length = place.answer.payload().message().length();
-        point.require(length == Payload.TAG_LENGTH || length == 2 * Payload.TAG_LENGTH, "a whole message's answer");
+        point.require(place.isAnsweredWholeBy(place.answer.payload()), "a whole message's answer");
         boolean isDirect = place.answer.told() == 0;
         boolean isCopied = place.instance.get("copied") == 1;
         int doubt = point.operand("doubt");

@@ -72,17 +72,17 @@ final class RelayCheck implements Check {
         } else if (event.is("host-id")) {
             ids.put(event.board(), event.text("id"));
         } else if (event.is("rf-rx") || event.is("rf-damaged")) {
-            air.sent(event).ifPresent(packet -> hears(event.board(), packet));
+            air.sent(event).ifPresent(packet -> hears(event.board(), packet, event.is("rf-rx")));
         }
     }
 
-    private void hears(String board, Transmission packet) {
+    private void hears(String board, Transmission packet, boolean isIntact) {
         heard(board).addFirst(packet);
         if (heard(board).size() > KEPT) {
             heard(board).removeLast();
         }
         if (relays.containsKey(board)) {
-            relays.get(board).heard(packet);
+            relays.get(board).heard(packet, isIntact);
         }
     }
 }

@@ -87,6 +87,12 @@ final class RelayedPacket {
                 && packet.lastBits() == heard.answered();
     }
 
+    /** Not about some of its fragments. */
+    boolean isAnsweredWholeBy(Payload heard) {
+        int length = heard.message().length();
+        return isAnswer(heard) && (length == Payload.TAG_LENGTH || length == 2 * Payload.TAG_LENGTH);
+    }
+
     void expect(Point point, String location) throws RefusedException {
         point.require(instance.isAt(location), location + ", not " + instance.location());
     }

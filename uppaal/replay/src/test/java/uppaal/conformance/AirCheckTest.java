@@ -58,6 +58,12 @@ class AirCheckTest {
             "by its sender         | " + HEARD + "1.0002 a UNICAST; 1.0002 a~a UNICAST "
                     + "| ; expected one that another board sent",
             "no carrier declared   | 0.9 QUIET; " + SEND + "1.0002 a>b UNICAST | b declares no carrier",
+            "no quiet declared     | 1 MEMORY kept=0; 12 a QUIET "
+                    + "| b has declared nothing since 1.000000 s; expected QUIET",
+            "quiet, then nothing   | 1 MEMORY kept=0; 2 QUIET; 30 a QUIET | accepted",
+            "busy by a long jam    | 1 MEMORY kept=0; 2 - fault do=jam until=12; 13 a QUIET; 14 QUIET | accepted",
+            "without power         | 1 MEMORY kept=0; 2 b fault do=power-cut until=20; 19 a QUIET | accepted",
+            "without a radio       | 1 EPOCH_STORED low=1; 12 a QUIET | accepted",
             "sent into             | 0.9 QUIET; " + SEND + "1.05 SEND pending=1; 1.0002 a>b UNICAST "
                     + "| b has sent at 1.050000 s into",
             "carrier in silence    | 5.9 QUIET; 6 BUSY | ; expected silence",

@@ -58,6 +58,10 @@ class FateCheckTest {
                     + "2 QUIET | expected that it has no",
             "room for one       | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 1 a>b FIRST; 1.1625 " + DROPPED
                     + "2 QUIET | accepted",
+            "room again         | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 8 a>b FIRST; 8.1625 " + DROPPED
+                    + "9 QUIET | expected that it has no room",
+            "room for messages  | 0.7 a host-id id=SUPO; " + HEARD + "1.2405 " + QUEUED + "8 a>b FIRST; 8.1625 "
+                    + DROPPED + "9 QUIET | accepted",
             "a small board      | 0.65 c host-id id=SUPP epoch=000001; 0.66 c QUIET; 0.7 a host-id id=SUPO; "
                     + "1 a>c FIRST; 1.1625 c " + DROPPED + "2 c QUIET | accepted",
             "never came         | " + FIRST_BOOT + HEARD + "1.2405 " + REPLAYED

@@ -45,6 +45,10 @@ class RelayCheckTest {
             "no distance            | " + COMES + NEW + "| ; expected RELAY_DISTANCE before",
             "nothing knows distance | " + FAR + COMES + KNOWN
                     + "| b tells the distance 1 of SUPO; expected one more than the hops",
+            "distance read          | " + NEAR + "0.751 COUNT counter=10; " + COMES + UNKNOWN
+                    + "| b tells no distance of SUPO; expected one, as it has read",
+            "distance perhaps read  | " + NEAR + "0.8 COUNT counter=10; " + COMES + UNKNOWN
+                    + "1.25 RELAY_DRAW slots=3 | accepted",
             "distance known         | " + NEAR + COMES + KNOWN + "1.25 RELAY_DRAW slots=15; 1.435 RELAY_COPY path=9; "
                     + "1.4352 b UNICAST hops=1 distance=1 | accepted",
             "nearer than told       | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + KNOWN
@@ -72,6 +76,10 @@ class RelayCheckTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "copied twice in doubt | " + COPIED + "1.976 RELAY_COPY path=1 | is Known; expected ",
+            "told to be for others | " + COPIED + "1.776 c>b ACK; 1.927 COUNT counter=10 "
+                    + "| b declares COUNT; expected RELAY_ANSWERED of place 7 before",
+            "told as a relay, too  | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=2; 1.926 COUNT counter=10 "
+                    + "| accepted",
             "soon acknowledged     | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=2 | accepted",
             "other score           | " + COPIED + "1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 "
                     + "| b declares RELAY_ANSWERED",
