@@ -16,6 +16,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import javino.JavinoException;
@@ -51,7 +52,11 @@ class BoardTest extends BoardFixture {
     }
 
     private void openAndAwaitOnline() throws InterruptedException {
-        open();
+        openAndAwaitOnline(config -> {});
+    }
+
+    private void openAndAwaitOnline(Consumer<BoardConfig.Builder> settings) throws InterruptedException {
+        open(listener, settings);
         listener.until("online");
     }
 
@@ -556,8 +561,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void port_unplugged_pendingFailAndBoardIsFoundAgain() throws Exception {
-        open(listener, config -> config.setAttempts(PATIENT));
-        listener.until("online");
+        openAndAwaitOnline(config -> config.setAttempts(PATIENT));
         CompletableFuture<Void> underWay = actUnderWay("one");
         CompletableFuture<Void> waiting = board.act("two");
         port.unplug();
@@ -826,8 +830,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void close_requestsWaiting_fail() throws Exception {
-        open(listener, config -> config.setAttempts(PATIENT));
-        listener.until("online");
+        openAndAwaitOnline(config -> config.setAttempts(PATIENT));
         CompletableFuture<Void> underWay = actUnderWay("one");
         CompletableFuture<Void> waiting = board.act("two");
         board.close();

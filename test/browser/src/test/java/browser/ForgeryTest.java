@@ -96,17 +96,8 @@ class ForgeryTest {
     /** Forges until another packet has that verdict, and tells how often: it may meet another one on the air. */
     private static int until(Page page, String verdict, Runnable forgery) {
         List<String> before = packets(page);
-        long[] next = {0};
-        int[] times = {0};
-        page.await(verdict, driver -> {
-            if (System.currentTimeMillis() >= next[0]) {
-                forgery.run();
-                times[0]++;
-                next[0] = System.currentTimeMillis() + AGAIN_MILLIS;
-            }
-            return !packets(page).equals(before) && page.await(VERDICT).getText().contains(verdict);
-        });
-        return times[0];
+        return page.repeat(verdict, AGAIN_MILLIS, forgery,
+                () -> !packets(page).equals(before) && page.await(VERDICT).getText().contains(verdict));
     }
 
     /** The number of the packet that is spoken of. */

@@ -270,14 +270,10 @@ class LivePageTest {
 
     /** The packet may meet another one on the air. */
     private static void clickUntil(Page page, String id, String result) {
-        long[] next = {0};
-        page.await(result, driver -> {
-            if (System.currentTimeMillis() >= next[0] && driver.findElement(By.id(id)).isEnabled()) {
-                click(page, id);
-                next[0] = System.currentTimeMillis() + PATIENCE_MILLIS / 4;
-            }
-            return driver.findElement(By.id("injector-result")).getText().contains(result);
-        });
+        page.repeat(result, PATIENCE_MILLIS / 4, () -> {
+            page.await(id + " that can be pressed", driver -> driver.findElement(By.id(id)).isEnabled());
+            click(page, id);
+        }, () -> page.driver().findElement(By.id("injector-result")).getText().contains(result));
     }
 
     static void choose(Page page, String value) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.openqa.selenium.By;
@@ -99,6 +100,21 @@ final class Page implements AutoCloseable {
     /** Waits until one of these elements has this text in it. */
     void awaitText(String css, String text) {
         await(css + " with " + text, page -> all(css).stream().anyMatch(element -> element.getText().contains(text)));
+    }
+
+    /** Does something, and again each time that so many milliseconds have passed, until it is shown; how often. */
+    int repeat(String what, long everyMillis, Runnable action, BooleanSupplier isShown) {
+        long[] next = {0};
+        int[] times = {0};
+        await(what, page -> {
+            if (System.currentTimeMillis() >= next[0]) {
+                action.run();
+                times[0]++;
+                next[0] = System.currentTimeMillis() + everyMillis;
+            }
+            return isShown.getAsBoolean();
+        });
+        return times[0];
     }
 
     /** Waits for as many elements at least. */
