@@ -87,10 +87,14 @@ final class Peer {
 
     // Handshakes
 
-    /** Begins a handshake, unless one is under way. */
+    /** Begins a renewal, or where that cannot be a handshake, unless one is under way. */
     void meet(long now) {
+        meet(renewable(), now);
+    }
+
+    private void meet(Optional<Secret> from, long now) {
         if (handshakes.begun().isEmpty() && session != Session.SETTING) {
-            handshakes.begin(renewable(), now);
+            handshakes.begin(from, now);
         }
     }
 
@@ -137,8 +141,8 @@ final class Peer {
 
     private void failed(Handshakes.Left left, long now) {
         if (left.run().isInitiator() && left.run().round == Round.RENEWAL) {
-            kept = null;
-            meet(now);
+            // Nothing is proved by that, so what is kept stays.
+            meet(Optional.empty(), now);
             return;
         }
         context.count(left.run().isInitiator() ? Event.FAILED : Event.EXPIRED);
@@ -258,7 +262,6 @@ final class Peer {
                 return Session.Deed.AGAIN;
             }
             handshakes.drop();
-            kept = null;
         }
         return step(how);
     }

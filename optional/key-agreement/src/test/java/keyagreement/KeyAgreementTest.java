@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.stream.LongStream;
 import javino.JavinoException;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
@@ -186,6 +187,39 @@ class KeyAgreementTest {
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         assertEquals(1, count(roma, Event.RENEWALS_BEGUN));
         assertEquals(2, count(roma, Event.BEGUN));
+    }
+
+    /** Anybody can say that a device has nothing to renew from, be silent in its place, or drown its acknowledgements. */
+    @ParameterizedTest
+    @ValueSource(strings = {"a forged WANT", "silence", "no acknowledgement"})
+    void renewal_cameToNothingWithoutAProof_theSecretIsKept(String why) {
+        CertifiedHost roma = simulation.add(romaIdentity);
+        CertifiedHost supo = simulation.add(supoIdentity);
+        assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
+        simulation.run(MINUTE);
+        if (why.equals("no acknowledgement")) {
+            simulation.contact = false;
+            assertEquals(Optional.of(Ending.UNDELIVERED), end(roma, supo));
+        } else {
+            roma.board.reset();
+            simulation.run(MINUTE);
+            simulation.contact = false;
+        }
+        Simulation.Letter lost = roma.send(supo.address);
+        while (lost.end.isEmpty()) {
+            simulation.run(100);
+            if (why.equals("a forged WANT")) {
+                roma.within(() -> roma.agreement.received(supo.address, new HostMessage(HostMessage.Kind.WANT,
+                        roma.address, Bytes.of(HostMessage.Kind.MESSAGE_1.first(), 0)), simulation.millis()));
+            }
+        }
+        long renewals = count(roma, Event.RENEWALS_BEGUN);
+        long handshakes = count(roma, Event.BEGUN);
+        simulation.contact = true;
+
+        assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
+        assertEquals(renewals + 1, count(roma, Event.RENEWALS_BEGUN));
+        assertEquals(handshakes, count(roma, Event.BEGUN), "no certificate was needed");
     }
 
     @Test
