@@ -21,6 +21,18 @@ import javino.protocol.Performative;
 /**
  * Who may do what: the one place that decides about acts that come from outside an agent. It is a table; what is in no
  * row is refused. SECURITY.md has the same table, and says what its words mean.
+ *
+ * <p>Four decisions are in no row, as others than the receiving agent have made them before the act comes:
+ * <ul>
+ * <li>Who gives a group its key. All certified devices have the same rights here; the authority names the one that
+ * gives it, by a flag of the certificate. The host refuses the key from any other.</li>
+ * <li>Whose revocation list counts. It is the authority's word, which its signature proves, whoever hands it on; and a
+ * sender without rights must be able to take rights from a device that is revoked.</li>
+ * <li>What a newcomer becomes. The offer says it by its protocol, and the plan that admits the offer has seen it; a row
+ * that said another thing would let an agent in that its plan has not admitted.</li>
+ * <li>Which guests may go. The rows say how and where to, by the guest's home. Only the record by which it came tells
+ * that home: so a guest without one stays, and none moves another agent, of which that record tells nothing.</li>
+ * </ul>
  */
 public final class Policy {
 
