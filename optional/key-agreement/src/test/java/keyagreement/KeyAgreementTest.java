@@ -189,7 +189,7 @@ class KeyAgreementTest {
         assertEquals(2, count(roma, Event.BEGUN));
     }
 
-    /** Anybody can say that a device has nothing to renew from, be silent in its place, or drown its acknowledgements. */
+    /** Anybody can say that a device has nothing to renew from, silence it, or drown its acknowledgements. */
     @ParameterizedTest
     @ValueSource(strings = {"a forged WANT", "silence", "no acknowledgement"})
     void renewal_cameToNothingWithoutAProof_theSecretIsKept(String why) {

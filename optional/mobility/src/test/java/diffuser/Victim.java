@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.regex.MatchResult;
@@ -225,10 +226,16 @@ final class Victim implements AutoCloseable {
 
     /** A message by radio. @param asked the question that it answers; null if it is no answer. */
     void radio(String from, Address to, TrustLevel peer, String performative, String asked, String term) {
+        radio(UnaryOperator.identity(), from, to, peer, performative, asked, term);
+    }
+
+    /** The same. @param air what a message becomes on its way. */
+    void radio(UnaryOperator<ReceivedMessage> air, String from, Address to, TrustLevel peer, String performative,
+            String asked, String term) {
         String conversation = asked == null ? performative.startsWith("ask") ? "#AbC" : ""
                 : "#" + conversations.getOrDefault(asked, new Conversation(1));
-        diffuser.inbox().put(new ReceivedMessage(Address.parse(from), to, 0,
-                Content.parse(performative + conversation + ";" + term)), peer, NAME);
+        diffuser.inbox().put(air.apply(new ReceivedMessage(Address.parse(from), to, 0,
+                Content.parse(performative + conversation + ";" + term))), peer, NAME);
     }
 
     /** A message of the guest. */
