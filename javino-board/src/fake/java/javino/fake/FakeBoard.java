@@ -85,6 +85,9 @@ public final class FakeBoard {
         }
         if (command == 'P') {
             prepare(new Poll(message));
+            if ("poll".equals(stallsAt)) {
+                line.stall();
+            }
             return null;
         }
         if (!capabilities.contains(Capability.RADIO) && (!isCommand || RADIOS.indexOf(command) >= 0)) {
@@ -302,7 +305,7 @@ public final class FakeBoard {
         swallows = request;
     }
 
-    /** Stalls at each request that begins so, until {@link #resume}. */
+    /** Stalls at each request that begins so, or at each {@code poll}, until {@link #resume}. */
     public void stallAt(String beginning) {
         stallsAt = beginning;
     }

@@ -43,6 +43,8 @@ public final class FakePort implements LinkOpener {
     private int baud;
     private final Set<Link> openLinks = new HashSet<>();
     private int mostOpen;
+    private int opens;
+    private volatile Duration byteTime = Duration.ZERO;
 
     FakePort(String name, int baud, Device device) {
         this.name = name;
@@ -68,6 +70,8 @@ public final class FakePort implements LinkOpener {
         line = pair.board();
         Link link = new HostLink(pair);
         openLinks.add(link);
+        opens++;
+        notifyAll();
         return link;
     }
 
@@ -100,6 +104,11 @@ public final class FakePort implements LinkOpener {
         @Override
         public void wake() {
             pair.host().wake();
+        }
+
+        @Override
+        public Duration timeFor(int bytes) {
+            return byteTime.multipliedBy(bytes);
         }
 
         @Override
@@ -153,6 +162,11 @@ public final class FakePort implements LinkOpener {
         baud = speed;
     }
 
+    /** Has hosts believe that the line takes so long over a byte. */
+    public void setByteTime(Duration time) {
+        byteTime = time;
+    }
+
     /** Keeps hosts from closing the port, or lets them again. */
     public synchronized void blockClosing(boolean blocked) {
         mayClose.countDown();
@@ -174,6 +188,14 @@ public final class FakePort implements LinkOpener {
 
     public synchronized boolean isOpen() {
         return !openLinks.isEmpty();
+    }
+
+    /** Waits until the port was opened so often; returns how often it was. */
+    public synchronized int awaitOpens(int least) throws InterruptedException {
+        while (opens < least) {
+            wait();
+        }
+        return opens;
     }
 
     /** The most hosts that had the port open, or tried to open it, at the same time. */

@@ -246,6 +246,14 @@ public final class PacketLine implements FakePort.Device {
     /** Does nothing more before {@link #resume}. */
     synchronized void stall() {
         stalled = true;
+        notifyAll();
+    }
+
+    /** Waits until the board stalls. */
+    public synchronized void awaitStalled() throws InterruptedException {
+        while (!stalled) {
+            wait();
+        }
     }
 
     /** Sends the replies that were stalled, and receives what came since. */

@@ -8,17 +8,17 @@ import javino.protocol.Request;
  * The settings of a session. All times are positive.
  *
  * @param hold           how long the board may hold its reply to a poll while it has nothing to tell, at most
- *                       65 535 ms; 2 s by default. A board that hangs is noticed so much later; not
- *                       one that was reset.
+ *                       65 535 ms; 2 s by default.
  * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more if
  *                       the board writes to its EEPROM (SPEC 4.2).
- * @param attempts       how many times a request is sent before the board counts as offline, at least 1; 15 by default:
- *                       a board that hangs is noticed 3 s late, and a busy machine may take a second over a reply.
- * @param actionTime     how long a board that has taken a request may take to reply: the sketch's function of an action
- *                       or of percepts may take its time; 10 s by default (SPEC 4.2). A board that hangs meanwhile is
- *                       noticed so much later.
+ * @param attempts       how many times a request is sent before the board counts as lost, at least 1; 15 by default,
+ *                       which takes 3 s: a busy machine may take a second over a reply.
+ * @param actionTime     how long a board may take to reply to a request that it has taken, and to take a poll: the
+ *                       sketch's function of an action or of percepts may take its time; 10 s by default (SPEC 4.2). A
+ *                       board that hangs in one is lost after this time and that of all attempts.
  * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.
- * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.
+ * @param reopenInterval from one attempt to open the link to the next; 200 ms by default. After a board was silent the
+ *                       link is opened anew after twice as long each time, up to a minute.
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
  * @param queueCapacity  how many requests may wait, at least 1; 512 by default.

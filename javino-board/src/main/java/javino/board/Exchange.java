@@ -42,10 +42,14 @@ final class Exchange {
     private int sequence;
     /** The sequence bytes of polls that were left, and whose replies are still to come; the oldest first. */
     private final Deque<Integer> left = new ArrayDeque<>();
+    /** Whether the board had taken the last of them. */
+    private boolean leftTaken;
     private Consumer<Frame> lateReplies = reply -> {};
     private boolean replyLost;
     private boolean saysTaken;
     private boolean overdue;
+    /** When the board counts as lost, whatever of the last request's attempts is left. */
+    private Deadline bound;
     private boolean warned;
 
     /** @param firstSequence that of the first request, 0…255. */
@@ -85,6 +89,9 @@ final class Exchange {
             saysTaken = false;
         }
         overdue = false;
+        Duration actionTime = context.config().actionTime();
+        Duration rest = rest(request.hold().plus(timeout));
+        bound = Deadline.in(actionTime.compareTo(rest) < 0 ? rest : actionTime);
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new SerialPacket(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
@@ -97,13 +104,21 @@ final class Exchange {
             // Every other time, as to a sketch that runs it is damage.
             boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1;
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
-            attempts++;
-            Optional<SerialPacket> reply = new Attempt(request, timeout, bytes).await(leaves);
+            // A board that still performs a poll that was left can take no other request.
+            attempts = left.isEmpty() ? attempts + 1 : 1;
+            Optional<SerialPacket> reply =
+                    new Attempt(request, timeout.plus(link.timeFor(bytes.length)), bytes).await(leaves);
             if (reply.isPresent()) {
                 return Optional.of(Reply.decode(reply.get().frame()));
             }
-        } while (!hasLeft() && again.test(attempts));
+        } while (!hasLeft() && !bound.passed() && again.test(attempts));
         return Optional.empty();
+    }
+
+    /** How long a request that is overdue is repeated: as long as one that was not taken, but one attempt at least. */
+    private Duration rest(Duration attempt) {
+        Duration all = context.config().replyTimeout().multipliedBy(context.config().attempts());
+        return all.compareTo(attempt) < 0 ? attempt : all;
     }
 
     /** Whether the last request is a poll that was left. */
@@ -111,9 +126,16 @@ final class Exchange {
         return !left.isEmpty() && left.getLast() == sequence;
     }
 
-    /** Whether the board has taken the last request, and not answered it in the time for an action. */
-    boolean isOverdue() {
-        return overdue;
+    /**
+     * How long the board has not answered a request that it has taken: the last one, or a poll that was left before it;
+     * zero if that is not why the last one has no reply.
+     */
+    Duration overdue() {
+        Duration actionTime = context.config().actionTime();
+        if (overdue) {
+            return actionTime.plus(rest(Duration.ZERO));
+        }
+        return left.isEmpty() || !leftTaken ? Duration.ZERO : actionTime;
     }
 
     /** Whether the reply to the last request has begun to come, and seems to be a reading. */
@@ -152,7 +174,7 @@ final class Exchange {
             this.bytes = bytes;
             // An action has its time once.
             saysTakenNow = saysTaken && !overdue;
-            usual = Deadline.in(hold.plus(timeout));
+            usual = Deadline.in(hold.plus(timeout)).orBefore(bound);
             end = usual;
             deadline = usual;
         }
@@ -161,6 +183,7 @@ final class Exchange {
             while (!deadline.passed()) {
                 if (!hold.isZero() && leaves.getAsBoolean()) {
                     left.add(sequence);
+                    leftTaken = taken;
                     return Optional.empty();
                 }
                 int count = link.read(buffer, Duration.ofNanos(Math.max(1, deadline.nanosLeft())));
@@ -241,10 +264,13 @@ final class Exchange {
 
         /** Unless it is that of a poll that was left: the board replies in order, but perhaps damaged. */
         private void zeroCame() {
-            if (saysTakenNow && !taken && (left.isEmpty() || damaged && hold.isZero())) {
+            if (!taken && (left.isEmpty() || damaged && hold.isZero())) {
                 taken = true;
                 end = Deadline.in(hold.plus(context.config().actionTime()));
+                bound = Deadline.in(context.config().actionTime().plus(rest(hold.plus(timeout))));
                 deadline = end;
+            } else {
+                leftTaken |= !left.isEmpty();
             }
         }
     }

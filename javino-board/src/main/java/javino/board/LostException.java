@@ -1,7 +1,7 @@
 package javino.board;
 
 /** The board was greeted, and is lost again; the link may still be good. */
-final class LostException extends Exception {
+class LostException extends Exception {
 
     private static final long serialVersionUID = 1L;
 

@@ -218,10 +218,10 @@ final class Service {
             throw new LostException(context.name() + ": the session was closed");
         }
         context.counters().count(SessionCounter.SILENCES);
-        throw new LostException(context.name() + (exchange.isOverdue()
-                ? ": the board has taken a request and not answered it in " + context.config().actionTime().toSeconds()
-                        + " s; the sketch's functions of actions and percepts must return at once"
-                : ": the board left a request unanswered"));
+        Duration overdue = exchange.overdue();
+        throw new SilenceException(context.name() + (overdue.isZero() ? ": the board left a request unanswered"
+                : ": the board has taken a request and not answered it in " + overdue.toSeconds()
+                        + " s; the sketch's functions of actions and percepts must return at once"));
     }
 
     /** Whether there is more to ask; also while a long reading comes, so that the next one may follow it at once. */

@@ -1,6 +1,7 @@
 package javino.board;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Objects;
 import java.util.Optional;
@@ -29,6 +30,8 @@ final class Session implements Runnable {
     private final LostState lost;
     private String offlineWhy;
     private Deadline patience;
+    private final ReopenPause reopenPause;
+    private long greetedAt = System.nanoTime();
     /** When nobody waits any longer for what a lost board was transmitting; null while it is there. */
     private Deadline abandoning;
 
@@ -37,6 +40,7 @@ final class Session implements Runnable {
         this.context = context;
         this.polling = new Polling(context);
         this.lost = new LostState(context.config().epochNotes());
+        reopenPause = new ReopenPause(context.config().reopenInterval());
     }
 
     BoardState state() {
@@ -89,16 +93,29 @@ final class Session implements Runnable {
             use(link);
         } catch (LinkException e) {
             goOffline(e.getMessage());
-            failExpired();
-            context.queue().pause(context.config().reopenInterval());
+            pause(context.config().reopenInterval());
+        } catch (SilenceException e) {
+            goOffline(e.getMessage());
+            pause(reopenPause.after(Duration.ofNanos(System.nanoTime() - greetedAt)));
         }
     }
 
-    private void use(Link link) throws LinkException {
+    private void pause(Duration duration) {
+        Deadline end = Deadline.in(duration);
+        Duration step = context.config().reopenInterval();
+        do {
+            failExpired();
+            context.queue().pause(step.toNanos() < end.nanosLeft() ? step : Duration.ofNanos(end.nanosLeft()));
+        } while (!end.passed() && !context.queue().isClosed());
+    }
+
+    private void use(Link link) throws LinkException, SilenceException {
         Greeting greeting = new Greeting(link, context, this::keepGreeting);
         while (!context.queue().isClosed()) {
             try {
                 greet(greeting);
+            } catch (SilenceException e) {
+                throw e;
             } catch (LostException e) {
                 goOffline(e.getMessage());
             } catch (LinkException e) {
@@ -191,6 +208,7 @@ final class Session implements Runnable {
             return false;
         }
         context.counters().count(SessionCounter.GREETINGS);
+        greetedAt = System.nanoTime();
         info = board;
         polling.greeted(board);
         return true;

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import javino.protocol.Bytes;
 import javino.protocol.Capability;
@@ -62,6 +63,86 @@ class TakenRequestTest extends BoardFixture {
         assertEquals(List.of("act wait"), List.copyOf(fake.requests));
         fake.resume();
         listener.until("online");
+    }
+
+    /** How often the poll was repeated before the board counted as lost. */
+    private long repeatsOfALostPoll(Consumer<BoardConfig.Builder> settings, Runnable hanging) throws Exception {
+        CompletableFuture<Long> repeats = new CompletableFuture<>();
+        CompletableFuture<Void> hangs = new CompletableFuture<>();
+        AtomicLong before = new AtomicLong();
+        open(new BoardListener() {
+            @Override
+            public void offline(String why) {
+                hangs.join();
+                repeats.complete(board.counters().get(SessionCounter.REPEATS) - before.get());
+            }
+        }, settings.andThen(config -> config.setReplyTimeout(Duration.ofMillis(1)).setAttempts(15)
+                .setHold(Duration.ofSeconds(1))));
+        fake.line.awaitHeld();
+        before.set(board.counters().get(SessionCounter.REPEATS));
+        hanging.run();
+        hangs.complete(null);
+        return repeats.get();
+    }
+
+    @Test
+    void poll_boardHangsInIt_isRepeatedForAShortTimeOnly() throws Exception {
+        long repeats = repeatsOfALostPoll(config -> config.setActionTime(Duration.ofMillis(1)),
+                () -> fake.line.setSilent(true));
+        assertTrue(repeats <= 2, "repeated " + repeats + " times");
+    }
+
+    @Test
+    void poll_notTaken_isRepeatedForTheTimeOfAnActionOnly() throws Exception {
+        long repeats = repeatsOfALostPoll(config -> config.setActionTime(Duration.ofSeconds(2)),
+                () -> fake.line.setLoses(message -> message.at(0) == 'P'));
+        assertTrue(repeats <= 4, "repeated " + repeats + " times");
+    }
+
+    @Test
+    void act_boardHangs_portIsOpenedAnew() throws Exception {
+        openAndAwaitOnline(config -> config.setActionTime(Duration.ofMillis(50)));
+        fake.line.setSilent(true);
+        CompletableFuture<Void> action = board.act("wait");
+        fake.port.awaitOpens(2);
+        failure(OutcomeUnknownException.class, action);
+        fake.line.setSilent(false);
+        listener.until("online");
+        board.act("go").get();
+    }
+
+    @Test
+    void board_wasReset_portStaysOpen() throws Exception {
+        openAndAwaitOnline(config -> {});
+        fake.reset();
+        listener.until("online");
+        board.act("go").get();
+        assertEquals(1, fake.port.awaitOpens(1));
+    }
+
+    @Test
+    void act_perceptsTakeTheirTime_waitsForThem() throws Exception {
+        openAndAwaitOnline(config -> config.setAttempts(2).setActionTime(HOUR));
+        fake.stallAt("poll");
+        fake.line.awaitStalled();
+        CompletableFuture<Void> action = board.act("go");
+        // Longer than all attempts.
+        Thread.sleep(200);
+        assertFalse(action.isDone());
+        fake.resume();
+        action.get();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
+        assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
+    }
+
+    @Test
+    void act_boardHangsInItsPercepts_saysThatTheyMustReturn() throws Exception {
+        openAndAwaitOnline(config -> {});
+        fake.stallAt("poll");
+        fake.line.awaitStalled();
+        assertEquals("fake: the board has taken a request and not answered it in 1 s; the sketch's functions of "
+                + "actions and percepts must return at once; it is not known whether act go was performed",
+                failure(OutcomeUnknownException.class, board.act("go")).getMessage());
     }
 
     @Test

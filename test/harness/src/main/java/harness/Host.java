@@ -81,8 +81,8 @@ public final class Host implements AutoCloseable {
         return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
     }
 
-    /** On a bad line, where a damaged word of the board may make the time of an action pass in vain. */
-    public static Host onBadLine(LinkOpener link) {
+    /** For boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */
+    public static Host atUsualTimes(LinkOpener link) {
         return new Host(link, BoardConfig.create(config -> config.setPatience(LONGEST)));
     }
 

@@ -41,7 +41,8 @@ class SerialDamageTest {
     void requests_completeOrFailClearlyAndNoneIsPerformedTwice() throws Exception {
         try (SketchBoard board = start(folder)) {
             List<String> failures = new ArrayList<>();
-            try (Host host = Host.onBadLine(DamagedLink.opener(SerialLink.opener(board.port()), 4711, DAMAGED_BYTES))) {
+            try (Host host =
+                    Host.atUsualTimes(DamagedLink.opener(SerialLink.opener(board.port()), 4711, DAMAGED_BYTES))) {
                 host.board.percepts(true);
                 for (int number = 1; number <= ACTIONS; number++) {
                     note(host, number, failures);
