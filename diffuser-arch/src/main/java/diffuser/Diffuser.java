@@ -134,7 +134,7 @@ public class Diffuser extends AgArch {
      *         since a board may come later. An agent that was stopped opens none.
      */
     public CompletableFuture<Void> openPort(String port) {
-        PlainLines.everywhere();
+        PlainLines.of(getAgName());
         if (!Charset.defaultCharset().equals(StandardCharsets.UTF_8)) {
             warnings.once("Java reads programs as " + Charset.defaultCharset() + " here, and letters beyond ASCII go"
                     + " wrong; start it with -Dfile.encoding=UTF-8");

@@ -14,6 +14,8 @@ import java.util.logging.StreamHandler;
 import java.util.logging.XMLFormatter;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PlainLinesTest {
 
@@ -28,8 +30,8 @@ class PlainLinesTest {
         Logger root = Logger.getLogger("");
         root.addHandler(handler);
         try {
-            PlainLines.everywhere();
-            PlainLines.everywhere();
+            PlainLines.of("robot");
+            PlainLines.of("robot");
             handler.publish(line);
             handler.close();
         } finally {
@@ -40,7 +42,8 @@ class PlainLinesTest {
 
     private static LogRecord line(String message) {
         LogRecord line = new LogRecord(Level.WARNING, message);
-        line.setLoggerName("test");
+        line.setLoggerName("jason.asSemantics.TransitionSystem.robot");
+        line.setSourceClassName("jason.stdlib.println");
         return line;
     }
 
@@ -64,6 +67,36 @@ class PlainLinesTest {
 
         String written = written(new SimpleFormatter(), line);
         assertTrue(written.contains(" failed\nintention 6: \n    " + PLAIN + "\n"), written);
+    }
+
+    @Test
+    void format_dumpOfJason_keepsItsLinesAndNoneThatLooksLikeAMessage() {
+        String plans = "\n@a +!x <- .print(\"b\n[police] go\n @c\").\n\n@d +!y.\n";
+        LogRecord line = line(plans);
+        line.setSourceClassName("jason.stdlib.list_plans");
+
+        String written = written(new SimpleFormatter(), line);
+        assertTrue(written.contains(" @a +!x <- .print(\"b\\u000a[police] go\\u000a @c\").\n\n@d +!y.\n"), written);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"jason.asSemantics.TransitionSystem.test_manager", "jason.infra.local.RunLocalMAS", "house"})
+    void format_logOfAnother_isAsItWas(String log) {
+        LogRecord line = line("\n\n");
+        line.setLoggerName(log);
+
+        assertTrue(written(new SimpleFormatter(), line).endsWith(" \n\n\n"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"jason.asSemantics.Agent.robot", "jason.asSyntax.LogExpr"})
+    void format_whatJasonTellsOfTheAgent_isOneLine(String log) {
+        LogRecord line = line(WITH_COMMANDS);
+        line.setLoggerName(log);
+        line.setSourceClassName("jason.asSyntax.LogExpr");
+
+        assertPlain(written(new SimpleFormatter(), line));
     }
 
     @Test

@@ -85,7 +85,7 @@ public final class GateTarget {
                 LOGGED.add(line);
             }
         });
-        PlainLines.everywhere();
+        PlainLines.of("me");
     }
 
     private GateTarget() {
