@@ -40,6 +40,11 @@ final class ActionRouter {
     void act(ActionExec action) {
         Device device = diffuser.device().orElse(null);
         Structure term = action.getActionTerm();
+        if (term.getFunctor().startsWith(".")) {
+            // Jason has found no class of that name.
+            finish(action, new Failure("no_internal_action", InternalActions.unknown(term.getFunctor())));
+            return;
+        }
         boolean other = device == null || isOfAnArtifact(term);
         if (!other && somethingIsBehind() && !device.decided().isDone()) {
             postpone(action, device);

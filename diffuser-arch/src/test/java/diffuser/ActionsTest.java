@@ -20,6 +20,7 @@ class ActionsTest {
                 +!do <- %s; diffuser.note(done).
                 -!do[error(port_off),error_msg(M)] <- diffuser.note(port_off,M).
                 -!do[error(unknown_action),error_msg(M)] <- diffuser.note(unknown_action,M).
+                -!do[error(no_internal_action),error_msg(M)] <- diffuser.note(no_internal_action,M).
                 -!do[error(action_failed),error_msg(M)] <- diffuser.note(action_failed,M).
                 -!do[error(outcome_unknown)] <- diffuser.note(outcome_unknown).
                 """.formatted(action);
@@ -54,6 +55,20 @@ class ActionsTest {
         agent.close();
         RunningAgent.run(program(".act(jump)"), board)
                 .notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"actt(lampOn)", "akt(lampOn)"})
+    void internalAction_nameMisspelt_namesTheNearest(String call) {
+        RunningAgent.run(program("." + call), new FakeBoard("body"))
+                .notes("no_internal_action there is no internal action ." + call.replace("(lampOn)", "")
+                        + "; did you mean .act?");
+    }
+
+    @Test
+    void internalAction_nameLikeNone_namesNone() {
+        RunningAgent.run(program(".switch_the_lamp(on)"), new FakeBoard("body"))
+                .notes("no_internal_action there is no internal action .switch_the_lamp");
     }
 
     @Test

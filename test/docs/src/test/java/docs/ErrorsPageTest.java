@@ -88,12 +88,14 @@ class ErrorsPageTest {
                 Repository.text("javino-board/src/main/java/javino/board/Session.java"));
         Stream<String> port = texts("(" + LITERAL + ")",
                 Repository.text("javino-board/src/main/java/javino/link/SerialLink.java"));
+        Stream<String> start = texts("(\"(?: is not expected|no agent can|agent |there is no )[^\"]*\")",
+                Repository.text("diffuser-arch/src/main/java/diffuser/StartFailures.java"));
         Stream<String> highway = texts("new BrokenOffException\\(([^;]*)\\);|failure = ([^;]*);",
                 Repository.text("examples/highway/src/main/java/highway/Scenario.java"));
         Stream<String> project = texts("new GradleException\\((.*)\\)",
                 Repository.text("javino-cli/src/main/resources/javino/cli/project/common/javino.gradle"));
         assertTexts("On the command line",
-                Stream.of(commands, page, gateway, certificates, session, port, highway, project)
+                Stream.of(commands, page, gateway, certificates, session, port, start, highway, project)
                         .flatMap(texts -> texts));
     }
 
