@@ -15,8 +15,8 @@ import javino.protocol.Request;
 import javino.protocol.Status;
 
 /**
- * Finds out who is at the other end of an open link, and at which speed: says hello, now and then at 1 000 000 baud,
- * and asks in the older protocol at its speed. Which of them is answered is how the board is then spoken with. For the
+ * Finds out who is at the other end of an open link, and at which speed: says hello, now and then at 1 000 000 baud
+ * or 9600, and asks in the older protocol at its speed. Which of them is answered is how the board is then spoken with. For the
  * session's thread only.
  */
 final class Greeting {
@@ -32,10 +32,10 @@ final class Greeting {
      */
     private static final int LEGACY_INTERVALS = 20;
 
-    /** The other speed that a sketch may have. */
+    /** Another speed that a sketch may have; so may it that of the older protocol, which Bluetooth modules have. */
     private static final int FAST_BAUD = 1_000_000;
-    /** How many hellos at it. */
-    private static final int FAST_HELLOS = 5;
+    /** How many hellos at each of them. */
+    private static final int MORE_HELLOS = 5;
 
     private final Link link;
     private final SessionContext context;
@@ -76,10 +76,14 @@ final class Greeting {
         while (board.isEmpty() && goOn.getAsBoolean()) {
             board = hello(baud, HELLOS);
             if (board.isEmpty() && baud != 0 && goOn.getAsBoolean()) {
-                board = hello(FAST_BAUD, FAST_HELLOS);
+                board = hello(FAST_BAUD, MORE_HELLOS);
             }
             if (board.isEmpty() && goOn.getAsBoolean()) {
                 board = askInLegacy();
+            }
+            // Last, as what a board of the older protocol does not understand may spoil its next message.
+            if (board.isEmpty() && baud != 0 && goOn.getAsBoolean()) {
+                board = hello(LegacyMessage.BAUD, MORE_HELLOS);
             }
         }
         return board;

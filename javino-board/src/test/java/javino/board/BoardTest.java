@@ -502,12 +502,24 @@ class BoardTest extends BoardFixture {
         assertEquals(1, board.counters().get(SessionCounter.REPEATS));
     }
 
-    @Test
-    void open_boardOfAnotherSpeed_isFound() throws Exception {
-        port.setBaud(1_000_000);
+    @ParameterizedTest
+    @ValueSource(ints = {1_000_000, 9600})
+    void open_boardOfAnotherSpeed_isFound(int baud) throws Exception {
+        port.setBaud(baud);
         openAndAwaitOnline();
         board.act("go").get();
         assertEquals(List.of("act go"), List.copyOf(fake.requests));
+    }
+
+    @Test
+    void act_slowLine_isGivenTheTimeOfItsBytes() throws Exception {
+        fake.setCapabilities(Capability.RADIO, Capability.MEMORY);
+        port.setByteTime(Duration.ofMinutes(1));
+        openAndAwaitOnline(config -> config.setHold(Duration.ofMillis(1)).setActionTime(Duration.ofHours(1)));
+        long repeats = board.counters().get(SessionCounter.REPEATS);
+        fake.line.setDelay(Duration.ofMillis(200));
+        board.act("go").get();
+        assertEquals(repeats, board.counters().get(SessionCounter.REPEATS));
     }
 
     @Test
