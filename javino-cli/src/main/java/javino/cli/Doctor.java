@@ -120,6 +120,7 @@ final class Doctor {
         try {
             BoardInfo info = Await.result(board.greeted());
             examinePort();
+            port.takers().running().ifPresent(found -> findings.ok("programs", found));
             findings.ok("board", info.firmware());
             if (info.isLegacy()) {
                 findings.trouble("protocol", "older protocol: percepts and actions work, the radio does not; for that "
@@ -137,6 +138,7 @@ final class Doctor {
                 findings.ok("board", "answers");
             }
             findings.trouble(!link.opened ? "port" : incompatible ? "protocol" : "board", e.getMessage());
+            port.takers().running().ifPresent(found -> findings.trouble("programs", found));
             return false;
         }
     }

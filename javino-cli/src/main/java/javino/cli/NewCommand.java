@@ -33,7 +33,7 @@ final class NewCommand implements Callable<Integer> {
     private Which which = new Which();
 
     @Option(names = "--board", paramLabel = "BOARD", defaultValue = "mega", converter = ModelByName.class,
-            description = "The board: mega (the default), uno, nano or pro-mini.")
+            description = "The board: mega (the default), uno, nano, nano-old (flashed at 57600 baud) or pro-mini.")
     private NewProject.Model model;
 
     @Spec
@@ -55,7 +55,7 @@ final class NewCommand implements Callable<Integer> {
         public NewProject.Model convert(String name) {
             return Stream.of(NewProject.Model.values()).filter(model -> model.toString().equals(name)).findFirst()
                     .orElseThrow(() -> new TypeConversionException(
-                            "the boards are mega, uno, nano and pro-mini, not " + name));
+                            "the boards are mega, uno, nano, nano-old and pro-mini, not " + name));
         }
     }
 

@@ -55,6 +55,7 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
         MEGA("Mega", "mega:cpu=atmega2560", "mega", "-p atmega2560 -c wiring -b 115200"),
         UNO("Uno", "uno", "uno", "-p atmega328p -c arduino -b 115200"),
         NANO("Nano", "nano:cpu=atmega328", "uno", "-p atmega328p -c arduino -b 115200"),
+        NANO_OLD("Nano with the old boot loader", "nano:cpu=atmega328old", "uno", "-p atmega328p -c arduino -b 57600"),
         PRO_MINI("Pro Mini", "pro:cpu=8MHzatmega328", "promini", "-p atmega328p -c arduino -b 57600");
 
         private final String title;

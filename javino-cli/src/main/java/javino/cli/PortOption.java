@@ -16,7 +16,7 @@ final class PortOption {
 
     private final Function<String, LinkOpener> links;
     private final BoardConfig config;
-    private final Path sysfs;
+    private final Path system;
 
     @Option(names = "--port", required = true, paramLabel = "PORT",
             description = "The board's serial port, such as /dev/ttyACM0 or COM5.")
@@ -25,12 +25,12 @@ final class PortOption {
     /**
      * @param links  the way to the board, by the port's name.
      * @param config of the sessions.
-     * @param sysfs  where the system shows its devices.
+     * @param system the folder in which the system shows its devices ({@code sys}) and processes ({@code proc}).
      */
-    PortOption(Function<String, LinkOpener> links, BoardConfig config, Path sysfs) {
+    PortOption(Function<String, LinkOpener> links, BoardConfig config, Path system) {
         this.links = links;
         this.config = config;
-        this.sysfs = sysfs;
+        this.system = system;
     }
 
     /** Makes commands whose boards are at serial ports. */
@@ -40,16 +40,16 @@ final class PortOption {
 
     /** Makes commands whose boards are where these links lead. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config) {
-        return factory(links, config, Path.of("/sys"));
+        return factory(links, config, Path.of("/"));
     }
 
-    /** As {@link #factory(Function, BoardConfig)}, with another folder than {@code /sys}. */
-    static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, Path sysfs) {
+    /** As {@link #factory(Function, BoardConfig)}, with another folder than the root. */
+    static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, Path system) {
         CommandLine.IFactory rest = CommandLine.defaultFactory();
         return new CommandLine.IFactory() {
             @Override
             public <K> K create(Class<K> type) throws Exception {
-                return type == PortOption.class ? type.cast(new PortOption(links, config, sysfs)) : rest.create(type);
+                return type == PortOption.class ? type.cast(new PortOption(links, config, system)) : rest.create(type);
             }
         };
     }
@@ -60,7 +60,11 @@ final class PortOption {
     }
 
     LatencyTimer latencyTimer() {
-        return new LatencyTimer(port, sysfs);
+        return new LatencyTimer(port, system.resolve("sys"));
+    }
+
+    PortTakers takers() {
+        return new PortTakers(system.resolve("proc"));
     }
 
     LinkOpener link() {

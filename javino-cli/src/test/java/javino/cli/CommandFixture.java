@@ -41,7 +41,7 @@ abstract class CommandFixture {
     /** Shorter where a board is to be waited for in vain. */
     Duration patience = Duration.ofSeconds(30);
     /** What stands for {@code /sys}. */
-    Path sysfs = Path.of("/nowhere");
+    Path system = Path.of("/nowhere");
     private Running running;
 
     @BeforeEach
@@ -56,7 +56,7 @@ abstract class CommandFixture {
                 .setPatience(patience));
         CommandLine commandLine =
                 Main.commandLine(
-                        PortOption.factory(name -> name.equals(older.port.name()) ? older.port : port, config, sysfs));
+                        PortOption.factory(name -> name.equals(older.port.name()) ? older.port : port, config, system));
         commandLine.setColorScheme(Help.defaultColorScheme(ansi));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));

@@ -53,8 +53,8 @@ class DoctorCommandTest extends CommandFixture {
 
     /** What Linux shows of an FTDI chip at the port {@code device}: a file with its latency timer. */
     private Path ftdi(String device, String millis) throws IOException {
-        sysfs = folder.resolve("sys");
-        Path timer = sysfs.resolve("bus/usb-serial/devices").resolve(device).resolve("latency_timer");
+        system = folder;
+        Path timer = system.resolve("sys/bus/usb-serial/devices").resolve(device).resolve("latency_timer");
         Files.createDirectories(timer.getParent());
         return Files.writeString(timer, millis + "\n");
     }
@@ -183,6 +183,40 @@ class DoctorCommandTest extends CommandFixture {
         port.unplug();
         assertTrouble("port", "there is no such port");
         assertEquals("16\n", Files.readString(timer));
+    }
+
+    private void running(String... names) throws IOException {
+        system = folder;
+        for (int i = 0; i < names.length; i++) {
+            Path process = Files.createDirectories(folder.resolve("proc/" + (100 + i)));
+            Files.writeString(process.resolve("comm"), names[i] + "\n");
+        }
+        Files.createDirectories(folder.resolve("proc/sys"));
+    }
+
+    @Test
+    void programs_boardThere_areNamed() throws IOException {
+        running("init", "ModemManager", "brltty");
+        assertEquals(0, examine(), out.toString());
+        assertEquals("programs            ok, ModemManager runs, and may take the port; where there is no modem: sudo "
+                + "systemctl disable --now ModemManager; brltty runs, and may take the port; where nobody reads Braille: "
+                + "sudo apt-get remove brltty, and plug the board in anew", lines().get(1));
+    }
+
+    @Test
+    void programs_portMissing_areATrouble() throws IOException {
+        running("init", "brltty");
+        port.unplug();
+        assertEquals(1, examine(), out.toString());
+        assertTrue(lines().get(1).startsWith("programs            brltty runs, and may take the port; "),
+                out.toString());
+    }
+
+    @Test
+    void programs_others_areNotNamed() throws IOException {
+        running("init", "bash");
+        assertEquals(0, examine(), out.toString());
+        assertFalse(out.toString().contains("programs"), out.toString());
     }
 
     @Test

@@ -78,6 +78,7 @@ class NewCommandTest extends CommandFixture {
     @CsvSource({"mega, arduino:avr:mega:cpu=atmega2560, mega, Mega, atmega2560",
             "uno, arduino:avr:uno, uno, Uno, atmega328p",
             "nano, arduino:avr:nano:cpu=atmega328, uno, Nano, atmega328p",
+            "nano-old, arduino:avr:nano:cpu=atmega328old, uno, Nano with the old boot loader, atmega328p",
             "pro-mini, arduino:avr:pro:cpu=8MHzatmega328, promini, Pro Mini, atmega328p"})
     void new_board_isThatOfSketchEmulatorAndReadme(String board, String fqbn, String emulated, String title,
             String chip)
@@ -93,7 +94,7 @@ class NewCommandTest extends CommandFixture {
 
     @Test
     void new_unknownBoard_isWrongUsageAndNamesThoseThatThereAre() {
-        assertFails(2, "the boards are mega, uno, nano and pro-mini, not due", "new", "--board", "due",
+        assertFails(2, "the boards are mega, uno, nano, nano-old and pro-mini, not due", "new", "--board", "due",
                 folder.resolve("robot").toString());
     }
 
