@@ -4,7 +4,7 @@
 
 static Javino *theOne;
 
-Javino::Javino() : perceive_(nullptr), askedAt_(0) {
+Javino::Javino() : perceive_(nullptr), askedAt_(0), isOpen_(false) {
   theOne = this;
   act.count_ = 0;
 }
@@ -21,6 +21,7 @@ Javino::Function &Javino::Actions::operator[](const char *name) {
 }
 
 void Javino::start(unsigned long) {
+  isOpen_ = true;
   board_.onPercepts(perceive);
   board_.otherActions(perform);
   board_.begin(115200);
@@ -29,6 +30,7 @@ void Javino::start(unsigned long) {
 void Javino::readSerial() { board_.serve(); }
 
 bool Javino::availableMsg() {
+  if (!isOpen_) start(0);
   board_.serve();
   message_ = wanted_;
   wanted_ = String();
@@ -38,6 +40,8 @@ bool Javino::availableMsg() {
   }
   return message_.length() != 0;
 }
+
+bool Javino::requestPercepts() const { return message_ == F("getPercepts"); }
 
 void Javino::sendPercepts() {
   reading_ = percepts_;

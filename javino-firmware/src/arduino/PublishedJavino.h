@@ -2,8 +2,8 @@
 
 #include "ArduinoBoard.h"
 
-/// The interface of the published Javino 1.7, so that its sketches compile unchanged: a global `Javino javino;`. It has one
-/// object, on `Serial`.
+/// The interface of the published Javino 1.7 and of the first one, so that their sketches compile unchanged: a global
+/// `Javino javino;`. It has one object, on `Serial`.
 class Javino {
  public:
   typedef void (*Function)();
@@ -47,10 +47,11 @@ class Javino {
   void readSerial();
 
   // Whether an agent wants percepts that no function adds, or an action, if `act` has none. What it wants is told once.
+  // Opens the line if start() has not: sketches for the first Javino call Serial.begin() themselves.
   bool availableMsg();
 
   // What the last availableMsg() was about.
-  bool requestPercepts() const { return message_ == F("getPercepts"); }
+  bool requestPercepts() const;
   bool requestAction(const String &action) const { return message_ == action; }
   String getMsg() const { return message_; }
 
@@ -60,6 +61,11 @@ class Javino {
 
   // The literals, with semicolons between them, are the board's percepts from now on (SPEC 4.6).
   void sendMsg(const String &literals);
+
+  // The same in the words of the first Javino.
+  bool availablemsg() { return availableMsg(); }
+  String getmsg() const { return getMsg(); }
+  void sendmsg(const String &literals) { sendMsg(literals); }
 
  private:
   class Board : public javinolib::ArduinoBoard<javinolib::Board> {
@@ -77,4 +83,5 @@ class Javino {
   String wanted_;    // an action that availableMsg() has not told of
   String message_;
   unsigned long askedAt_;
+  bool isOpen_;
 };

@@ -22,20 +22,23 @@ int calls;
 void lampOn() { lampIsOn = true; }
 void lampOff() { lampIsOn = false; }
 
-class PublishedJavino : public testing::Test {
+class OlderSketch : public testing::Test {
  protected:
-  PublishedJavino() {
+  OlderSketch() {
     lampIsOn = false;
     calls = 0;
     ON_CALL(arduino, millis()).WillByDefault(testing::ReturnPointee(&now));
-    javino.start(9600);
-    ask({'H', 1});
   }
 
-  // Sends a request, which the sketch's loop() takes.
-  void ask(const Bytes &message) {
+  // Sends a request.
+  void send(const Bytes &message) {
     line.arrive(Bytes{0} + reference::packet(++sequence, reference::frame("++++", "++++", message)));
     line.out.clear();
+  }
+
+  // Sends one that the sketch's loop() takes.
+  void ask(const Bytes &message) {
+    send(message);
     javino.run();
   }
 
@@ -82,6 +85,17 @@ class PublishedJavino : public testing::Test {
   uint8_t sequence = 0;
   Javino javino;
 };
+
+class PublishedJavino : public OlderSketch {
+ protected:
+  PublishedJavino() {
+    javino.start(9600);
+    ask({'H', 1});
+  }
+};
+
+// Its sketches open the line themselves, by Serial.begin(9600).
+class FirstJavino : public OlderSketch {};
 
 }  // namespace
 
@@ -190,4 +204,29 @@ TEST_F(PublishedJavino, what_a_sketch_sends_outside_of_a_request_are_its_percept
   now += 20;
   javino.run();
   EXPECT_EQ(Texts{"door(open)"}, told());
+}
+
+TEST_F(FirstJavino, a_sketch_opens_the_board_by_asking_for_a_message) {
+  EXPECT_CALL(line.serial, begin(115200)).Times(1);
+  EXPECT_FALSE(javino.availablemsg());
+  EXPECT_FALSE(javino.availablemsg());
+}
+
+TEST_F(FirstJavino, its_sketches_get_actions_and_tell_percepts) {
+  EXPECT_FALSE(javino.availablemsg());
+  send({'H', 1});
+  EXPECT_FALSE(javino.availablemsg());
+  send(bytesOf("AlampOn"));
+  ASSERT_TRUE(javino.availablemsg());
+  EXPECT_TRUE(javino.getmsg() == "lampOn");
+  poll();
+  told();
+  poll();
+  now = 50;
+  ASSERT_TRUE(javino.availablemsg());
+  EXPECT_TRUE(javino.getmsg() == "getPercepts");
+  javino.sendmsg("led(on);door(shut);");
+  now += 20;
+  EXPECT_FALSE(javino.availablemsg());
+  EXPECT_EQ((Texts{"led(on)", "door(shut)"}), told());
 }
