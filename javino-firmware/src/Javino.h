@@ -2,6 +2,10 @@
 
 /// Javino for Arduino: connects a BDI agent to this board's sensors, actuators and radio. See the README.
 
+#include <Arduino.h>
+
+#include "support/SketchMacros.inc"
+
 #include "arduino/ArduinoBoard.h"
 #include "arduino/PublishedJavino.h"
 #include "delivery/Broadcaster.h"
@@ -21,3 +25,5 @@
 #else
 #include "radio/NoAskRadio.h"
 #endif
+
+JAVINO_EACH_NAME(JAVINO_BRING_BACK)
