@@ -24,8 +24,7 @@ struct Identity {
 
 enum Capability : uint8_t {
   HAS_RADIO = 1,
-  HAS_MEMORY = 2,       ///< RF id, keys and boot epoch outlive a boot
-  HAD_OLDER_MEMORY = 4  ///< of another layout, which was wiped, and no RF id is set yet
+  HAS_MEMORY = 2  ///< RF id, keys and boot epoch outlive a boot
 };
 
 /// Performs the requests that every board knows: hello, poll, actions, counters (SPEC 4.3).

@@ -1,7 +1,5 @@
 #include "RadioBoard.h"
 
-#include "../storage/EepromLayout.h"
-
 namespace javinolib {
 
 RadioBoard::RadioBoard(SerialPort port, const char *firmwareName, Radio &radio)
@@ -12,7 +10,6 @@ RadioBoard::RadioBoard(SerialPort port, const char *firmwareName, Radio &radio)
       session_(port, packet_, sizeof packet_, state_->counters->serial()) {}
 
 bool RadioBoard::begin() {
-  radioCommands_.setOlderMemory(beginLayout());
   state_->id.begin();
   state_->epoch.begin(state_->keys.begin());
   if (!state_->replays.begin(state_->epoch.value())) state_->count(Counter::MEMORY_DAMAGED);

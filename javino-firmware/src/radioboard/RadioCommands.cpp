@@ -104,7 +104,6 @@ Status RadioCommands::hello(const Request &request, Reply &reply) {
   if (!retained::holds()) state_->count(Counter::MEMORY_DAMAGED);
   Identity identity = {PROTOCOL_VERSION, {}, {}, HAS_RADIO | HAS_MEMORY};
   writeUint24(identity.bootEpoch, keyCommands_.epoch());
-  if (hadOlderMemory_ && !state_->id.isSet()) identity.capabilities |= HAD_OLDER_MEMORY;
   state_->id.address().write(identity.id);
   return commands_->hello(request, identity, reply);
 }

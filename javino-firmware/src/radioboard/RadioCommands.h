@@ -24,9 +24,6 @@ class RadioCommands {
         news_(delivery),
         poll_(poll) {}
 
-  /// Whether a memory of an older layout was wiped, which hosts are told until one sets an RF id.
-  void setOlderMemory(bool had) { hadOlderMemory_ = had; }
-
   /// As Commands::perform().
   bool perform(const Request &request, Reply &reply);
 
@@ -58,7 +55,6 @@ class RadioCommands {
   Part<Delivery> delivery_;
   News news_;
   Part<Poll> poll_;
-  bool hadOlderMemory_ JAVINO_ZEROED;
 };
 
 }  // namespace javinolib

@@ -15,7 +15,8 @@
 namespace javinolib {
 
 /// What is ours lies at the end of the EEPROM, so that the low addresses are the sketch's: RF id, ring of boot epochs, keys,
-/// ring of nonces' floors, whether the board relays, the other half of the ring of boot epochs, and the number of this layout.
+/// ring of nonces' floors, whether the board relays, the other half of the ring of boot epochs. No byte has a meaning but in a
+/// record with a seal: whatever stands there, nobody writes to the sketch's part.
 
 #if defined(E2END) && E2END >= JAVINO_BY_PROFILE(4095, 1023)
 static const uint16_t EEPROM_SIZE = E2END + 1;
@@ -50,8 +51,7 @@ static const uint8_t FLOOR_PLACE_LENGTH = FLOOR_COPIES * FLOOR_RECORD_LENGTH;
 static const uint8_t RELAYING_LENGTH = 2;
 static const uint8_t RELAYING_RECORD_LENGTH = config::LARGE ? RELAYING_LENGTH + EepromRecord::CHECK_LENGTH : 0;
 
-static const uint16_t LAYOUT_AT = EEPROM_SIZE - 1;
-static const uint16_t OTHER_EPOCHS_AT = LAYOUT_AT - EPOCHS_LENGTH;
+static const uint16_t OTHER_EPOCHS_AT = EEPROM_SIZE - EPOCHS_LENGTH;
 static const uint16_t RELAYING_AT = OTHER_EPOCHS_AT - RELAYING_RECORD_LENGTH;
 static const uint16_t FLOORS_AT = RELAYING_AT - config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
 static const uint16_t KEYS_AT = FLOORS_AT - KEY_PLACES * KEY_PLACE_LENGTH;
@@ -60,9 +60,5 @@ static const uint16_t RF_ID_AT = EPOCHS_AT - RF_ID_PLACES * RF_ID_RECORD_LENGTH;
 
 static_assert(RF_ID_AT >= JAVINO_BY_PROFILE(512, 128) && RF_ID_AT < EEPROM_SIZE,
               "JAVINO_KEYS: so many leave too little of the EEPROM to the sketch");
-
-/// Makes the EEPROM one of this layout, once. An older layout began at 0: what it holds is wiped.
-/// @return whether it has ever held one
-bool beginLayout();
 
 }  // namespace javinolib

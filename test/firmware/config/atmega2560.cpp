@@ -28,7 +28,7 @@ static_assert(config::ACTIONS == 16, "");
 static_assert(config::DEAD_BANDS == 8, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 
-static_assert(RF_ID_AT == 736, "where it differs, so does the number of the layout");
+static_assert(RF_ID_AT == 737, "where it differs, a board that is flashed anew is to be provisioned anew");
 static_assert(sizeof(TakenNonces) == 392, "retained RAM, beside the board's");
 
 // The parts of a board lie beside it (support/Part.h).

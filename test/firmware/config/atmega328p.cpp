@@ -29,7 +29,7 @@ static_assert(config::DEAD_BANDS == 2, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 
 static_assert(MAX_CONTENT_LENGTH == 67, "a broadcast of one packet");
-static_assert(RF_ID_AT == 137, "where it differs, so does the number of the layout");
+static_assert(RF_ID_AT == 138, "where it differs, a board that is flashed anew is to be provisioned anew");
 static_assert(sizeof(TakenNonces) == 80, "retained RAM, beside the board's");
 
 // The parts of a board lie beside it (support/Part.h).

@@ -71,13 +71,4 @@ class WithoutRadioTest {
         agent.warns("plain: the board has no radio; for one, its sketch makes a javinolib::JavinoWithRadio");
         assertEquals(List.of(), List.copyOf(board.requests));
     }
-
-    @Test
-    void port_boardWhoseMemoryWasWiped_warnsOfIt() {
-        FakeBoard board = new FakeBoard("plain").setCapabilities(Capability.RADIO, Capability.MEMORY,
-                Capability.HAD_OLDER_MEMORY, Capability.SAYS_TAKEN);
-        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".act(stop)"), board);
-        agent.notes("ready");
-        agent.warns("its RF id and keys are gone: provision it again");
-    }
 }

@@ -78,12 +78,6 @@ public final class LostState {
                         + "javino keygen --renew");
     }
 
-    /** For people: that a boot has wiped the memory of an earlier library. */
-    public static String ofOlderMemory() {
-        return "the board's memory was of an earlier library, and its RF id and keys are gone: provision it again "
-                + "(javino provision)";
-    }
-
     /** For people: that the memory of nonces did not hold. */
     public static String ofMemory() {
         return "the sketch's stack, or a wild pointer, has written over the board's memory of nonces: sealed messages "

@@ -13,7 +13,6 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
-import javino.protocol.Capability;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
@@ -152,9 +151,6 @@ final class Session implements Runnable {
             }
             lost.greeted(info);
             service.restoreWishes(info);
-            if (info.capabilities().contains(Capability.HAD_OLDER_MEMORY)) {
-                context.listener().warn(LostState.ofOlderMemory());
-            }
             nowOnline();
             service.run(() -> info);
         }

@@ -79,15 +79,4 @@ class WithoutRadioTest extends BoardFixture {
         listener.until("online");
         assertEquals("radio 1", fake.requests.take());
     }
-
-    @Test
-    void open_boardThatHasWipedAnOlderMemory_warnsOnceAGreeting() throws Exception {
-        fake.setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY, Capability.SAYS_TAKEN);
-        open(listener);
-        assertEquals(List.of("warning the board's memory was of an earlier library, and its RF id and keys are gone: "
-                + "provision it again (javino provision)", "online 1"), listener.until("online"));
-        fake.setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.SAYS_TAKEN);
-        fake.reset();
-        assertEquals(List.of("offline fake: the board was reset", "online 2"), listener.until("online"));
-    }
 }

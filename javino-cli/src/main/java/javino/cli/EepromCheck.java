@@ -7,7 +7,6 @@ import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Capability;
 import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
@@ -25,9 +24,6 @@ final class EepromCheck {
 
     /** @param wanted null where any will do. */
     void examineId(BoardInfo info, Address wanted) {
-        if (info.capabilities().contains(Capability.HAD_OLDER_MEMORY)) {
-            findings.trouble("memory", LostState.ofOlderMemory());
-        }
         if (info.rfId().isEmpty()) {
             findings.trouble("RF id", "none; " + provision(wanted));
         } else if (wanted != null && !info.rfId().get().equals(wanted)) {

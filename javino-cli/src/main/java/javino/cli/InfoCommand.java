@@ -11,7 +11,6 @@ import javino.board.Board;
 import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
-import javino.protocol.Capability;
 import javino.protocol.Counter;
 import javino.protocol.Reply;
 import javino.protocol.Reply.Role;
@@ -90,9 +89,6 @@ final class InfoCommand implements Callable<Integer> {
         if (info.hasRadio()) {
             out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
             out.println(line("boot epoch", info.hasLostEpoch() ? LostState.notRaised() : info.bootEpoch()));
-        }
-        if (info.capabilities().contains(Capability.HAD_OLDER_MEMORY)) {
-            out.println(line("memory", LostState.ofOlderMemory()));
         }
         out.println(line("actions", info.actions().isEmpty() ? "none" : String.join(", ", info.actions())));
         keys.forEach(key -> out.println(line(nameOf(key.role()),

@@ -414,12 +414,6 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
-    void memory_ofAnEarlierLibrary_isToldToBeProvisioned() {
-        fake.setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY, Capability.SAYS_TAKEN);
-        assertTrouble("memory", "provision it again");
-    }
-
-    @Test
     void prints_ofTheSketch_areShown() {
         fake.line.setPrints("t = 20.99\r\n");
         assertTrouble("prints", "the sketch prints on the serial line: \"t = 20.99\"; remove that print");

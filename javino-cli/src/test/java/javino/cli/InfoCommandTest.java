@@ -43,14 +43,10 @@ class InfoCommandTest extends CommandFixture {
     }
 
     @Test
-    void board_ofAnEarlierLibraryOrWithWipedMemory_saysSo() {
+    void board_ofAnEarlierLibrary_saysSo() {
         fake.setCapabilities(Capability.RADIO, Capability.MEMORY);
         run("info", "--port", "fake");
         assertTrue(lines().contains("library             earlier; flash the sketch anew"), out.toString());
-        fake.setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.HAD_OLDER_MEMORY, Capability.SAYS_TAKEN);
-        run("info", "--port", "fake");
-        assertTrue(lines().contains("memory              the board's memory was of an earlier library, and its RF id "
-                + "and keys are gone: provision it again (javino provision)"), out.toString());
     }
 
     @Test

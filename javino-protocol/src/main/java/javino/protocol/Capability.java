@@ -10,8 +10,6 @@ public enum Capability {
     RADIO(1),
     /** A memory: address, keys and boot epoch outlive a boot. */
     MEMORY(2),
-    /** This boot has found a memory of an earlier layout, and wiped it with its keys. */
-    HAD_OLDER_MEMORY(4),
     /** It says when it has taken a request; all boards do but those of an earlier library. */
     SAYS_TAKEN(0);
 

@@ -24,7 +24,6 @@ final class ReplyFields {
                 fields.addProperty("bootEpoch", info.bootEpoch());
                 fields.addProperty("radio", info.hasRadio());
                 fields.addProperty("memory", info.capabilities().contains(Capability.MEMORY));
-                fields.addProperty("hadOlderMemory", info.capabilities().contains(Capability.HAD_OLDER_MEMORY));
                 fields.addProperty("earlier", info.isOfEarlierLibrary());
                 fields.addProperty("firmware", info.firmware());
             }

@@ -250,8 +250,7 @@ final class CommandVectors {
                 join(bytes(version), text(id == null ? "++++" : id), bytes(epoch >> 16, epoch >> 8, epoch),
                         capabilities == null ? new byte[0] : bytes(capabilities), text(firmware)),
                 vector("version", version, "rfId", id, "bootEpoch", epoch, "radio", (has & 1) != 0,
-                        "memory", (has & 2) != 0, "hadOlderMemory", (has & 4) != 0, "earlier", capabilities == null,
-                        "firmware", firmware));
+                        "memory", (has & 2) != 0, "earlier", capabilities == null, "firmware", firmware));
     }
 
     private static byte[] record(char type, byte[] value) {
