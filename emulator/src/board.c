@@ -27,6 +27,9 @@
 #define GPIOR0 0x3E
 #define GPIOR1 0x4A
 #define GPIOR2 0x4B
+#define WDTCSR 0x60
+#define WDIE 0x40
+#define WDE 0x08
 
 // What simavr hands back when a port register changes.
 struct board_port_link {
@@ -102,23 +105,33 @@ static void chip_reset(struct avr_t *avr) {
   b->reset_pending = true;
 }
 
+// The interrupt of a watchdog that is to reset the chip disables itself; simavr has each do so.
+static void serve_interrupts(struct avr_t *avr) {
+  bool stays = (avr->data[WDTCSR] & (WDIE | WDE)) == WDIE;
+  avr_service_interrupts(avr);
+  if (stays) avr->data[WDTCSR] |= WDIE;
+}
+
 static void run_once(struct avr_t *avr) {
   board *b = avr->custom.data;
   avr_flashaddr_t pc = avr->pc;
   if (b->halted) avr->state = cpu_Sleeping;  // simavr has let an interrupt wake it, which the chip does not
-  if (avr->state == cpu_Running) {
+  bool starting = avr->state == cpu_Running && !sleep_is_over(&b->sleep);
+  if (avr->state == cpu_Running && !starting) {
     cycles_t left = b->limit - avr->cycle;
     avr->run_cycle_limit = left < RUN_LIMIT ? left : RUN_LIMIT;
     pc = avr_run_one(avr);
+    if (avr->state == cpu_Sleeping) sleep_begin(&b->sleep);
   }
-  cycles_t sleep = avr_cycle_timer_process(avr);
+  cycles_t next = avr_cycle_timer_process(avr);
   avr->pc = pc;
-  if (avr->state == cpu_Sleeping && avr->cycle < b->limit) {
-    cycles_t left = b->limit - avr->cycle;
-    b->halted = !avr->sreg[S_I];
-    avr->cycle += sleep < left ? (sleep ? sleep : 1) : left;
+  if ((avr->state == cpu_Sleeping || starting) && avr->cycle < b->limit) {
+    cycles_t end = starting && b->sleep.started_at < b->limit ? b->sleep.started_at : b->limit;
+    cycles_t left = end - avr->cycle;
+    b->halted = avr->state == cpu_Sleeping && !avr->sreg[S_I];
+    avr->cycle += next < left ? (next ? next : 1) : left;
   }
-  if (avr->interrupt_state && (avr->state == cpu_Running || avr->state == cpu_Sleeping)) avr_service_interrupts(avr);
+  if (avr->interrupt_state && (avr->state == cpu_Running || avr->state == cpu_Sleeping)) serve_interrupts(avr);
 }
 
 static void eeprom_written(void *context, uint16_t address, uint8_t byte) {
@@ -162,6 +175,7 @@ int board_init(board *b, const model *m, const char *firmware, board_listener li
   link_ports(b);
   avr_register_io_write(b->avr, GPIOR0, point_written, b);
   eeprom_init(&b->memory, b->avr, (eeprom_listener){b, eeprom_written});
+  sleep_init(&b->sleep, b->avr, m);
   return firmware_load(b->avr, m, firmware, error, error_size);
 }
 
@@ -212,6 +226,7 @@ static void release_outputs(board *b) {
 static void settle_after_reset(board *b) {
   b->reset_pending = false;
   b->halted = false;
+  sleep_reset(&b->sleep);
   eeprom_reset(&b->memory);
   release_outputs(b);
   for (int i = 0; i < BOARD_PORTS; i++) raise_inputs(b, i);
@@ -313,6 +328,8 @@ int board_run(board *b, cycles_t until) {
   }
   return 0;
 }
+
+bool board_hears_bytes(const board *b) { return !b->sleep.stopped; }
 
 cycles_t board_now(const board *b) { return on_clock(b, b->avr->cycle); }
 

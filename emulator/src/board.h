@@ -11,6 +11,7 @@
 #include "eeprom.h"
 #include "model.h"
 #include "prng.h"
+#include "sleep.h"
 
 struct avr_t;
 struct avr_irq_t;
@@ -50,6 +51,7 @@ typedef struct {
   bool reset_pending;  // the chip was reset, its surroundings not yet told
   reset_cause cause;
   bool halted;  // sleeps with interrupts off: only a reset wakes it
+  sleep_clocks sleep;
   struct {
     uint8_t direction, latch;  // DDRx and PORTx
     uint8_t observed;          // pins whose output is of interest
@@ -84,6 +86,9 @@ bool board_output(const board *b, int pin);
 // An input pin gets a level, now or at `at`.
 void board_drive(board *b, int pin, bool level);
 void board_drive_at(board *b, int pin, bool level, cycles_t at);
+
+// Whether its UARTs work: not in a sleep mode that stops their clock, where bytes from outside are lost.
+bool board_hears_bytes(const board *b);
 
 // Lets board_run return before `until`, to be called again or to switch the power off.
 void board_stop(board *b);

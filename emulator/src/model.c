@@ -7,6 +7,11 @@
 // The simulated converter takes values for its first eight channels only.
 #define ADC_CHANNELS 8
 
+#define EICRA 0x69
+#define EICRB 0x6A
+// The bits of some vectors in a row.
+#define VECTORS(first, last) ((2ull << (last)) - (1ull << (first)))
+
 const model MEGA = {
     .name = "mega",
     .chip = "ATmega2560",
@@ -30,6 +35,13 @@ const model MEGA = {
         "K0K1K2K3K4K5K6K7",     // A8…A15
     .pins = "0…69 or \"A0\"…\"A15\"",
     .adc_pins = "\"A0\"…\"A7\"",
+    // INT0 to INT3, PCINT0 to PCINT2, WDT, TWI; ADC, EE_READY, SPM_READY; INT4 to INT7.
+    .wakes = {.always = VECTORS(1, 4) | VECTORS(9, 12) | VECTORS(39, 39),
+              .adc_noise_reduction = VECTORS(29, 30) | VECTORS(40, 40),
+              .timer_2 = VECTORS(13, 15),
+              .level_first = 5,
+              .level_count = 4,
+              .level_control = EICRB},
 };
 
 // What all boards with this chip have alike; pins as in the Arduino Uno schematic, revision 3. A Pro Mini's A6 and A7 go to
@@ -41,7 +53,14 @@ const model MEGA = {
       "D0D1D2D3D4D5D6D7" /* 0 to 7 */                                                                              \
       "B0B1B2B3B4B5"     /* 8 to 13 */                                                                             \
       "C0C1C2C3C4C5",    /* A0 to A5 */                                                                            \
-      .pins = "0…19 or \"A0\"…\"A5\"", .adc_pins = "\"A0\"…\"A5\""
+      .pins = "0…19 or \"A0\"…\"A5\"",                                                                             \
+  .adc_pins = "\"A0\"…\"A5\"", /* PCINT0 to PCINT2, WDT, TWI; ADC, EE_READY, SPM_READY; INT0 and INT1. */          \
+      .wakes = {.always = VECTORS(3, 6) | VECTORS(24, 24),                                                         \
+                .adc_noise_reduction = VECTORS(21, 22) | VECTORS(25, 25),                                          \
+                .timer_2 = VECTORS(7, 9),                                                                          \
+                .level_first = 1,                                                                                  \
+                .level_count = 2,                                                                                  \
+                .level_control = EICRA}
 
 const model UNO = {.name = "uno", .clock_cycles = 1, .supply_mv = 5000, ATMEGA328P};
 

@@ -4,6 +4,16 @@
 #define JAVINO_MODEL_H
 
 #include <stdbool.h>
+#include <stdint.h>
+
+// Interrupts that wake the chip from a sleep mode in which clocks stop: bits by vector, as in avr-libc.
+typedef struct {
+  uint64_t always;                   // pins, the bus's address match, the watchdog
+  uint64_t adc_noise_reduction;      // in that mode also the converter's, and those for EEPROM and flash
+  uint64_t timer_2;                  // where it has its own crystal
+  uint8_t level_first, level_count;  // external interrupts of which only the level is seen: an edge needs a clock
+  uint16_t level_control;            // EICRx, with two bits for each of these
+} model_wakes;
 
 typedef struct {
   const char *name;       // in a scenario
@@ -19,6 +29,7 @@ typedef struct {
   const char *locations;  // two characters a pin: port and bit
   const char *pins;       // all of them, in words
   const char *adc_pins;   // those of the first eight channels, which are all that simavr takes values for
+  model_wakes wakes;
 } model;
 
 extern const model MEGA, UNO, PRO_MINI;

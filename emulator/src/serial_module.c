@@ -219,7 +219,7 @@ void serial_modules_receive(serial_modules *s, cycles_t until) {
     serial_module *m = &s->modules[i];
     if (on_air(m) && m->end < until) end(s, m);
     while (m->output_count > 0 && m->next_output < until) {
-      avr_raise_irq(m->input, m->output[0]);
+      if (board_hears_bytes(m->arduino)) avr_raise_irq(m->input, m->output[0]);
       memmove(m->output, m->output + 1, --m->output_count);
       m->next_output += byte_time(m);
       tell_aux(m);

@@ -59,10 +59,10 @@ void uart_reset(uart *u) {
 
 void uart_pump(uart *u) {
   uint8_t byte;
-  while (u->port && !u->stopped && pty_take(u->port, &byte)) {
+  while (u->port && (!u->stopped || !board_hears_bytes(u->arduino)) && pty_take(u->port, &byte)) {
     u->last_byte = board_now(u->arduino);
     u->listener.byte(u->listener.context, true, byte);
-    avr_raise_irq(u->input, byte);
+    if (board_hears_bytes(u->arduino)) avr_raise_irq(u->input, byte);
   }
 }
 
