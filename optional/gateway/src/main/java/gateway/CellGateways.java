@@ -10,7 +10,7 @@ final class CellGateways {
     static final long SAY_MILLIS = 60_000;
     /** One that has said nothing for so long has gone; the broker may have gone before. */
     static final long GONE_MILLIS = 150_000;
-    private static final int MOST = 64;
+    static final int MOST = 64;
 
     private final String own;
     private final Map<String, Long> there = new TreeMap<>();

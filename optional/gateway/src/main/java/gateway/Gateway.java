@@ -308,7 +308,7 @@ final class Gateway implements AutoCloseable {
             }
             counters.count(GatewayCounter.ARRIVED);
             long until = now() + Router.LIFE_MILLIS
-                    - age(topic.from() + "/" + from, message.properties().get(TIME));
+                    - age(topic.from(), from, message.properties().get(TIME));
             step(new RouterEvent.Arrived(topic.from(), topic.whom(), attempt(message),
                     Bytes.copyOf(message.payload()), until, cellGateways.isOwnTurn(now()) && isOnline()));
         }
@@ -325,9 +325,10 @@ final class Gateway implements AutoCloseable {
                     : TimeUnit.MILLISECONDS.toSeconds(DeviceLocations.KEEP_MILLIS));
         }
 
-        private long age(String gateway, String sent) {
+        private long age(String from, String gateway, String sent) {
             try {
-                return sent == null ? 0 : ages.of(gateway, Long.parseLong(sent), System.currentTimeMillis());
+                return sent == null || !gateway.matches(Topics.NAME) ? 0
+                        : ages.of(from, gateway, Long.parseLong(sent), System.currentTimeMillis());
             } catch (NumberFormatException none) {
                 return 0;
             }

@@ -83,14 +83,14 @@ class PartsTest {
     void ages_areThoseBeyondTheFastestMessage_whateverTheClocksSay() {
         MessageAges ages = new MessageAges();
         long wrong = 7_000_000;
-        assertEquals(0, ages.of("e", wrong, 1000));
-        assertEquals(900, ages.of("e", wrong + 100, 2000), 1);
-        assertEquals(0, ages.of("e", wrong + 3000, 3500));
-        assertEquals(0, ages.of("e", wrong - 3_600_000, 4000), "its clock was set");
+        assertEquals(0, ages.of("east", "e", wrong, 1000));
+        assertEquals(900, ages.of("east", "e", wrong + 100, 2000), 1);
+        assertEquals(0, ages.of("east", "e", wrong + 3000, 3500));
+        assertEquals(0, ages.of("east", "e", wrong - 3_600_000, 4000), "its clock was set");
         long now = 0;
         for (int i = 0; i < 200_000; i++) {
             now += 500;
-            assertTrue(ages.of("slow", now - now / 10_000, now) < 5, "its clock is slow");
+            assertTrue(ages.of("east", "slow", now - now / 10_000, now) < 5, "its clock is slow");
         }
     }
 
@@ -98,6 +98,16 @@ class PartsTest {
     void boundedMap_forgetsWhatWasRenewedTheLongestTimeAgo() {
         BoundedMap<String, Integer> map = new BoundedMap<>(2);
         map.renew("a", 1);
+    @Test
+    void ages_ofACell_areNotDisplacedByInventedGatewaysOfAnother() {
+        MessageAges ages = new MessageAges();
+        assertEquals(0, ages.of("east", "e", 1000, 1000));
+        for (int i = 0; i < 5000; i++) {
+            ages.of("false", "invented" + i, 1000, 1000);
+        }
+        assertEquals(900, ages.of("east", "e", 1100, 2000), 1);
+    }
+
         map.renew("b", 2);
         map.renew("a", 3);
         map.renew("c", 4);
