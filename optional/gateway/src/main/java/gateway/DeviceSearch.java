@@ -45,6 +45,11 @@ final class DeviceSearch {
         return true;
     }
 
+    /** The question has reached nobody. */
+    void unasked(Address device) {
+        questions.remove(device);
+    }
+
     /** Whether an answer about a device is awaited. Nobody may tell unasked, or he could fill the memory. */
     boolean awaits(Address device, long now) {
         Question question = questions.get(device);

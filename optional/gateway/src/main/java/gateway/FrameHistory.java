@@ -22,7 +22,7 @@ final class FrameHistory {
 
         /** After so much silence the same bytes are a new message: copies by other ways are not that late. */
         private static final long ROUND_MILLIS = 3000;
-        /** What came from another cell is on the air here within so long: a gateway keeps nothing for longer. */
+        /** What another gateway of this cell has to relay is on the air within so long: none keeps it for longer. */
         private static final long ECHO_MILLIS = Router.LIFE_MILLIS + 3000;
 
         /** So long, at most, a sender lets pass between two attempts: its time-outs count quiet air only. */
@@ -33,7 +33,7 @@ final class FrameHistory {
         private final Map<String, Integer> arrivals = new HashMap<>();
         private int onAir;
         private long last;
-        private long lastArrival = NEVER;
+        private long lastRelay = NEVER;
         private long lastOwn = NEVER;
         private int attempts;
         private long lastAttempt = NEVER;
@@ -51,11 +51,11 @@ final class FrameHistory {
         }
 
         /**
-         * It was heard here. Tells whether that is a gateway's doing: it has just come from another cell, and its
+         * It was heard here. Tells whether that is a gateway's doing: one of this cell has it to relay, and its
          * origin was not heard with it before that. (Who copies frames could stop all repeats otherwise.)
          */
         boolean isEcho(long now) {
-            if (now - lastArrival < ECHO_MILLIS && now - lastOwn >= ECHO_MILLIS) {
+            if (now - lastRelay < ECHO_MILLIS && now - lastOwn >= ECHO_MILLIS) {
                 return true;
             }
             lastOwn = now;
@@ -93,10 +93,19 @@ final class FrameHistory {
             return nth <= before || before == 0 && arrivals.size() == MOST_CELLS || nth <= onAir ? 0 : nth;
         }
 
+        /** A gateway of this cell is about to send it. What has only come, and never goes on the air, has no echo. */
+        void relayed(long now) {
+            lastRelay = now;
+        }
+
+        /** How often it has yet to be on the air here, until it was so for the n-th time. */
+        int missing(int nth) {
+            return nth - onAir;
+        }
+
         /** That attempt of another cell has come. Tells whether nobody else has told of it yet. */
         boolean arrived(String cell, int nth, long now) {
             seen(now);
-            lastArrival = now;
             arrivals.put(cell, nth);
             return onAir == 0 && arrivals.size() == 1;
         }

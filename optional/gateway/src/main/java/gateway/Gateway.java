@@ -36,7 +36,6 @@ final class Gateway implements AutoCloseable {
     private final GatewayCounters counters = new GatewayCounters();
     private final Router router;
     private final Broker broker;
-    private final OutgoingQueue outgoing = new OutgoingQueue(counters);
     private final CellGateways cellGateways;
     private final MessageAges ages = new MessageAges();
     private final ScheduledExecutorService clock = new ScheduledThreadPoolExecutor(1, task -> {
@@ -157,8 +156,7 @@ final class Gateway implements AutoCloseable {
 
     private boolean perform(RouterEffect effect) {
         if (effect instanceof RouterEffect.Relay relay) {
-            outgoing.add(relay.frame(), relay.until());
-            relayNext();
+            radio.relay(relay.frame()).thenAccept(this::relayed);
             return true;
         }
         if (effect instanceof Publish publish) {
@@ -166,7 +164,13 @@ final class Gateway implements AutoCloseable {
                     name, TIME, "" + System.currentTimeMillis(), ATTEMPT, "" + publish.attempt()));
         }
         if (effect instanceof RouterEffect.Ask ask) {
-            return publish(topics.seek(ask.device()), new byte[0], Map.of());
+            boolean isTaken = publish(topics.seek(ask.device()), new byte[0], Map.of());
+            if (isTaken) {
+                counters.count(GatewayCounter.SOUGHT);
+            } else {
+                step(new RouterEvent.Unasked(ask.device()));
+            }
+            return isTaken;
         }
         if (effect instanceof RouterEffect.Tell tell) {
             return publish(topics.heard(tell.cell(), tell.device()),
@@ -177,18 +181,11 @@ final class Gateway implements AutoCloseable {
         return true;
     }
 
-    /** Gives the radio the next frame, if it has none. */
-    private void relayNext() {
-        if (!isOnline()) {
-            outgoing.clear();
-            return;
-        }
-        outgoing.next(now()).ifPresent(frame -> radio.relay(frame).thenAccept(this::relayed));
-    }
-
     private synchronized void relayed(boolean sent) {
-        outgoing.ended(sent);
-        relayNext();
+        if (!isOnline()) {
+            step(new RouterEvent.BoardGone());
+        }
+        step(new RouterEvent.Relayed(sent));
     }
 
     private synchronized void note(String what) {

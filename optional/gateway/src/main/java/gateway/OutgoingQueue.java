@@ -2,7 +2,7 @@ package gateway;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.Iterator;
+import java.util.List;
 import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Frame;
@@ -19,18 +19,33 @@ final class OutgoingQueue {
     private final Deque<Waiting> waiting = new ArrayDeque<>();
     private Frame underWay;
 
-    private record Waiting(Frame frame, long until) {
+    private static final class Waiting {
+        private final Frame frame;
+        private long until;
+
+        Waiting(Frame frame, long until) {
+            this.frame = frame;
+            this.until = until;
+        }
     }
 
     OutgoingQueue(GatewayCounters counters) {
         this.counters = counters;
     }
 
-    /** Takes a frame in, unless there is no room for it, or the same waits already and would be repeated. */
-    void add(Frame frame, long until) {
+    /**
+     * Takes a frame in, unless there is no room for it, or the same waits already: then that one waits for as long as
+     * the later of both may, since whoever came first may have lied about the time.
+     *
+     * @param missing how often it is still to be on the air; of those that their sender repeats, one at a time waits.
+     * @param until   after that it is of no use, in ms.
+     */
+    void add(Frame frame, int missing, long until) {
         Address.Kind kind = frame.destination().kind();
         boolean repeated = kind == Address.Kind.DEVICE || kind == Address.Kind.FRAGMENT;
-        if (repeated && (frame.equals(underWay) || waiting.stream().anyMatch(other -> other.frame.equals(frame)))) {
+        List<Waiting> same = waiting.stream().filter(other -> other.frame.equals(frame)).toList();
+        if (same.size() + (frame.equals(underWay) ? 1 : 0) >= (repeated ? 1 : missing)) {
+            same.forEach(other -> other.until = Math.max(other.until, until));
             counters.count(GatewayCounter.DUPLICATES);
         } else if (waiting.size() == MOST) {
             counters.count(GatewayCounter.OVERFLOWED);
@@ -46,9 +61,8 @@ final class OutgoingQueue {
         if (underWay != null) {
             return Optional.empty();
         }
-        for (Iterator<Waiting> each = waiting.iterator(); each.hasNext();) {
-            Waiting next = each.next();
-            each.remove();
+        while (!waiting.isEmpty()) {
+            Waiting next = waiting.remove();
             if (now <= next.until) {
                 underWay = next.frame;
                 return Optional.of(underWay);
@@ -58,10 +72,12 @@ final class OutgoingQueue {
         return Optional.empty();
     }
 
-    /** The board has sent the frame that was under way, or has not. */
-    void ended(boolean sent) {
+    /** The board has sent the frame that was under way, or has not. @return what was on the air. */
+    Optional<Frame> ended(boolean sent) {
+        Optional<Frame> onAir = Optional.ofNullable(underWay).filter(any -> sent);
         underWay = null;
         counters.count(sent ? GatewayCounter.RELAYED : GatewayCounter.FAILED);
+        return onAir;
     }
 
     /** The board has gone. */

@@ -17,7 +17,8 @@ import javino.protocol.ProtocolException;
 
 /**
  * Decides for whom a gateway publishes what its board hears, and what it relays of what others publish (docs/mqtt.md).
- * It opens nothing, has no key, and knows neither MQTT nor boards. Times are in ms.
+ * It opens nothing, has no key, and knows neither MQTT nor boards. Times are in ms. A frame counts as being on the air
+ * when it was, not before: what waits may yet be dropped.
  *
  * <p>What another cell sends changes nothing here before it is within that cell's limits: so no cell displaces what is
  * known of others.
@@ -53,6 +54,7 @@ final class Router {
     private final DeviceLocations locations = new DeviceLocations();
     private final DeviceSearch search;
     private final CellLimits limits = new CellLimits();
+    private final OutgoingQueue outgoing;
     private final AirtimeBudget all;
     private final AirtimeBudget searches;
     private final AirtimeBudget published;
@@ -80,6 +82,7 @@ final class Router {
         this.broadcasts = broadcasts;
         this.groups = groups;
         this.counters = counters;
+        outgoing = new OutgoingQueue(counters);
         search = new DeviceSearch(now);
         all = new AirtimeBudget(AT_ONCE_MILLIS, SHARE_PERCENT, now);
         searches = new AirtimeBudget(SEARCH_AT_ONCE_MILLIS, SEARCH_PERCENT, now);
@@ -97,6 +100,13 @@ final class Router {
             answer(asked.from(), asked.device(), now);
         } else if (event instanceof RouterEvent.Told told) {
             learn(told.from(), told.device(), now - told.age(), now);
+        } else if (event instanceof RouterEvent.Relayed relayed) {
+            outgoing.ended(relayed.sent()).ifPresent(frame -> frameHistory.remember(frame.encode()).onAir(now));
+            relayNext(now);
+        } else if (event instanceof RouterEvent.BoardGone) {
+            outgoing.clear();
+        } else if (event instanceof RouterEvent.Unasked unasked) {
+            search.unasked(unasked.device());
         } else {
             locations.here().forEach(device -> tell(cell, device, now));
         }
@@ -158,7 +168,6 @@ final class Router {
         chosen.forEach(other -> effects.add(new Publish(Whom.CELL, other, packet, attempt)));
         boolean again = attempt == 2 || attempt % SEARCH_EVERY == 0;
         if ((again || others.isEmpty() && attempt == 1) && search.ask(device, packet, attempt, now)) {
-            counters.count(GatewayCounter.SOUGHT);
             effects.add(new Ask(device));
         }
         if (!again || attempt == 2 && !others.isEmpty() || !published.take(Airtime.millis(packet.length()), now)) {
@@ -190,9 +199,10 @@ final class Router {
                 locations.heardThere(frame.origin(), event.from(), now);
             }
             if (event.active()) {
-                sighting.onAir(now);
-                effects.add(new Relay(frame, event.until()));
+                outgoing.add(frame, sighting.missing(nth), event.until());
+                relayNext(now);
             } else {
+                sighting.relayed(now);
                 refusal = Optional.of(GatewayCounter.STANDBY);
             }
         } else if (COPIES.contains(refusal.get())) {
@@ -200,6 +210,14 @@ final class Router {
             exchanges.arrived(frame, event.from());
         }
         refusal.ifPresent(counters::count);
+    }
+
+    /** Gives the board the next frame, if it has none. */
+    private void relayNext(long now) {
+        outgoing.next(now).ifPresent(frame -> {
+            frameHistory.remember(frame.encode()).relayed(now);
+            effects.add(new Relay(frame));
+        });
     }
 
     private void answer(String from, Address device, long now) {
@@ -269,13 +287,16 @@ final class Router {
         }
         CellLimits.Limits ofCell = limits.of(event.from(), now);
         long airtime = Airtime.millis(event.packet().length());
-        boolean within = event.whom() != Whom.SEARCH
-                || ofCell.searches().take(airtime, now) && searches.take(airtime, now);
-        if (within && event.whom() == Whom.SEARCH) {
+        boolean isSearch = event.whom() == Whom.SEARCH;
+        List<AirtimeBudget> needed = isSearch ? List.of(ofCell.air(), all, ofCell.searches(), searches)
+                : List.of(ofCell.air(), all);
+        if (!AirtimeBudget.takeOfAll(needed, airtime, now)) {
+            return Optional.of(GatewayCounter.OVER_BUDGET);
+        }
+        if (isSearch) {
             published.take(airtime, now);
         }
-        return within && ofCell.air().take(airtime, now) && all.take(airtime, now) ? Optional.empty()
-                : Optional.of(GatewayCounter.OVER_BUDGET);
+        return Optional.empty();
     }
 
     private boolean isWanted(Whom whom, Optional<Address> to, long now) {

@@ -8,8 +8,8 @@ import javino.protocol.Frame;
 /** What follows from a router's decision. */
 sealed interface RouterEffect {
 
-    /** The frame goes on the air here, if it does so until then. */
-    record Relay(Frame frame, long until) implements RouterEffect {
+    /** The board sends the frame; {@link RouterEvent.Relayed} tells whether. Before that it gets no other. */
+    record Relay(Frame frame) implements RouterEffect {
     }
 
     /**

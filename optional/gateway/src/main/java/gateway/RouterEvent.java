@@ -24,6 +24,18 @@ sealed interface RouterEvent {
             implements RouterEvent {
     }
 
+    /** The board has sent the frame that it was given, or has not. It takes the next one. */
+    record Relayed(boolean sent) implements RouterEvent {
+    }
+
+    /** The board has gone: it gets no more frames. */
+    record BoardGone() implements RouterEvent {
+    }
+
+    /** The broker has not taken the question who has heard a device. */
+    record Unasked(Address device) implements RouterEvent {
+    }
+
     /** A gateway of that cell asks who has heard a device. */
     record Asked(String from, Address device) implements RouterEvent {
     }

@@ -7,8 +7,6 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
@@ -35,7 +33,7 @@ final class PlayedCell implements Radio {
     private static final int BACKOFF_MILLIS = 300;
 
     private final int cell;
-    private final ScheduledExecutorService clock;
+    private final Clock clock;
     private final Random random;
     private final Supplier<Address> destinations;
     private final Set<Address> here = new HashSet<>();
@@ -49,8 +47,17 @@ final class PlayedCell implements Radio {
     private record Sent(Frame frame, String key) {
     }
 
+    /** Time in ms, from any start. */
+    interface Clock {
+
+        long now();
+
+        /** Does something in that time. */
+        void schedule(Runnable what, long millis);
+    }
+
     /** @param destinations of messages to other cells. */
-    PlayedCell(int cell, int cells, ScheduledExecutorService clock, long seed, Supplier<Address> destinations) {
+    PlayedCell(int cell, int cells, Clock clock, long seed, Supplier<Address> destinations) {
         this.cell = cell;
         this.clock = clock;
         this.destinations = destinations;
@@ -78,7 +85,7 @@ final class PlayedCell implements Radio {
     void begin(long meanMillis) {
         for (int i = 0; i < DEVICES; i++) {
             Address own = device(cell, i);
-            clock.schedule(() -> say(own), random.nextInt(DEVICES * BACKOFF_MILLIS * 2), TimeUnit.MILLISECONDS);
+            clock.schedule(() -> say(own), random.nextInt(DEVICES * BACKOFF_MILLIS * 2));
             if (i != MOVED) {
                 next(own, meanMillis);
             }
@@ -96,10 +103,11 @@ final class PlayedCell implements Radio {
             boolean near = random.nextBoolean();
             send(own, near ? device(cell, random.nextInt(MOVED)) : destinations.get());
             next(own, meanMillis);
-        }, pause, TimeUnit.MILLISECONDS);
+        }, pause);
     }
 
-    private synchronized void send(Address from, Address to) {
+    /** A device sends a message, until it is acknowledged or for the last time. */
+    synchronized void send(Address from, Address to) {
         nonce++;
         Frame frame = new Frame(to, from,
                 Bytes.join(Bytes.ofNumber((long) cell << NUMBERS / 2 - 1 | nonce, 6), Bytes.ofNumber(nonce, CONTENT)));
@@ -120,7 +128,7 @@ final class PlayedCell implements Radio {
             listener.heard(sent.frame.encode());
             reach(sent.frame);
             long pause = (number > QUICK_ATTEMPTS ? 2 : 1) * PATIENCE_MILLIS + random.nextInt(BACKOFF_MILLIS);
-            clock.schedule(() -> repeat(sent, number + 1), pause, TimeUnit.MILLISECONDS);
+            clock.schedule(() -> repeat(sent, number + 1), pause);
         });
     }
 
@@ -137,9 +145,9 @@ final class PlayedCell implements Radio {
 
     /** A frame takes its turn on the air. */
     private synchronized void onAir(Frame frame, Runnable heard) {
-        long now = TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
+        long now = clock.now();
         free = Math.max(free, now) + Airtime.millis(frame.encode().length()) + TURN_MILLIS;
-        clock.schedule(heard, free - now, TimeUnit.MILLISECONDS);
+        clock.schedule(heard, free - now);
     }
 
     /** A frame has come to whom it is for. */

@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 import javino.protocol.Address;
 
 /**
@@ -39,11 +40,22 @@ public final class PlayedCells {
         long meanMillis = Long.parseLong(arguments[6]);
         long seed = Long.parseLong(arguments[7]);
         BrokerConfig broker = BrokerConfig.parse(arguments[0]).trusting(Path.of(arguments[1]));
-        ScheduledExecutorService clock = Executors.newScheduledThreadPool(THREADS, task -> {
+        ScheduledExecutorService threads = Executors.newScheduledThreadPool(THREADS, task -> {
             Thread thread = new Thread(task, "cells");
             thread.setDaemon(true);
             return thread;
         });
+        PlayedCell.Clock clock = new PlayedCell.Clock() {
+            @Override
+            public long now() {
+                return TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
+            }
+
+            @Override
+            public void schedule(Runnable what, long millis) {
+                threads.schedule(what, millis, TimeUnit.MILLISECONDS);
+            }
+        };
         List<PlayedCell> played = new ArrayList<>();
         for (int i = first; i < end; i++) {
             int own = i;

@@ -88,7 +88,10 @@ class CellsTest {
                     served.remove(serve.address().toString());
                 } else if (effect instanceof RouterEffect.Relay relay) {
                     events.add(new Event(now + 200 + random.nextInt(500),
-                            () -> air(cell, relay.frame().encode(), this)));
+                            () -> {
+                                air(cell, relay.frame().encode(), this);
+                                step(new RouterEvent.Relayed(true));
+                            }));
                 }
             }
         }

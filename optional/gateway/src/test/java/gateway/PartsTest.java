@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javino.protocol.Address;
@@ -31,9 +32,9 @@ class PartsTest {
     @Test
     void outgoing_givesOneAtATimeAcknowledgementsFirst() throws Exception {
         OutgoingQueue outgoing = new OutgoingQueue(counters);
-        outgoing.add(frame(1), 100);
-        outgoing.add(frame(2), 100);
-        outgoing.add(answer(3), 100);
+        outgoing.add(frame(1), 1, 100);
+        outgoing.add(frame(2), 1, 100);
+        outgoing.add(answer(3), 1, 100);
         assertEquals(Optional.of(answer(3)), outgoing.next(0));
         assertEquals(Optional.empty(), outgoing.next(0));
         outgoing.ended(true);
@@ -47,17 +48,20 @@ class PartsTest {
     void outgoing_dropsWhatIsLateTooMuchOrThereAlready() throws Exception {
         OutgoingQueue outgoing = new OutgoingQueue(counters);
         for (int i = 0; i < 20; i++) {
-            outgoing.add(frame(i), 100);
+            outgoing.add(frame(i), 1, 100);
         }
         assertEquals(4, counters.of(GatewayCounter.OVERFLOWED));
-        outgoing.add(frame(3), 100);
+        outgoing.add(frame(3), 1, 100);
         assertEquals(1, counters.of(GatewayCounter.DUPLICATES));
         assertTrue(outgoing.next(100).isPresent());
-        outgoing.add(frame(0), 500);
+        outgoing.add(frame(0), 1, 500);
         assertEquals(2, counters.of(GatewayCounter.DUPLICATES), "it is under way");
         outgoing.ended(true);
+        outgoing.add(frame(1), 1, 200);
+        assertEquals(Optional.of(frame(1)), outgoing.next(101), "one of the two may wait for longer");
+        assertEquals(Optional.empty(), outgoing.ended(false), "it was not on the air");
         assertEquals(Optional.empty(), outgoing.next(101));
-        assertEquals(15, counters.of(GatewayCounter.EXPIRED));
+        assertEquals(14, counters.of(GatewayCounter.EXPIRED));
     }
 
     @Test
@@ -95,10 +99,6 @@ class PartsTest {
     }
 
     @Test
-    void boundedMap_forgetsWhatWasRenewedTheLongestTimeAgo() {
-        BoundedMap<String, Integer> map = new BoundedMap<>(2);
-        map.renew("a", 1);
-    @Test
     void ages_ofACell_areNotDisplacedByInventedGatewaysOfAnother() {
         MessageAges ages = new MessageAges();
         assertEquals(0, ages.of("east", "e", 1000, 1000));
@@ -108,6 +108,10 @@ class PartsTest {
         assertEquals(900, ages.of("east", "e", 1100, 2000), 1);
     }
 
+    @Test
+    void boundedMap_forgetsWhatWasRenewedTheLongestTimeAgo() {
+        BoundedMap<String, Integer> map = new BoundedMap<>(2);
+        map.renew("a", 1);
         map.renew("b", 2);
         map.renew("a", 3);
         map.renew("c", 4);
@@ -122,6 +126,15 @@ class PartsTest {
         assertTrue(budget.take(300, 600));
         assertTrue(budget.take(1000, 1_000_000));
         assertFalse(budget.take(1, 1_000_000));
+    }
+
+    @Test
+    void budgets_thatAreNeededTogether_areTakenTogetherOrNotAtAll() {
+        AirtimeBudget own = new AirtimeBudget(1000, 50, 0);
+        AirtimeBudget ofAll = new AirtimeBudget(500, 1, 0);
+        assertTrue(AirtimeBudget.takeOfAll(List.of(own, ofAll), 400, 0));
+        assertFalse(AirtimeBudget.takeOfAll(List.of(own, ofAll), 400, 0));
+        assertTrue(own.take(600, 0), "nobody pays for what is not sent");
     }
 
     @Test

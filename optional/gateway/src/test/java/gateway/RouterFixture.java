@@ -29,6 +29,7 @@ abstract class RouterFixture {
         for (RouterEffect effect : router.step(event, now)) {
             if (effect instanceof RouterEffect.Relay relay) {
                 relayed.add(relay.frame().encode());
+                step(new RouterEvent.Relayed(true));
             } else if (effect instanceof RouterEffect.Publish publish) {
                 done.add(publish.whom() + " " + publish.name() + " " + publish.attempt());
             } else if (effect instanceof RouterEffect.Ask ask) {
