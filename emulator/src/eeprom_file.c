@@ -19,14 +19,14 @@
 #define MOST_TRIES 100
 
 static int fail(char *error, size_t error_size, const char *path) {
-  snprintf(error, error_size, "EEPROM file %s: %s", path, strerror(errno));
+  snprintf(error, error_size, "EEPROM file %s: %s", path, private_problem());
   return -1;
 }
 
-// Reads the file that is open. Returns 0, or -1 with one line in `error`.
+// Reads the file that is open, which has keys. Returns 0, or -1 with one line in `error`.
 static int read_file(eeprom_file *file, char *error, size_t error_size) {
   struct stat status;
-  if (fstat(file->lock, &status) != 0) return fail(error, error_size, file->path);
+  if (keep_private(file->lock) != 0 || fstat(file->lock, &status) != 0) return fail(error, error_size, file->path);
   if (status.st_size == file->size && pread(file->lock, file->saved, (size_t)file->size, 0) == file->size) return 0;
   snprintf(error, error_size, "EEPROM file %s: expected exactly %d bytes; remove it to start anew", file->path,
            file->size);
@@ -49,7 +49,8 @@ static int take_lock(const eeprom_file *file, char *error, size_t error_size) {
 
 // Writes the chip's bytes to a file beside the one that is kept, and locks it. Returns its descriptor or -1.
 static int write_beside(const eeprom_file *file, const char *path) {
-  int descriptor = open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  unlink(path);  // whatever lies there under a name of ours
+  int descriptor = open_private(path, false);
   if (descriptor < 0) return -1;
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && write(descriptor, file->live, (size_t)file->size) == file->size)
     return descriptor;

@@ -111,6 +111,11 @@ static int end(emulation *e, int status) {
   return status;
 }
 
+static FILE *open_keys(const char *path) {
+  int descriptor = open_private(path, true);
+  return descriptor < 0 ? NULL : fdopen(descriptor, "a");
+}
+
 static int emulate(const scenario *config, const options *o, trace *out) {
   session s;
   char error[256];
@@ -123,10 +128,10 @@ static int emulate(const scenario *config, const options *o, trace *out) {
     status = complain(EXIT_USAGE, s.e.error);
   } else if (record_open(&s.kept, o->record_path) != 0) {
     // Only now: a start that was refused leaves the last run's record as it is.
-    snprintf(error, sizeof error, "--record %s: %s", o->record_path, strerror(errno));
+    snprintf(error, sizeof error, "--record %s: %s", o->record_path, private_problem());
     status = complain(EXIT_USAGE, error);
-  } else if (o->keys_path && !(s.keys = open_private(o->keys_path, true))) {
-    snprintf(error, sizeof error, "--keys %s: %s", o->keys_path, strerror(errno));
+  } else if (o->keys_path && !(s.keys = open_keys(o->keys_path))) {
+    snprintf(error, sizeof error, "--keys %s: %s", o->keys_path, private_problem());
     status = complain(EXIT_USAGE, error);
   } else {
     emulation_keep(&s.e, &s.kept, s.keys);

@@ -8,7 +8,8 @@
 int record_open(record *r, const char *path) {
   *r = (record){0};
   if (!path) return 0;
-  r->file = open_private(path, false);
+  int descriptor = open_private(path, false);
+  if (descriptor >= 0) r->file = fdopen(descriptor, "w");
   return r->file ? 0 : -1;
 }
 

@@ -22,7 +22,7 @@ typedef struct {
   bool in_exchange;  // its line has begun
 } record;
 
-// Makes the file; without a path keeps nothing. Returns 0, or -1 with errno set.
+// Makes the file; without a path keeps nothing. Returns 0, or -1 with the problem in private_problem().
 int record_open(record *r, const char *path);
 
 // Closes the file. Returns 0, or -1 where something could not be written.
