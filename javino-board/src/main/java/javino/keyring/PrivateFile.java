@@ -6,12 +6,14 @@ import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystems;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
+import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.EnumSet;
@@ -19,11 +21,16 @@ import java.util.Set;
 import javino.JavinoException;
 import javino.TextFile;
 
-/** Files with keys: texts that only their owner can read. Without POSIX permissions they have those of their folder. */
+/**
+ * Files with secrets, which only their owner can read. All that Java writes of keys, secrets and agents' minds goes
+ * through here: nothing that lies there already is followed or written to, and where permissions cannot be kept, as on
+ * a stick, no file is left. Without POSIX permissions, as on Windows, files have those of their folder.
+ */
 public final class PrivateFile {
 
-    private static final boolean POSIX = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
     private static final Set<PosixFilePermission> OWNERS = PosixFilePermissions.fromString("rwx------");
+    private static final Set<PosixFilePermission> OF_A_FILE = PosixFilePermissions.fromString("rw-------");
+    private static final String NEW = ".new";
     private static final int TRIES = 200;
     private static final int PAUSE_MILLIS = 50;
 
@@ -42,15 +49,15 @@ public final class PrivateFile {
      * @throws IllegalArgumentException if others may read or write it, or as {@link TextFile#read}.
      */
     public static String read(Path file) throws IOException {
-        if (POSIX && !OWNERS.containsAll(Files.getPosixFilePermissions(file))) {
-            throw new IllegalArgumentException(file + ": others than you may read or write it; chmod 600 " + file);
+        if (!isPrivate(file)) {
+            throw new IllegalArgumentException(file + ": others than you may read or write it; chmod 600 " + file
+                    + "; if that changes nothing, move it to your home");
         }
         return TextFile.read(file);
     }
 
     /**
-     * Makes a file. Nothing that lies there already is followed or written to, and the text goes to no other file than
-     * the new one, whatever becomes of its name meanwhile.
+     * Makes a file. The text goes to no other one than that, whatever becomes of its name meanwhile.
      *
      * @throws FileAlreadyExistsException if there is something of this name.
      */
@@ -59,8 +66,50 @@ public final class PrivateFile {
         if (folder != null && !Files.isDirectory(folder)) {
             throw new JavinoException(file + ": there is no folder " + folder);
         }
-        try (FileChannel created = open(file)) {
-            write(created, text);
+        try (FileChannel created = open(file, true)) {
+            write(created, file, bytes(text));
+        }
+    }
+
+    /** Makes a file, or replaces it as {@link #change} does. One program at a time may do so. */
+    public static void replace(Path file, byte[] bytes) throws IOException {
+        replace(file, bytes, true);
+    }
+
+    /** The same, of what is no secret, and is to be carried elsewhere, such as on a stick. */
+    public static void replaceToCarry(Path file, String text) throws IOException {
+        replace(file, bytes(text), false);
+    }
+
+    private static void replace(Path file, byte[] bytes, boolean isSecret) throws IOException {
+        mustBeFile(file);
+        Path fresh = file.resolveSibling(file.getFileName() + NEW);
+        Files.deleteIfExists(fresh);
+        try (FileChannel created = open(fresh, isSecret)) {
+            write(created, fresh, bytes);
+            move(fresh, file);
+        }
+    }
+
+    /** Adds to a file, which is made if it is not there. What is added is not flushed. */
+    public static void append(Path file, byte[] bytes) throws IOException {
+        mustBeFile(file);
+        boolean isThere = Files.exists(file, LinkOption.NOFOLLOW_LINKS);
+        if (isThere && !isPrivate(file, LinkOption.NOFOLLOW_LINKS)) {
+            Files.getFileAttributeView(file, PosixFileAttributeView.class, LinkOption.NOFOLLOW_LINKS)
+                    .setPermissions(OF_A_FILE);
+            mustBePrivate(file);
+        }
+        try (FileChannel channel = isThere ? FileChannel.open(file, StandardOpenOption.WRITE,
+                StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS) : open(file, true)) {
+            writeFully(channel, bytes);
+        }
+    }
+
+    /** Makes a folder, and those that it is in, for its owner only, if it is not there. */
+    public static void createFolder(Path folder) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            Files.createDirectories(folder, attributes(folder, OWNERS));
         }
     }
 
@@ -84,8 +133,8 @@ public final class PrivateFile {
             throws IOException, JavinoException {
         try {
             String text = change.apply(read(real));
-            write(created, text);
-            Files.move(part, real, StandardCopyOption.ATOMIC_MOVE);
+            write(created, part, bytes(text));
+            move(part, real);
             return text;
         } catch (IOException | JavinoException | RuntimeException e) {
             Files.deleteIfExists(part);
@@ -96,7 +145,7 @@ public final class PrivateFile {
     private static FileChannel claim(Path file, Path part) throws IOException, JavinoException, InterruptedException {
         for (int tries = 0; tries < TRIES; tries++) {
             try {
-                return open(part);
+                return open(part, true);
             } catch (FileAlreadyExistsException e) {
                 Thread.sleep(PAUSE_MILLIS);
             } catch (AccessDeniedException e) {
@@ -109,19 +158,76 @@ public final class PrivateFile {
         throw new JavinoException(file + " is being changed by another program; if none runs, delete " + part);
     }
 
-    private static FileChannel open(Path file) throws IOException {
-        FileAttribute<?>[] attributes = POSIX
-                ? new FileAttribute<?>[] {
-                        PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))}
-                : new FileAttribute<?>[0];
-        return FileChannel.open(file, EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), attributes);
+    /** Makes an empty file for its owner, or none where others could read what is a secret. */
+    private static FileChannel open(Path file, boolean isSecret) throws IOException {
+        FileChannel created = FileChannel.open(file,
+                EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), attributes(file, OF_A_FILE));
+        try {
+            if (isSecret) {
+                mustBePrivate(file);
+            }
+            return created;
+        } catch (IOException e) {
+            created.close();
+            Files.deleteIfExists(file);
+            throw e;
+        }
     }
 
-    private static void write(FileChannel to, String text) throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
-        while (bytes.hasRemaining()) {
-            to.write(bytes);
+    private static void mustBePrivate(Path file) throws IOException {
+        if (!isPrivate(file, LinkOption.NOFOLLOW_LINKS)) {
+            throw new FileSystemException(file.toString(), null, "others could read the secrets in it, as its "
+                    + "permissions cannot be kept; choose a folder in your home");
         }
-        to.force(true);
+    }
+
+    private static boolean isPrivate(Path file, LinkOption... options) throws IOException {
+        return !isPosix(file) || OWNERS.containsAll(Files.getPosixFilePermissions(file, options));
+    }
+
+    private static void mustBeFile(Path file) throws IOException {
+        if (Files.exists(file, LinkOption.NOFOLLOW_LINKS) && !Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+            throw new FileSystemException(file.toString(), null, "it is a link or no file; choose another path");
+        }
+    }
+
+    private static boolean isPosix(Path file) {
+        return file.getFileSystem().supportedFileAttributeViews().contains("posix");
+    }
+
+    private static FileAttribute<?>[] attributes(Path file, Set<PosixFilePermission> permissions) {
+        return isPosix(file) ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(permissions)}
+                : new FileAttribute<?>[0];
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** Writes a new file to the disk, or takes it back. */
+    private static void write(FileChannel to, Path file, byte[] bytes) throws IOException {
+        try {
+            writeFully(to, bytes);
+            to.force(true);
+        } catch (IOException e) {
+            Files.deleteIfExists(file);
+            throw e;
+        }
+    }
+
+    private static void writeFully(FileChannel to, byte[] bytes) throws IOException {
+        ByteBuffer left = ByteBuffer.wrap(bytes);
+        while (left.hasRemaining()) {
+            to.write(left);
+        }
+    }
+
+    private static void move(Path fresh, Path file) throws IOException {
+        try {
+            Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE);
+        } catch (IOException e) {
+            Files.deleteIfExists(fresh);
+            throw e;
+        }
     }
 }

@@ -131,7 +131,8 @@ class KeyringTest {
         Path file = file("ROMA SUPO = " + HEX + "\n");
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(permissions));
         Exception e = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file));
-        assertEquals(file + ": others than you may read or write it; chmod 600 " + file, e.getMessage());
+        assertEquals(file + ": others than you may read or write it; chmod 600 " + file
+                + "; if that changes nothing, move it to your home", e.getMessage());
         assertThrows(IllegalArgumentException.class, () -> Keyring.change(file, keyring -> {}));
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--------"));
         assertEquals(1, Keyring.read(file).size());

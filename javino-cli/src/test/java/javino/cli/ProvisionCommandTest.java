@@ -348,7 +348,8 @@ class ProvisionCommandTest {
     @Test
     void provision_sharedKeyring_isRefusedWithTheRemedy() throws Exception {
         Files.setPosixFilePermissions(keys, PosixFilePermissions.fromString("rw-r--r--"));
-        assertEquals("javino: " + keys + ": others than you may read or write it; chmod 600 " + keys,
+        assertEquals("javino: " + keys + ": others than you may read or write it; chmod 600 " + keys
+                + "; if that changes nothing, move it to your home",
                 fail(provisionOf("SUPO")));
         assertEquals(List.of(), List.copyOf(boards.get("SUPO").requests));
     }

@@ -5,6 +5,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.security.SecureRandom;
 import java.time.LocalDate;
 import java.time.temporal.ChronoUnit;
@@ -87,7 +88,7 @@ public final class CaCommand implements CommandPlugin {
             answer.add(authority.issue(asked, last, groupKeyServer, today, new SecureRandom()));
             return authority.format();
         });
-        Files.writeString(out, answer.get(0).format());
+        Files.writeString(out, answer.get(0).format(), StandardOpenOption.CREATE_NEW);
         print(Authority.parse(PrivateFile.read(file), file).issued().stream().reduce((one, next) -> next).get()
                 + " written to " + out + ", for the request " + asked.fingerprint());
         return 0;
@@ -129,7 +130,8 @@ public final class CaCommand implements CommandPlugin {
             return authority.format();
         });
         RevocationList revocationList = Authority.parse(text, file).revocationList();
-        Files.writeString(out, new Entries().add(Identity.REVOCATION_LIST, revocationList.toBytes()).format());
+        Files.writeString(out, new Entries().add(Identity.REVOCATION_LIST, revocationList.toBytes()).format(),
+                StandardOpenOption.CREATE_NEW);
         print(revocationList + ", written to " + out);
         return 0;
     }

@@ -3,7 +3,6 @@ package keyagreement;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
 import javino.JavinoException;
 import javino.Printable;
@@ -98,20 +97,20 @@ public final class EnrollCommand implements CommandPlugin {
     }
 
     private void request(Path out) throws IOException, JavinoException, InterruptedException {
-        if (!Files.isDirectory(folder)) {
-            Files.createDirectories(folder);
-            if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-                Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
-            }
-        }
-        if (!Files.exists(file())) {
-            PrivateFile.create(file(), "");
-        }
-        Entries entries = Entries.parse(PrivateFile.change(file(), this::withRequest), file());
-        Request request = Request.decode(entries.get(Request.NAME).orElseThrow());
-        Files.writeString(out, new Entries().add(Request.NAME, request.toBytes()).format());
+        PrivateFile.createFolder(folder);
+        Request request = Request.decode(Entries.parse(withRequest(), file()).get(Request.NAME).orElseThrow());
+        PrivateFile.replaceToCarry(out, new Entries().add(Request.NAME, request.toBytes()).format());
         print("request " + request.fingerprint() + " of " + id + " written to " + out
                 + "; javino ca issue on it, which must name the same number");
+    }
+
+    private String withRequest() throws IOException, JavinoException, InterruptedException {
+        if (Files.exists(file())) {
+            return PrivateFile.change(file(), this::withRequest);
+        }
+        String text = withRequest("");
+        PrivateFile.create(file(), text);
+        return text;
     }
 
     /** One that waits for its certificate already is written again: a new one would make that certificate useless. */

@@ -10,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
 import java.util.Comparator;
@@ -22,12 +21,13 @@ import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
+import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 /**
- * Where a MAS keeps the records of its moves and the texts of the agents (SPEC 9.3). What a method has written is on
- * the disk when it returns, so that a computer that loses power goes on from there.
+ * Where a MAS keeps the records of its moves and the texts of the agents (SPEC 9.3), for its user only. What a method
+ * has written is on the disk when it returns, so that a computer that loses power goes on from there.
  *
  * <p>All methods throw {@link UncheckedIOException} where the disk fails.
  */
@@ -35,7 +35,6 @@ class Folder implements AutoCloseable {
 
     private static final String RECORD = ".move";
     private static final String PARTIAL = ".part";
-    private static final String NEW = ".new";
     private static final String BOARD = "board";
     private static final String PORT = "port";
     private static final String ADDRESS = "address";
@@ -62,7 +61,7 @@ class Folder implements AutoCloseable {
     Folder(Path place) {
         this.place = place;
         lock = on(() -> {
-            Files.createDirectories(place.resolve("parts"));
+            PrivateFile.createFolder(place.resolve("parts"));
             FileChannel channel =
                     FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
             if (!isOurs(channel)) {
@@ -217,7 +216,10 @@ class Folder implements AutoCloseable {
 
     /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells a fault. */
     void append(Bytes hash, Bytes packed) {
-        on(() -> Files.write(partial(hash), packed.toArray(), StandardOpenOption.CREATE, StandardOpenOption.APPEND));
+        on(() -> {
+            PrivateFile.append(partial(hash), packed.toArray());
+            return partial(hash);
+        });
     }
 
     /** Forgets the packed bytes of a part, and its text if that is damaged. */
@@ -244,10 +246,8 @@ class Folder implements AutoCloseable {
     }
 
     private static Path replace(Path file, byte[] bytes) throws IOException {
-        Path fresh = file.resolveSibling(file.getFileName() + NEW);
-        Files.write(fresh, bytes, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
-                StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.SYNC);
-        return flush(Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE).getParent());
+        PrivateFile.replace(file, bytes);
+        return flush(file.getParent());
     }
 
     /** So that the file's name is on the disk, too; Windows has no such call. */

@@ -11,7 +11,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.LocalDate;
+import java.util.List;
 import java.util.stream.Stream;
+import javino.fake.NoPermissionsFileSystem;
 import javino.protocol.Address;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +26,8 @@ class CertificateCommandsTest {
 
     private static final LocalDate TODAY = LocalDate.now();
 
+    private final NoPermissionsFileSystem stick = new NoPermissionsFileSystem();
+    private boolean onStick;
     private StringWriter out;
     private StringWriter err;
 
@@ -36,6 +40,7 @@ class CertificateCommandsTest {
         CommandLine commandLine = Main.commandLine(PortOption.serial());
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));
+        commandLine.registerConverter(Path.class, name -> onStick ? stick.of(Path.of(name)) : Path.of(name));
         return commandLine.execute(args);
     }
 
@@ -205,6 +210,43 @@ class CertificateCommandsTest {
                 "the old one is still trusted");
     }
 
+    private List<String> files() throws IOException {
+        try (Stream<Path> all = Files.walk(folder)) {
+            return all.filter(Files::isRegularFile).map(file -> folder.relativize(file).toString()).sorted().toList();
+        }
+    }
+
+    @Test
+    void secrets_wherePermissionsCannotBeKept_areRefusedAndNotLeft() throws IOException {
+        onStick = true;
+        String why = ": others could read the secrets in it, as its permissions cannot be kept; choose a folder in "
+                + "your home";
+        assertEquals("javino: " + file("ca") + why, fails(1, "ca", "init", "--ca", file("ca")));
+        assertEquals("javino: " + folder.resolve("home/SUPO.identity") + why,
+                enrollFails("SUPO", "--request", "SUPO.request"));
+        assertEquals("javino: " + file("keys") + why, fails(1, "keygen", "--out", file("keys"), "--group", "SU"));
+        assertEquals(List.of(), files());
+    }
+
+    @Test
+    void requestAndAnswer_goByAStick() throws IOException {
+        says("ca", "init", "--ca", file("ca"));
+        Path home = folder.resolve("home");
+        enroll("SUPO", "--request", "SUPO.request");
+        assertEquals("rw-------",
+                PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve("SUPO.request"))));
+        CommandLine enroll = Main.commandLine(PortOption.serial()).setOut(new PrintWriter(out));
+        enroll.registerConverter(Path.class,
+                name -> name.startsWith(home.toString()) ? Path.of(name) : stick.of(Path.of(name)));
+        assertEquals(0, enroll.execute("enroll", "--id", "SUPO", "--folder", home.toString(), "--request",
+                file("stick.request")));
+        assertEquals(Files.readString(folder.resolve("SUPO.request")),
+                Files.readString(folder.resolve("stick.request")));
+        Files.createSymbolicLink(folder.resolve("link"), folder.resolve("ca"));
+        assertEquals("javino: " + file("link") + ": it is a link or no file; choose another path",
+                enrollFails("SUPO", "--request", "link"));
+    }
+
     @Test
     void use_thatIsWrong_isSaidInOneLine() throws IOException {
         assertEquals("javino: init, issue, revoke or list? (try --help)", fails(2, "ca"));
@@ -220,7 +262,9 @@ class CertificateCommandsTest {
         assertTrue(fails(2, issue).contains("to 2149-06-06"));
         issue[issue.length - 1] = "tomorrow";
         assertTrue(fails(2, issue).contains("tomorrow"));
-        issue[3] = file("SUPO.request");
+        issue[3] = file("shared");
+        Files.setPosixFilePermissions(Files.createFile(folder.resolve("shared")),
+                PosixFilePermissions.fromString("rw-r--r--"));
         issue[issue.length - 1] = TODAY.toString();
         assertTrue(fails(1, issue).contains("others than you may read"));
         Files.writeString(folder.resolve("no"), "no request\n");

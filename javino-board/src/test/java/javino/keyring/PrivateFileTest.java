@@ -1,0 +1,125 @@
+package javino.keyring;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.stream.Stream;
+import javino.JavinoException;
+import javino.fake.NoPermissionsFileSystem;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.function.Executable;
+import org.junit.jupiter.api.io.TempDir;
+
+@DisabledOnOs(OS.WINDOWS)
+class PrivateFileTest {
+
+    private static final String KEPT = "its permissions cannot be kept; choose a folder in your home";
+    private static final String LINK = "it is a link or no file; choose another path";
+
+    @TempDir
+    private Path folder;
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static String mode(Path file) throws IOException {
+        return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+    }
+
+    private List<String> files() throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    private Path open(String name, String text) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), text);
+        return Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r--r--"));
+    }
+
+    private static void refused(String why, Executable what) {
+        String message = assertThrows(FileSystemException.class, what).getMessage();
+        assertTrue(message.contains(why), message);
+    }
+
+    @Test
+    void files_howeverTheyAreWritten_areForTheirOwnerOnly() throws Exception {
+        PrivateFile.create(folder.resolve("created"), "1");
+        PrivateFile.replace(folder.resolve("replaced"), bytes("1"));
+        PrivateFile.replace(open("shared", "0"), bytes("1"));
+        PrivateFile.append(folder.resolve("grown"), bytes("1"));
+        PrivateFile.append(open("added", "0"), bytes("1"));
+        PrivateFile.replaceToCarry(folder.resolve("carried"), "1");
+        for (String name : files()) {
+            assertEquals("rw-------", mode(folder.resolve(name)), name);
+            assertEquals(name.equals("added") ? "01" : "1", Files.readString(folder.resolve(name)), name);
+        }
+        assertEquals(6, files().size());
+        PrivateFile.createFolder(folder.resolve("a/b"));
+        assertEquals("rwx------", mode(folder.resolve("a/b")));
+        assertEquals("rwx------", mode(folder.resolve("a")));
+    }
+
+    @Test
+    void links_areNeitherFollowedNorReplaced() throws Exception {
+        Path target = open("target", "mine");
+        Path link = Files.createSymbolicLink(folder.resolve("link"), target);
+        Path lost = Files.createSymbolicLink(folder.resolve("lost"), folder.resolve("nowhere"));
+        for (Path each : List.of(link, lost)) {
+            assertThrows(FileAlreadyExistsException.class, () -> PrivateFile.create(each, "1"));
+            refused(LINK, () -> PrivateFile.replace(each, bytes("1")));
+            refused(LINK, () -> PrivateFile.replaceToCarry(each, "1"));
+            refused(LINK, () -> PrivateFile.append(each, bytes("1")));
+        }
+        refused(LINK, () -> PrivateFile.replace(folder, bytes("1")));
+        Files.createSymbolicLink(folder.resolve("file.new"), target);
+        PrivateFile.replace(folder.resolve("file"), bytes("1"));
+        assertEquals("mine", Files.readString(target));
+        assertEquals(List.of("file", "link", "lost", "target"), files());
+        assertFalse(Files.isSymbolicLink(folder.resolve("file")));
+    }
+
+    @Test
+    void secrets_wherePermissionsCannotBeKept_areNotWritten() throws Exception {
+        Path stick = new NoPermissionsFileSystem().of(folder);
+        refused(KEPT, () -> PrivateFile.create(stick.resolve("created"), "1"));
+        refused(KEPT, () -> PrivateFile.replace(stick.resolve("replaced"), bytes("1")));
+        refused(KEPT, () -> PrivateFile.append(stick.resolve("grown"), bytes("1")));
+        assertEquals(List.of(), files());
+        PrivateFile.create(folder.resolve("keys"), "0");
+        refused(KEPT, () -> PrivateFile.append(stick.resolve("keys"), bytes("1")));
+        refused(KEPT, () -> PrivateFile.replace(stick.resolve("keys"), bytes("1")));
+        refused(KEPT, () -> PrivateFile.change(stick.resolve("keys"), text -> "1"));
+        Path keys = stick.resolve("keys");
+        String message = assertThrows(IllegalArgumentException.class, () -> PrivateFile.read(keys)).getMessage();
+        assertTrue(message.contains("; chmod 600 " + folder.resolve("keys")
+                + "; if that changes nothing, move it to your home"), message);
+        PrivateFile.replaceToCarry(stick.resolve("request"), "no secret");
+        assertEquals(List.of("keys", "request"), files());
+        assertEquals("0", PrivateFile.read(folder.resolve("keys")));
+    }
+
+    @Test
+    void file_thatCannotBePutInPlace_leavesNothing() throws IOException, JavinoException {
+        PrivateFile.create(folder.resolve("keys"), "0");
+        assertThrows(IOException.class, () -> PrivateFile.change(folder.resolve("keys"), text -> {
+            assertTrue(folder.resolve("keys.part").toFile().delete());
+            return "1";
+        }));
+        assertEquals(List.of("keys"), files());
+        assertEquals("0", PrivateFile.read(folder.resolve("keys")));
+    }
+}
