@@ -48,6 +48,10 @@ final class Exchange {
     private boolean replyLost;
     private boolean saysTaken;
     private boolean overdue;
+    /** Whether the board has asked again since the last hello began, and since when it is known to be there. */
+    private boolean askedAgain;
+    private long presentSince = System.nanoTime();
+    private Duration lag = Duration.ZERO;
     /** When the board counts as lost, whatever of the last request's attempts is left. */
     private Deadline bound;
     private boolean warned;
@@ -87,6 +91,9 @@ final class Exchange {
             replyLost = false;
             // A zero before the reply to hello may be that of a boot.
             saysTaken = false;
+            askedAgain = false;
+            presentSince = System.nanoTime();
+            lag = Duration.ZERO;
         }
         overdue = false;
         Duration actionTime = context.config().actionTime();
@@ -107,7 +114,7 @@ final class Exchange {
             // A board that still performs a poll that was left can take no other request.
             attempts = left.isEmpty() ? attempts + 1 : 1;
             Optional<SerialPacket> reply =
-                    new Attempt(request, timeout.plus(link.timeFor(bytes.length)), bytes).await(leaves);
+                    new Attempt(request, timeout.plus(link.timeFor(bytes.length)).plus(lag), bytes).await(leaves);
             if (reply.isPresent()) {
                 return Optional.of(Reply.decode(reply.get().frame()));
             }
@@ -136,6 +143,25 @@ final class Exchange {
             return actionTime.plus(rest(Duration.ZERO));
         }
         return left.isEmpty() || !leftTaken ? Duration.ZERO : actionTime;
+    }
+
+    /** Whether the board has asked again since the last hello began, as none of the older protocol does. */
+    boolean hasAskedAgain() {
+        return askedAgain;
+    }
+
+    /** For how long a board is known to be there: since it asked again, or else since the last hello began. */
+    Duration presence() {
+        return Duration.ofNanos(System.nanoTime() - presentSince);
+    }
+
+    /** Says how long the sketch lets each request wait: until then none is repeated, which would but fill its buffer. */
+    void setLag(Duration time) {
+        lag = time;
+    }
+
+    Duration lag() {
+        return lag;
     }
 
     /** Whether the reply to the last request has begun to come, and seems to be a reading. */
@@ -249,6 +275,8 @@ final class Exchange {
 
         private void take(PacketDecoder.Empty empty) {
             if (empty.asksAgain()) {
+                presentSince = askedAgain ? presentSince : System.nanoTime();
+                askedAgain = true;
                 // The zero before it was none of a request that was taken.
                 asked = true;
                 taken = false;

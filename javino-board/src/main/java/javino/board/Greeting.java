@@ -1,5 +1,6 @@
 package javino.board;
 
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.function.BooleanSupplier;
@@ -26,6 +27,10 @@ final class Greeting {
      * booted, so that it need not wait for that.
      */
     private static final int HELLOS = 20;
+    /** How many where the board has asked again: it is there, and its sketch may wait in loop(). */
+    private static final int PATIENT_HELLOS = 100;
+    /** A sketch that calls the library often has answered long before. */
+    private static final Duration LATE = Duration.ofMillis(500);
     /**
      * For how many hello intervals an answer in the older protocol is waited for: by default 2 s, as there are slow
      * sensors.
@@ -102,7 +107,9 @@ final class Greeting {
 
     private Optional<BoardInfo> hello(int hellos) throws LinkException, ProtocolException {
         Optional<Reply> reply = exchange.ask(Request.hello(), context.config().helloInterval(), () -> false,
-                attempts -> attempts < hellos && goOn.getAsBoolean());
+                attempts -> attempts < (exchange.hasAskedAgain() ? PATIENT_HELLOS : hellos) && goOn.getAsBoolean());
+        Duration presence = exchange.presence();
+        exchange.setLag(presence.compareTo(LATE) > 0 ? presence : Duration.ZERO);
         Optional<BoardInfo> board = reply.isEmpty() ? Optional.empty() : Optional.of(boardInfo(reply.get()));
         board.ifPresent(
                 greeted -> exchange.setSaysTaken(greeted.capabilities().contains(Capability.SAYS_TAKEN)));

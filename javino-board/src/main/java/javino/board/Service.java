@@ -2,12 +2,14 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javino.link.LinkException;
 import javino.protocol.ActionNames;
 import javino.protocol.BoardInfo;
+import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
@@ -81,6 +83,12 @@ final class Service {
     List<Reply.StoredKey> keys() throws LinkException, LostException, ProtocolException {
         Reply reply = ask(Request.listKeys());
         return reply.status() == Status.OK ? reply.storedKeys() : List.of();
+    }
+
+    /** Asks for the board's counters; none if it has none. */
+    Map<Counter, Long> statistics() throws LinkException, LostException, ProtocolException {
+        Reply reply = ask(Request.statistics());
+        return reply.status() == Status.OK ? reply.statistics() : Map.of();
     }
 
     /** Raises the board's epoch. @return whether it has it. */
@@ -220,6 +228,7 @@ final class Service {
         context.counters().count(SessionCounter.SILENCES);
         Duration overdue = exchange.overdue();
         throw new SilenceException(context.name() + (overdue.isZero() ? ": the board left a request unanswered"
+                + (exchange.lag().isZero() ? "" : "; is there a delay() in its sketch's loop()?")
                 : ": the board has taken a request and not answered it in " + overdue.toSeconds()
                         + " s; the sketch's functions of actions and percepts must return at once"));
     }

@@ -146,6 +146,9 @@ final class Session implements Runnable {
         } else {
             Service service = new Service(context, greeting.exchange(), polling);
             info = info.withActions(service.actions());
+            if (!greeting.exchange().lag().isZero()) {
+                SketchTimes.ofLoop(service.statistics()).ifPresent(context.listener()::warn);
+            }
             if (lost.isLost(info)) {
                 raiseLostEpoch(service);
             }
@@ -188,7 +191,7 @@ final class Session implements Runnable {
         failExpired();
         if (patience.passed()) {
             goOffline(context.name() + ": the port is open, but no Javino board answers; is its sketch flashed, "
-                    + "and at the same baud rate?");
+                    + "without a delay() in loop(), and at the same baud rate?");
         }
         return !context.queue().isClosed();
     }

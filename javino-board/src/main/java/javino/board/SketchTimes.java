@@ -2,7 +2,9 @@ package javino.board;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import javino.protocol.Counter;
 
 /** How long a sketch kept the library, and so the radio and the host, waiting since the boot (SPEC 4.5). */
@@ -46,6 +48,14 @@ public final class SketchTimes {
                 "us passed before the radio was served; something in the sketch switches interrupts off, such as a "
                         + "strip of lamps, SoftwareSerial or a DHT sensor");
         return found;
+    }
+
+    /** For people: that the sketch's loop() delays all requests, if it does. */
+    static Optional<String> ofLoop(Map<Counter, Long> counters) {
+        long longest = counters.getOrDefault(Counter.LOOP_MILLIS, 0L);
+        return longest <= WITHOUT_RADIO_MILLIS ? Optional.empty()
+                : Optional.of(String.format(Locale.ROOT, "the sketch's loop took %.1f s, and delays all requests so "
+                        + "long: no delay() in loop()", longest / 1000.0));
     }
 
     private static void examine(List<Slow> found, Map<Counter, Long> counters, Counter counter, int most, String part,

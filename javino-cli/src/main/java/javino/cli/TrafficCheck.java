@@ -17,6 +17,7 @@ final class TrafficCheck {
     /** A line is bad from so many damaged packets on, if they are more than one in so many. */
     private static final int FEW_DAMAGED = 3;
     private static final int ONE_IN = 20;
+    private static final String SKETCH_FIRST = "first do what is said above of the sketch, which may be why";
 
     private final Board board;
     private final Findings findings;
@@ -38,16 +39,16 @@ final class TrafficCheck {
     void examine(Duration listen) throws JavinoException, InterruptedException {
         Map<Counter, Long> counters = listen(listen);
         examineMemory(counters);
-        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
         boolean lasts = examineSketch(counters, true);
+        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L), lasts);
         examineRadio(counters, listen, lasts);
     }
 
     /** Examines a board without a radio. */
     void examine() throws JavinoException, InterruptedException {
         Map<Counter, Long> counters = Await.result(board.statistics());
-        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
-        examineSketch(counters, false);
+        boolean lasts = examineSketch(counters, false);
+        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L), lasts);
         findings.ok("radio", "none");
     }
 
@@ -69,18 +70,19 @@ final class TrafficCheck {
         }
     }
 
-    private void examineLine(long damagedAtBoard) {
+    private void examineLine(long damagedAtBoard, boolean lasts) {
         long damaged = damagedAtBoard + since(SessionCounter.DAMAGED_PACKETS);
         long packets = since(SessionCounter.REQUESTS) + since(SessionCounter.REPEATS);
         String count = damaged + " of " + packets + " packets were damaged";
         if (damaged >= FEW_DAMAGED && damaged * ONE_IN > packets) {
-            findings.trouble("serial line", count + "; a shorter or better cable, away from motors");
+            findings.trouble("serial line", count + "; " + (lasts ? SKETCH_FIRST
+                    : "a shorter or better cable, away from motors"));
         } else {
             findings.ok("serial line", count);
         }
     }
 
-    /** @return whether the radio may have heard nothing because of the sketch. */
+    /** @return whether packets may be lost because of the sketch. */
     private boolean examineSketch(Map<Counter, Long> counters, boolean hasRadio) {
         List<SketchTimes.Slow> slow = SketchTimes.slow(counters, hasRadio);
         slow.forEach(each -> findings.trouble(each.part(), each.remedy()));
@@ -106,7 +108,7 @@ final class TrafficCheck {
         String count = received + " packets received, " + damaged + " damaged";
         if (received + damaged == 0) {
             findings.trouble("radio", "nothing was heard in " + listened.toSeconds() + " s; " + (lasts
-                    ? "first do what is said above of the sketch, which may be why"
+                    ? SKETCH_FIRST
                     : "if another board was sending, look at the receiver's supply, ground and data wire (pin 11), the "
                             + "antennas, the distance"));
         } else if (damaged > received) {

@@ -101,7 +101,8 @@ class DoctorCommandTest extends CommandFixture {
     void board_silent_endsThere() {
         patience = Duration.ofMillis(50);
         fake.line.setSilent(true);
-        assertTrouble("board", "no Javino board answers; is its sketch flashed, and at the same baud rate?");
+        assertTrouble("board", "no Javino board answers; is its sketch flashed, without a delay() in loop(), "
+                + "and at the same baud rate?");
         assertEquals("port                ok, fake", lines().get(0));
         assertEquals(2, lines().size());
     }
@@ -328,6 +329,15 @@ class DoctorCommandTest extends CommandFixture {
     void serialLine_manyDamaged_isTold() {
         fake.setCounter(Counter.SERIAL_DAMAGED, 1000);
         assertTrouble("serial line", "1000 of ");
+    }
+
+    @Test
+    void serialLine_manyDamagedAsTheLoopWaits_isLaidToTheSketch() {
+        fake.setCounter(Counter.SERIAL_DAMAGED, 1000).setCounter(Counter.LOOP_MILLIS, 2000);
+        assertEquals(1, examine(), out.toString());
+        assertTrue(lines().get(6).startsWith("loop()              up to 2000 ms"), out.toString());
+        assertTrue(lines().get(7).startsWith("serial line         1000 of "), out.toString());
+        assertTrue(lines().get(7).contains("; first do what is said above of the sketch"), out.toString());
     }
 
     @Test
