@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -26,6 +27,7 @@ import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
+import jason.asSyntax.PlanBody;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
@@ -50,7 +52,13 @@ import javino.protocol.Outcome;
  */
 public class Diffuser extends AgArch {
 
+    /** The longest that a plan waits for a reading. */
+    protected static final Duration LONGEST = Duration.ofSeconds(5);
+
     private static final long serialVersionUID = 1L;
+
+    /** About as long as a board that speaks the older protocol takes to be asked. */
+    private static final Duration SHORT = Duration.ofMillis(100);
 
     private transient Warnings warnings;
     private transient Inbox inbox;
@@ -130,8 +138,8 @@ public class Diffuser extends AgArch {
      * Looks for a board on a port, and leaves the port before.
      *
      * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
-     * @return completes when the agent believes whether a board is there, or when another port is opened; never fails,
-     *         since a board may come later. An agent that was stopped opens none.
+     * @return completes when the agent believes whether a board is there and what it perceives, or when another port is
+     *         opened; never fails, since a board may come later. An agent that was stopped opens none.
      */
     public CompletableFuture<Void> openPort(String port) {
         PlainLines.of(getAgName());
@@ -147,7 +155,8 @@ public class Diffuser extends AgArch {
             device = Device.open(link, portTerm(port), boardConfig(), settings,
                     new DeviceContext(getAgName(), inbox, hosts, warnings, this::wakeAgent,
                             text -> printed.accept(text), service(KeyService.class)));
-            return device.decided().thenCompose(decided -> believed());
+            Duration patience = patience();
+            return device.decided().thenCompose(decided -> reading(patience));
         }
     }
 
@@ -167,22 +176,42 @@ public class Diffuser extends AgArch {
     /**
      * Sets whether the sensors' percepts are beliefs.
      *
-     * @return completes when the agent's plan may go on: here at once; a subclass may let it wait.
+     * @return completes when the agent believes a reading that is due within the {@link #patience()} of its plan; at
+     *         once without a board; never fails.
      */
     public CompletableFuture<Void> sense(SensorMode wanted) {
         change(old -> old.withPercepts(wanted));
-        return CompletableFuture.completedFuture(null);
+        return reading(patience());
+    }
+
+    /**
+     * How long the selected intention may wait for a reading: 5 s if its next step asks what is believed, else 100 ms.
+     */
+    protected Duration patience() {
+        Intention intention = getTS().getC().getSelectedIntention();
+        PlanBody next = intention == null ? null : intention.peek().getCurrentStep().getBodyNext();
+        return next != null && next.getBodyType() == PlanBody.BodyType.test ? LONGEST : SHORT;
+    }
+
+    /**
+     * The longest wait for sensors that take their time.
+     *
+     * @param patience of the plan.
+     */
+    protected Duration longestReading(Duration patience) {
+        return patience;
     }
 
     /**
      * Waits for a reading of the sensors that begins after this. For any thread.
      *
-     * @param within how much later than now the reading may begin. There is no wait if {@link #limitPercepts} delays it
-     *               longer, if sensors are not read, or if there is no board.
-     * @return completes when the agent believes the reading; never fails.
+     * @param patience how much later than now the reading may begin. There is no wait if {@link #limitPercepts} delays
+     *                 it longer, if sensors are not read, or if there is no board.
+     * @return completes when the agent believes the reading, or after {@link #longestReading}; never fails.
      */
-    protected CompletableFuture<Void> reading(Duration within) {
-        return device().map(board -> board.reading(within)).orElseGet(() -> CompletableFuture.completedFuture(null))
+    protected CompletableFuture<Void> reading(Duration patience) {
+        return device().map(board -> board.reading(patience)).orElseGet(() -> CompletableFuture.completedFuture(null))
+                .completeOnTimeout(null, longestReading(patience).toMillis(), TimeUnit.MILLISECONDS)
                 .thenCompose(read -> believed());
     }
 

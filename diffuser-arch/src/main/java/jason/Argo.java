@@ -4,9 +4,7 @@ import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
 
-import jason.asSemantics.Intention;
 import jason.asSyntax.ASSyntax;
-import jason.asSyntax.PlanBody;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
@@ -20,9 +18,8 @@ import diffuser.SensorMode;
  * <li>Beliefs name a port by its last part, as an atom where it is one: {@code port(ttyACM0,on)}.
  * <li>Percepts that are blocked stay believed: {@code .percepts(block)} is {@code .percepts(close)}.
  * <li>{@code .port(none)} leaves the port.
- * <li>After {@code .port}, {@code .percepts(open)} and an action the plan goes on when the sensors were read anew and
- * are believed; but where {@code .limit} lets that come later it goes on at once, unless its next step asks for a
- * belief.
+ * <li>After an action, too, the plan goes on when the sensors were read anew and are believed; but where {@code .limit}
+ * lets that come later it goes on at once, unless its next step asks for a belief.
  * </ul>
  */
 public class Argo extends Diffuser {
@@ -30,9 +27,6 @@ public class Argo extends Diffuser {
     private static final long serialVersionUID = 1L;
 
     private static final String NO_PORT = "none";
-    /** About as long as a board that speaks the older protocol takes to be asked. */
-    private static final Duration SHORT = Duration.ofMillis(100);
-    private static final Duration LONGEST = Duration.ofSeconds(5);
     private static final Pattern ATOM = Pattern.compile("[a-z][A-Za-z0-9_]*");
 
     @Override
@@ -44,8 +38,7 @@ public class Argo extends Diffuser {
     @Override
     public CompletableFuture<Void> openPort(String port) {
         if (!port.equals(NO_PORT)) {
-            Duration within = patience();
-            return super.openPort(port).thenCompose(known -> reading(within));
+            return super.openPort(port);
         }
         super.sense(SensorMode.HELD);
         closePort();
@@ -54,20 +47,18 @@ public class Argo extends Diffuser {
 
     @Override
     public CompletableFuture<Void> sense(SensorMode wanted) {
-        super.sense(wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
-        return reading(patience());
+        return super.sense(wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
     }
 
     @Override
     public CompletableFuture<Void> perform(String action) throws JasonException {
-        Duration within = patience();
-        return super.perform(action).thenCompose(done -> reading(within));
+        Duration patience = patience();
+        return super.perform(action).thenCompose(done -> reading(patience));
     }
 
-    /** How long the next reading is worth waiting for: a plan that asks next what is believed relies on it. */
-    private Duration patience() {
-        Intention intention = getTS().getC().getSelectedIntention();
-        PlanBody next = intention == null ? null : intention.peek().getCurrentStep().getBodyNext();
-        return next != null && next.getBodyType() == PlanBody.BodyType.test ? LONGEST : SHORT;
+    /** {@inheritDoc} Its agents rely on a reading that is due, whatever their plans do next. */
+    @Override
+    protected Duration longestReading(Duration patience) {
+        return LONGEST;
     }
 }

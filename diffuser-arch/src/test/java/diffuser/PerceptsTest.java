@@ -7,6 +7,8 @@ import java.util.List;
 import jason.infra.local.LocalEnvironment;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import javino.fake.FakeBoard;
 
@@ -49,6 +51,56 @@ class PerceptsTest {
         agent.notes("minus 1");
         agent.achieve("open");
         agent.notes("plus 1");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".port(board); .percepts(open)", ".percepts(open); .port(board)",
+            ".port(board); .percepts(open); .percepts(block); .percepts(open)",
+            ".limit(3600000); .port(board); .percepts(open)"})
+    void percepts_opened_areBelievedInTheNextStep(String opening) {
+        for (int i = 0; i < 10; i++) {
+            FakeBoard board = new FakeBoard("board").perceive("p(42)");
+            RunningAgent agent = RunningAgent.run("!start. +!start <- " + opening + "; ?p(X); diffuser.note(X).", board);
+            agent.notes("42");
+            agent.close();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".percepts(open); diffuser.note(went)",
+            ".percepts(open); .port(board); .percepts(open); diffuser.note(went)",
+            ".port(board); .percepts(open); ?not q; diffuser.note(went)",
+            ".port(missing); .percepts(open); ?not q; diffuser.note(went)"})
+    void percepts_openedWhereNothingIsPerceived_goesOn(String plan) {
+        RunningAgent.run("!start. +!start <- " + plan + ".", new FakeBoard("board")).notes("went");
+    }
+
+    /** As {@code delay} in a sketch's function of percepts does. */
+    @ParameterizedTest
+    @ValueSource(strings = {".port(board); .percepts(open)", ".percepts(open); .port(board)"})
+    void percepts_openedWhereAReadingLasts_goesOnWithoutIt(String plan) {
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
+        board.stallAt("poll");
+        RunningAgent agent = RunningAgent.run("""
+                !start.
+                +!start <- %s; diffuser.note(went).
+                +port(_,off) <- diffuser.note(off).
+                +p(X) <- diffuser.note(p,X).
+                """.formatted(plan), board);
+        agent.notes("went");
+        board.resume();
+        agent.notes("p 1");
+    }
+
+    /** Where readings are rare, a plan does not wait for the next one. */
+    @Test
+    void percepts_openedAgainLongBeforeTheNextReading_goesOn() {
+        RunningAgent agent = RunningAgent.run("""
+                !start.
+                +!start <- .limit(3600000); .port(board); .percepts(open); ?p(X); .percepts(open); ?p(X);
+                    diffuser.note(X).
+                """, new FakeBoard("board").perceive("p(1)"));
+        agent.notes("1");
     }
 
     @Test
