@@ -126,7 +126,7 @@ final class Device implements BoardListener {
         return percepts.snapshot();
     }
 
-    /** How many percepts were left out as malformed. */
+    /** How many percepts were left out as malformed or refused. */
     long malformedPercepts() {
         return percepts.malformed();
     }

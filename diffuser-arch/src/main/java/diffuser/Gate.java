@@ -69,6 +69,8 @@ public final class Gate implements CircumstanceListener {
 
     /** Jason's own events, such as {@code jag_shutting_down}, begin so. */
     private static final String JASONS_EVENTS = "jag_";
+    /** This is in the names that Jason looks up itself, such as {@code select__option} and {@code p__f}. */
+    private static final String JASONS_MARK = "__";
     private static final String JASONS_NAMESPACE = "kqml";
     private static final Set<String> JASONS_GOALS = jasonsGoals();
 
@@ -124,9 +126,8 @@ public final class Gate implements CircumstanceListener {
     void pass(Message message, Provenance of) throws RefusedException {
         Performative performative = Performative.of(message.getIlForce()).orElseThrow();
         Policy.Decision decision = permit(Act.of(performative), of);
-        Term said = (Term) message.getPropCont();
-        refuseJasonsOwn(said);
-        Term clean = performative == Performative.TELL_HOW ? labelled(said) : clean(said);
+        Term admitted = admit((Term) message.getPropCont());
+        Term clean = performative == Performative.TELL_HOW ? labelled(admitted) : admitted;
         if (message.getInReplyTo() != null && performative != Performative.SORRY) {
             Term answer = performative == Performative.TELL ? marked(clean, of.marks()) : asList(clean);
             rehearse(message, answer);
@@ -341,6 +342,37 @@ public final class Gate implements CircumstanceListener {
 
     // Jason's own
 
+    /**
+     * What comes from outside an agent, such as a message or a board's percept, as the agent may have it: without the
+     * annotations to which an architecture gives a meaning.
+     *
+     * @throws RefusedException if it names what is Jason's own.
+     */
+    public static Term admit(Term said) throws RefusedException {
+        refuseJasonsOwn(said);
+        refuseJasonsMark(said);
+        return clean(said);
+    }
+
+    /** Looks at the functors by which Jason would find it; within terms any name is a user's. */
+    private static void refuseJasonsMark(Term said) throws RefusedException {
+        if (said.isList() && !said.isVar()) {
+            for (Term each : (ListTerm) said) {
+                refuseJasonsMark(each);
+            }
+            return;
+        }
+        Term found = said instanceof Plan plan ? plan.getTrigger().getLiteral()
+                : said instanceof Trigger trigger ? trigger.getLiteral()
+                        : said instanceof PlanBody body ? body.getBodyTerm() : said;
+        boolean label = found.isAtom() && Plans.GENERATED.matcher(found.toString()).matches();
+        if (found instanceof Literal literal && !found.isVar() && !label
+                && literal.getFunctor().contains(JASONS_MARK)) {
+            throw new RefusedException("a name with two underlines may mean something to Jason itself: ",
+                    literal.getFunctor());
+        }
+    }
+
     /** What the plans that come with Jason, and handle its messages, are for. */
     private static Set<String> jasonsGoals() {
         Set<String> goals = new HashSet<>(Set.of(Config.get().getKqmlFunctor()));
@@ -379,9 +411,9 @@ public final class Gate implements CircumstanceListener {
         if (literal.getNS().isVar()) {
             throw new RefusedException("a variable for a namespace would match Jason's own, too");
         }
-        String name = literal.getFunctor().replace("'", "");
+        String name = Names.unquoted(literal.getFunctor());
         boolean jasons = JASONS_GOALS.contains(name) || name.startsWith(JASONS_EVENTS)
-                || literal.getNS().getFunctor().equals(JASONS_NAMESPACE);
+                || Names.unquoted(literal.getNS().getFunctor()).equals(JASONS_NAMESPACE);
         if (jasons) {
             throw new RefusedException("it names a goal or event of Jason itself: ", name);
         }
@@ -417,7 +449,7 @@ public final class Gate implements CircumstanceListener {
     }
 
     private static boolean isMeaningful(Term annotation) {
-        return annotation instanceof Atom named && MEANINGFUL.contains(named.getFunctor().replace("'", ""));
+        return annotation instanceof Atom named && MEANINGFUL.contains(Names.unquoted(named.getFunctor()));
     }
 
     // Marks

@@ -37,7 +37,8 @@ public final class Names {
         return Optional.empty();
     }
 
-    private static String unquoted(String functor) {
+    /** A functor without the quotes in which a program may write it, and which Jason keeps. */
+    public static String unquoted(String functor) {
         boolean quoted = functor.length() >= 2 && functor.startsWith("'") && functor.endsWith("'");
         return quoted ? functor.substring(1, functor.length() - 1) : functor;
     }

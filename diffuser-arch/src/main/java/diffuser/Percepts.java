@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 
 import jason.asSyntax.ASSyntax;
@@ -17,6 +18,10 @@ import jason.asSyntax.Term;
  * The board's thread changes it; the agent's reads an immutable snapshot, and so never waits.
  */
 final class Percepts {
+
+    /** What the agent perceives of this architecture and of the libraries for it, not of a sketch. */
+    private static final Set<String> OWN = Set.of("port/2", "openness/1", "peer/2", "delivered/3", "undelivered/3",
+            "movedIn/2", "movedOut/2", "movingIn/3", "movingOut/3");
 
     private final Term port;
     private final Warnings warnings;
@@ -70,7 +75,7 @@ final class Percepts {
         compose();
     }
 
-    /** Replaces what the sensors say; texts that are no beliefs are left out, counted and reported, one by one. */
+    /** Replaces what the sensors say; texts that are no such beliefs are left out, counted and reported, one by one. */
     synchronized void sensors(List<String> texts) {
         Map<String, Literal> now = new LinkedHashMap<>();
         for (String text : texts) {
@@ -86,17 +91,29 @@ final class Percepts {
     }
 
     private Optional<Literal> read(String text) {
+        String skipped = "skipped a percept of the board on " + Names.of(port).orElse(port.toString());
         try {
-            return Optional.of(Texts.readPercept(text));
+            return Optional.of(admitted(text));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
-            warnings.once("skipped a percept of the board on " + Names.of(port).orElse(port.toString())
-                    + " that is no AgentSpeak, " + e.getMessage());
-            return Optional.empty();
+            warnings.once(skipped + " that is no AgentSpeak, " + e.getMessage());
+        } catch (Gate.RefusedException e) {
+            malformed.incrementAndGet();
+            warnings.once(skipped + ", \"" + text + "\": " + e.getMessage());
         }
+        return Optional.empty();
     }
 
-    /** How many percepts were left out as malformed. */
+    /** A percept as the agent may have it. */
+    static Literal admitted(String text) throws MalformedTextException, Gate.RefusedException {
+        Literal percept = (Literal) Gate.admit(Texts.readPercept(text));
+        if (OWN.contains(Names.unquoted(percept.getFunctor()) + "/" + percept.getArity())) {
+            throw new Gate.RefusedException("the agent's architecture itself tells that");
+        }
+        return percept;
+    }
+
+    /** How many percepts were left out as malformed or refused. */
     long malformed() {
         return malformed.get();
     }

@@ -71,16 +71,16 @@ public final class Texts {
     /**
      * What one agent says to another.
      *
-     * @throws JasonException bad_content if the term is not what goes with the performative, or its text does not read
-     * back; too_long if it is longer than any message.
+     * @throws JasonException bad_content if the term is not what goes with the performative, its text does not read back,
+     * or every gate refuses it; too_long if it is longer than any message.
      */
     static Content content(Performative performative, Optional<Conversation> conversation, Term term)
             throws JasonException {
         try {
-            String text = TermWriter.write(each(Gate.clean(term), Plans::withoutGeneratedLabel));
+            String text = TermWriter.write(each(Gate.admit(term), Plans::withoutGeneratedLabel));
             checked(performative, conversation.isPresent(), text);
             return new Content(performative, conversation, text);
-        } catch (MalformedTextException e) {
+        } catch (MalformedTextException | Gate.RefusedException e) {
             throw unsayable(e);
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
@@ -104,11 +104,12 @@ public final class Texts {
      * What an agent of this MAS says that is trusted no more than another device: as it would come from there.
      *
      * @param answer whether it answers a question.
+     * @param said   admitted by the gate.
      * @throws MalformedTextException if it is not what goes with the performative, or its text does not read back.
      */
     public static Term asFromTheAir(Performative performative, boolean answer, Term said)
             throws MalformedTextException {
-        return checked(performative, answer, TermWriter.write(Gate.clean(said)));
+        return checked(performative, answer, TermWriter.write(said));
     }
 
     private static Term checked(Performative performative, boolean conversing, String text)
@@ -119,7 +120,7 @@ public final class Texts {
         return term;
     }
 
-    private static JasonException unsayable(MalformedTextException e) {
+    private static JasonException unsayable(Exception e) {
         return new Failure("bad_content", "this cannot be sent: " + e.getMessage()).toException();
     }
 

@@ -139,7 +139,12 @@ class GateTest {
                 "signal;jag_shutting_down(1)",
                 "tell;kqml::clear_source_self(a,b)",
                 "untell;kqml::clear_source_self(_,_)", "tell;NS::clear_source_self(a,b)",
-                "achieve;NS::kqml_received(b,achieve,go(1),m)", "achieve;opened(NS::x)")
+                "achieve;NS::kqml_received(b,achieve,go(1),m)", "achieve;opened(NS::x)",
+                "tell;'kqml'::clear_source_self(a,b)", "tell;p('kqml'::q)", "tell;p(1)[q('kqml'::r)]",
+                "tell;'jag_shutting_down'(1)", "tell;p({ +!'kqml'::g <- x })", "tell;p({ +!g <- +'kqml'::x })",
+                "tell;select__option(a,b,c,d)", "tell;'select__option'(a,b,c,d)", "tell;[q(1),select__option(a,b,c,d)]",
+                "tell;~select__option(a,b,c,d)", "tell;x::select__option(a,b,c,d)", "tell;p__f(1,go(_))",
+                "signal;f__l(go(1))", "achieve;f__g(go(1))", "untell;p__f(_,_)", "unachieve;f__g(_)")
                 .map(content -> Arguments.of(to, content)));
     }
 
@@ -172,6 +177,10 @@ class GateTest {
             "askOne#AbC;kqml_received(_,_,_,_)",
             "askHow#AbC;{ +!kqml_received(_,_,_,_) }",
             "askHow#AbC;\"+!kqml_received(_,_,_,_)\"",
+            "tellHow;{ +!'kqml'::e <- x }", "tellHow;\"+!'kqml'::e <- x.\"", "tellHow;{ @'kqml'::l +!e <- x }",
+            "tellHow;{ +!f__g(X) <- diffuser.note(taught) }", "tellHow;\"+!f__g(X) <- diffuser.note(taught).\"",
+            "untellHow;'kqml'::l", "askOne#AbC;select__option(_,_,_,_)", "askOne#AbC;'kqml'::l",
+            "askHow#AbC;{ +!f__g(_) }", "askHow#AbC;\"+!f__g(_)\"", "askHow#AbC;\"+!'kqml'::g\"",
     })
     void pass_plansForJasonsOwn_refusedThoughSealed(String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
@@ -183,9 +192,30 @@ class GateTest {
         assertEquals(1L, refused(agent) + agent.diffuser().inbox().malformed());
     }
 
+    /** Only what Jason would look up has such a name: terms within, variables and labels may. */
+    @Test
+    void pass_twoUnderlinesElsewhere_pass() throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        RunningAgent agent = ready(board);
+        board.receive(ME, "SUPO", "tell;p(my__thing(A__1))[my__mark]");
+        agent.notes("sealed my__thing(A__1) SUPO");
+        board.receive(ME, "SUPO", "tellHow;{ @p__98765 +!taught(X__1) <- diffuser.note(taught,X__1) }");
+        while (!plansOf(agent).contains("taught(")) {
+            agent.cycles(1);
+        }
+        board.receive(ME, "SUPO", "achieve;taught(1)");
+        agent.notes("taught 1");
+        board.receive(ME, "SUPO", "untellHow;p__98765");
+        while (plansOf(agent).contains("taught(")) {
+            agent.cycles(1);
+        }
+        assertEquals(0, refused(agent));
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {
-            "tell;p(1)[source(percept)]", "tell;p(1)[source(self)]", "tell;p(1)[source(ROMB)[source(percept)]]",
+            "tell;p(1)[source(percept)]", "tell;p(1)[source('percept')]", "tell;p(1)['source'('self')]",
+            "tell;p(1)['kqml'::source(self)]", "tell;p(1)[source(self)]", "tell;p(1)[source(ROMB)[source(percept)]]",
             "tell;p(1)[cast(unicast,'SUPO')]", "tell;p(1)['source'(percept)]", "tell;p(1)[ns::source(percept)]",
             "tell;p(1)[|T]", "tell;p(1)[X]", "tell;p(1)[X,Y,Z]", "tell;p(1)[x|T]", "tell;[p(1)[|T],p(1)[source(self)]]",
             "tell;trusted(\"ROMB\")[source(self)]", "tell;delivered(a,b,c)[source(percept)]",

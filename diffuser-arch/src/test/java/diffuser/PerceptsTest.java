@@ -1,8 +1,14 @@
 package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 import jason.infra.local.LocalEnvironment;
 
@@ -60,7 +66,8 @@ class PerceptsTest {
     void percepts_opened_areBelievedInTheNextStep(String opening) {
         for (int i = 0; i < 10; i++) {
             FakeBoard board = new FakeBoard("board").perceive("p(42)");
-            RunningAgent agent = RunningAgent.run("!start. +!start <- " + opening + "; ?p(X); diffuser.note(X).", board);
+            RunningAgent agent =
+                    RunningAgent.run("!start. +!start <- " + opening + "; ?p(X); diffuser.note(X).", board);
             agent.notes("42");
             agent.close();
         }
@@ -131,6 +138,68 @@ class PerceptsTest {
         agent.notes("minus 2");
         assertEquals(List.of(), List.copyOf(agent.warnings));
         assertEquals(7L, agent.diffuser().getStatus().get("perceptsMalformed"));
+    }
+
+    /** A board is no more than another outside: with other sources its percepts would stay for ever. */
+    @Test
+    void percepts_annotationsWithAMeaning_areTakenOff() {
+        FakeBoard board = new FakeBoard("board").perceive("p(1)[source(self)]", "p(2)['source'(self),sure(3)]",
+                "p(3)[cast(unicast,'SUPO'),peer(provisioned,'SUPO')]", "p(a[source(self)])");
+        RunningAgent agent = RunningAgent.run("""
+                !start.
+                +!start <- .port(board); .percepts(open); ?p(2)[sure(S)]; diffuser.note(sure,S).
+                -p(X) <- diffuser.note(minus,X).
+                +!probe <- .count(p(_),N); .count(p(_)[source(percept)],M); .count(p(_)[source(self)],K);
+                    .count(p(_)[cast(_,_)],C); diffuser.note(N,M,K,C).
+                """, board);
+        agent.notes("sure 3");
+        agent.achieve("probe");
+        agent.notes("4 4 0 0");
+        board.perceive();
+        agent.notesAll("minus 1", "minus 2", "minus 3", "minus a");
+        agent.achieve("probe");
+        agent.notes("0 0 0 0");
+    }
+
+    /** They would be taken for what the architecture itself lets the agent perceive, or mean something to Jason. */
+    @ParameterizedTest
+    @ValueSource(strings = {"port(\"board\",off)", "'port'(\"board\",off)", "select__option(a,b,c,d)", "p__f(1,go)",
+            "kqml::x(1)", "'kqml'::x(1)", "jag_shutting_down(1)", "kqml_received(a,b,c,d)", "p(kqml::x)"})
+    void percepts_ofOthersMeaning_areLeftOutCountedAndNamed(String percept) throws Exception {
+        FakeBoard board = new FakeBoard("board").perceive(percept, "p(my__thing)");
+        RunningAgent agent = RunningAgent.run(PROGRAM + "+!probe <- .count(select__option(_,_,_,_),N);"
+                + ".count(port(_,off),M); diffuser.note(N,M).", board);
+        agent.notesAll("on", "plus my__thing");
+        agent.warns("skipped a percept of the board on board, \"" + percept + "\": ");
+        agent.achieve("probe");
+        agent.notes("0 0");
+        assertTrue((long) agent.diffuser().getStatus().get("perceptsMalformed") > 0);
+    }
+
+    /** All that the page says has the source percept. */
+    @Test
+    void percepts_likeTheArchitecturesOwn_areLeftOut() throws Exception {
+        String page = Files.readString(Path.of(System.getProperty("javino.root"), "docs/reference.md"));
+        String table = page.substring(page.indexOf("| belief or event |"), page.indexOf("## Command line"))
+                .replaceAll("(?m)(?<!^) \\| .*", "");
+        Matcher own = Pattern.compile("`[+]?([a-z]\\w*)(\\([^)]*\\))[^`]*`").matcher(table);
+        List<String> names = new ArrayList<>();
+        while (own.find()) {
+            names.add(own.group(1));
+            String text = own.group(1) + own.group(2).replaceAll("[^(),]+", "x");
+            boolean sensors = own.group(1).equals("light");
+            assertEquals(sensors, isAdmitted(text), text);
+        }
+        assertTrue(names.containsAll(List.of("port", "openness", "peer", "light", "delivered", "movedIn")),
+                names::toString);
+    }
+
+    private static boolean isAdmitted(String text) throws Exception {
+        try {
+            return Percepts.admitted(text) != null;
+        } catch (Gate.RefusedException e) {
+            return false;
+        }
     }
 
     @Test

@@ -116,8 +116,8 @@ public class Guest extends Agent {
         try {
             Term said = message.getPropCont() instanceof Term term ? term
                     : ASSyntax.parseTerm(String.valueOf(message.getPropCont()));
-            Gate.refuseJasonsOwn(said);
-            message.setPropCont(Texts.asFromTheAir(performative.get(), message.getInReplyTo() != null, said));
+            message.setPropCont(
+                    Texts.asFromTheAir(performative.get(), message.getInReplyTo() != null, Gate.admit(said)));
         } catch (Gate.RefusedException | MalformedTextException | ParseException | TokenMgrError e) {
             throw failure(".send(_," + message.getIlForce() + ",_) of that: "
                     + Writing.brief(ASSyntax.createString(e.getMessage()))).toException();

@@ -33,6 +33,7 @@ import jason.bb.BeliefBase;
 
 import diffuser.Gate;
 import diffuser.MalformedTextException;
+import diffuser.Names;
 import diffuser.Plans;
 import diffuser.Terms;
 import diffuser.Texts;
@@ -97,7 +98,7 @@ final class Reading {
 
     private static void refuseLabel(String text, Plan plan) throws RefusedException {
         if (plan.getLabel() != null) {
-            String name = plan.getLabel().getFunctor();
+            String name = Names.unquoted(plan.getLabel().getFunctor());
             expect(!name.startsWith(JASONS_LABELS) && !Plans.GENERATED.matcher(name).matches(), text,
                     "its label is one of Jason's own");
         }
