@@ -414,6 +414,7 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} To an RF address, if no local agent has that name. */
     @Override
     public void sendMsg(Message message) throws Exception {
+        Optional<Intentions.Waiting> waiting = waiting(message);
         try {
             super.sendMsg(message);
         } catch (ReceiverNotFoundException e) {
@@ -421,14 +422,23 @@ public class Diffuser extends AgArch {
                 intentions.forget(message.getMsgId());
                 throw e;
             }
-            sendByRadio(message);
+            sendByRadio(message, waiting);
         }
     }
 
-    private void sendByRadio(Message message) throws JasonException {
+    private Optional<Intentions.Waiting> waiting(Message message) throws JasonException {
+        try {
+            return message.isAsk() ? intentions.waiting(message.getMsgId()) : Optional.empty();
+        } catch (JasonException e) {
+            intentions.forget(message.getMsgId());
+            throw e;
+        }
+    }
+
+    private void sendByRadio(Message message, Optional<Intentions.Waiting> waiting) throws JasonException {
         Optional<IncomingQuestion> question = IncomingQuestion.of(message.getInReplyTo());
         if (message.isAsk()) {
-            questions.ask(message, device);
+            questions.ask(message, waiting, device);
         } else if (question.isPresent()) {
             outbox.answer(message, question.get(), device);
         } else {

@@ -128,7 +128,8 @@ final class Inbox {
                 questions.answered(incoming.content().conversation().orElseThrow(), incoming.message().from());
         Provenance of = question.map(asked -> asked.answered(incoming.message().from(), incoming.of().peer()))
                 .orElse(incoming.of().answering(Provenance.Question.NONE_OPEN));
-        question.flatMap(Questions.Question::messageId).ifPresent(message::setInReplyTo);
+        question.flatMap(Questions.Question::waiting).map(Intentions.Waiting::messageId)
+                .ifPresent(message::setInReplyTo);
         try {
             gate.pass(message, of);
         } catch (Gate.RefusedException | RuntimeException e) {
@@ -144,7 +145,8 @@ final class Inbox {
         Failure why =
                 new Failure("no_answer", incoming.message().from() + " cannot answer " + question.outgoing().content()
                         + ": " + reason);
-        question.messageId().ifPresentOrElse(id -> intentions.fail(id, why), () -> warnings.always(why.message()));
+        question.waiting().ifPresentOrElse(waiting -> intentions.fail(waiting, why),
+                () -> warnings.always(why.message()));
     }
 
     boolean isEmpty() {

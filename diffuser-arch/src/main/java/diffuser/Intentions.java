@@ -1,14 +1,18 @@
 package diffuser;
 
+import java.util.Optional;
 import java.util.function.Supplier;
 
+import jason.JasonException;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.CircumstanceListener;
 import jason.asSemantics.ConcurrentInternalAction;
+import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
 import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
+import jason.asSyntax.PlanBody;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 
@@ -19,8 +23,8 @@ import jason.asSyntax.Term;
  */
 public final class Intentions {
 
-    /** Of {@code .send(To,Ask,Content,Answer,Timeout)}. */
-    private static final int ARITY_WITH_TIMEOUT = 5;
+    /** Its place in {@code .send(To,Ask,Content,Answer,Timeout)}. */
+    private static final int TIMEOUT = 4;
 
     private final Supplier<TransitionSystem> agent;
 
@@ -29,21 +33,63 @@ public final class Intentions {
         this.agent = agent;
     }
 
-    /** Whether an intention waits for the answer to that message. */
-    boolean isWaiting(String messageId) {
-        return circumstance().getPendingIntentions().containsKey(messageId);
+    /**
+     * That an intention waits for an answer.
+     *
+     * @param messageId of the question, under which Jason has it.
+     * @param step      at which it waits: where {@code .send} has failed after all, Jason has it still, at another step
+     *                  or at none.
+     */
+    record Waiting(String messageId, PlanBody step) {
     }
 
-    /** Whether the one that waits does so for a limited time only. */
-    boolean hasTimeout(String messageId) {
+    /**
+     * The intention that waits for the answer to that message, if one does.
+     *
+     * @throws JasonException wrong_arguments if it is to wait for a time that is none: Jason would notice only after
+     *                        it has asked, and wait for the answer all the same.
+     */
+    Optional<Waiting> waiting(String messageId) throws JasonException {
         Intention intention = circumstance().getPendingIntentions().get(messageId);
-        return intention.peek().getCurrentStep().getBodyTerm() instanceof Structure send
-                && send.getArity() == ARITY_WITH_TIMEOUT;
+        if (intention == null) {
+            return Optional.empty();
+        }
+        IntendedMeans means = intention.peek();
+        Waiting waiting = new Waiting(messageId, means.getCurrentStep());
+        if (hasTimeout(waiting)) {
+            Term timeout = send(waiting).getTerm(TIMEOUT).capply(means.getUnif());
+            if (!timeout.isNumeric()) {
+                throw new JasonException(".send waits for milliseconds, a number, not " + timeout,
+                        JasonException.WRONG_ARGS);
+            }
+        }
+        return Optional.of(waiting);
     }
 
-    /** Fails the one that waits, if it still does, in the agent's next cycle. For any thread. */
-    void fail(String messageId, Failure why) {
-        fail(agent.get(), messageId, why);
+    /** Whether it still waits. */
+    boolean isWaiting(Waiting waiting) {
+        return pending(waiting) != null;
+    }
+
+    /** Whether it waits for a limited time only. */
+    static boolean hasTimeout(Waiting waiting) {
+        return send(waiting).getArity() > TIMEOUT;
+    }
+
+    private static Structure send(Waiting waiting) {
+        return (Structure) waiting.step().getBodyTerm();
+    }
+
+    private Intention pending(Waiting waiting) {
+        Intention intention = pending(agent.get(), waiting.messageId());
+        boolean waits = intention != null && !intention.isFinished()
+                && intention.peek().getCurrentStep() == waiting.step();
+        return waits ? intention : null;
+    }
+
+    /** Fails it, if it still waits, in the agent's next cycle. For any thread. */
+    void fail(Waiting waiting, Failure why) {
+        fail(agent.get(), waiting.messageId(), () -> pending(waiting), why);
     }
 
     /**
@@ -63,7 +109,11 @@ public final class Intentions {
 
     /** Fails the intention that is pending under a key, if there is one. For any thread. */
     public static void fail(TransitionSystem ts, String key, Failure why) {
-        goOn(ts, () -> pending(ts, key), () -> {
+        fail(ts, key, () -> pending(ts, key), why);
+    }
+
+    private static void fail(TransitionSystem ts, String key, Supplier<Intention> waiting, Failure why) {
+        goOn(ts, waiting, () -> {
             // Jason leaves an atomic intention selected, and then waits for it for ever instead of running its failure
             // plan.
             if (pending(ts, key).isAtomic()) {

@@ -29,16 +29,16 @@ final class Questions {
     /**
      * A question that was asked.
      *
-     * @param outgoing    what was asked of whom.
-     * @param messageId by which an intention waits for the answer; empty if none does.
-     * @param answered  who has answered.
+     * @param outgoing what was asked of whom.
+     * @param waiting  the intention that waits for the answer; empty if none does.
+     * @param answered who has answered.
      */
-    record Question(OutgoingMessage outgoing, Optional<String> messageId, Set<Address> answered) {
+    record Question(OutgoingMessage outgoing, Optional<Intentions.Waiting> waiting, Set<Address> answered) {
 
         /** Where an answer of a device comes from: as the question went. */
         Provenance answered(Address by, TrustLevel peer) {
             return Provenance.of(by, Cast.of(outgoing.to()), peer).answering(
-                    Provenance.Question.of(outgoing.content().performative(), messageId.isPresent()));
+                    Provenance.Question.of(outgoing.content().performative(), waiting.isPresent()));
         }
     }
 
@@ -50,14 +50,15 @@ final class Questions {
     /**
      * Sends what Jason's {@code .send} asks, and fails the intention that waits for the answer if none can come.
      *
+     * @param waiting the intention that waits for the answer; empty if none does.
      * @throws JasonException if it cannot be sent; then no intention waits for it any more, and the one that asks
      * fails.
      */
-    void ask(Message message, Device board) throws JasonException {
+    void ask(Message message, Optional<Intentions.Waiting> waiting, Device board) throws JasonException {
         try {
             OutgoingMessage outgoing = OutgoingMessage.of(message);
-            if (intentions.isWaiting(message.getMsgId())) {
-                await(outgoing, message.getMsgId(), board);
+            if (waiting.isPresent()) {
+                await(outgoing, waiting.get(), board);
             } else {
                 remember(outgoing);
                 outbox.post(outgoing, board);
@@ -68,18 +69,18 @@ final class Questions {
         }
     }
 
-    private void await(OutgoingMessage outgoing, String messageId, Device board) throws JasonException {
+    private void await(OutgoingMessage outgoing, Intentions.Waiting waiting, Device board) throws JasonException {
         if (!outgoing.isAcknowledged()) {
             throw new JasonException("an answer can be awaited from one device, not from " + outgoing.to()
                     + "; without the argument for it, each answer comes as a belief", JasonException.WRONG_ARGS);
         }
-        boolean limited = intentions.hasTimeout(messageId);
-        remember(outgoing, Optional.of(messageId));
+        boolean limited = Intentions.hasTimeout(waiting);
+        remember(outgoing, Optional.of(waiting));
         outbox.deliver(outgoing, board).exceptionally(thrown -> {
             Failure failure = Failure.of(thrown);
             // What is undelivered may have arrived all the same, and the answer still come in time.
             if (!limited || !failure.isUndelivered()) {
-                intentions.fail(messageId, failure);
+                intentions.fail(waiting, failure);
             }
             return null;
         });
@@ -92,18 +93,18 @@ final class Questions {
         }
     }
 
-    private void remember(OutgoingMessage outgoing, Optional<String> messageId) {
-        open.values().removeIf(question -> question.messageId().filter(id -> !intentions.isWaiting(id)).isPresent());
-        if (messageId.isEmpty()) {
+    private void remember(OutgoingMessage outgoing, Optional<Intentions.Waiting> waiting) {
+        open.values().removeIf(question -> question.waiting().filter(each -> !intentions.isWaiting(each)).isPresent());
+        if (waiting.isEmpty()) {
             forgetOldUnawaited();
         }
-        Question question = new Question(outgoing, messageId, new HashSet<>());
+        Question question = new Question(outgoing, waiting, new HashSet<>());
         open.put(conversation(question), question);
     }
 
     /** Leaves room for one more of those that nobody waits for. */
     private void forgetOldUnawaited() {
-        List<Conversation> unawaited = open.values().stream().filter(question -> question.messageId().isEmpty())
+        List<Conversation> unawaited = open.values().stream().filter(question -> question.waiting().isEmpty())
                 .map(Questions::conversation).toList();
         unawaited.stream().limit(Math.max(0, unawaited.size() + 1 - MOST_UNAWAITED)).forEach(open::remove);
     }
@@ -121,6 +122,6 @@ final class Questions {
         if (question.outgoing().isAcknowledged()) {
             open.remove(conversation);
         }
-        return Optional.of(question).filter(known -> known.messageId().map(intentions::isWaiting).orElse(true));
+        return Optional.of(question).filter(known -> known.waiting().map(intentions::isWaiting).orElse(true));
     }
 }

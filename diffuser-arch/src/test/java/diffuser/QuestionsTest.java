@@ -293,6 +293,70 @@ class QuestionsTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"\"1 s\"", "soon", "[1]", "{ +!g <- x }", "T"})
+    void send_timeoutThatIsNoNumber_failsAlone(String timeout) throws Exception {
+        FakeBoard board = board();
+        String action = ".send(\"ROMA\",askOne,speed(_),A," + timeout + ")";
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action) + "+!hold <- .wait(held); diffuser.note(held).",
+                board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
+        agent.achieve("hold");
+        agent.achieve("do");
+        String note = agent.nextNote();
+        assertEquals(true, note.startsWith("wrong_arguments : .send waits for milliseconds, a number, not "), note);
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().keySet().stream()
+                .filter(id -> !id.contains("wait")).count());
+        assertEquals(List.of(), List.copyOf(board.requests));
+        agent.believe("held");
+        agent.notes("held");
+    }
+
+    @Test
+    void send_timeoutInAVariable_isTaken() {
+        FakeBoard board = board();
+        RunningAgent agent = doing("T = 20; .send(\"ROMA\",askOne,speed(_),A,T + 1); diffuser.note(A)", board);
+        Conversing.asked(board, SPEED);
+        agent.notes("timeout");
+    }
+
+    @Test
+    void send_timeoutThatIsNoNumberToAnAgentHere_failsAlone() {
+        RunningAgent other = RunningAgent.run("speed(80).", new FakeBoard("other"));
+        FakeBoard board = board();
+        RunningAgent agent = doing(".send(" + other.name() + ",askOne,speed(_),A,\"1 s\")", board);
+        String note = agent.nextNote();
+        assertEquals(true, note.startsWith("wrong_arguments : .send waits for milliseconds"), note);
+        agent.notesNothingElse();
+    }
+
+    /** Jason fails the question after it has asked the first device, and goes on to wait for its answer. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"tell#%s;speed(80)", "untell#%s;speed(80)", "sorry#%s;\"no\"", "UNDELIVERED"})
+    void send_listThatHoldsNoNameToo_failsAndNothingElse(String answer) throws Exception {
+        FakeBoard board = board();
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".send([\"ROMA\",3],askOne,speed(_),A)")
+                .replace("diffuser.note(E,\":\",M).", "diffuser.note(failed); .wait(held); diffuser.note(held)."),
+                board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
+        agent.achieve("do");
+        String id = Conversing.asked(board, SPEED);
+        agent.notes("failed");
+        if (answer.equals("UNDELIVERED")) {
+            board.endLast(Outcome.UNDELIVERED);
+        } else {
+            board.receive("SUPO", "ROMA", answer.formatted(id));
+            agent.warns("it answers no question that is open");
+        }
+        agent.notesNothingElse();
+        agent.believe("held");
+        agent.notes("held");
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"//SU", "SU\\\\"})
     void send_groupAndAnswerAwaited_fails(String group) {
         FakeBoard board = board();

@@ -2,13 +2,19 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Stream;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import javino.fake.FakeBoard;
+import javino.protocol.Outcome;
 
 class WrongArgumentsTest {
 
@@ -81,6 +87,8 @@ class WrongArgumentsTest {
             ".diffuse(\"ROMA\",untellHow,3)   | bad_content     | a plan's label or a list of such was expected",
             ".diffuse(\"ROMA\",askHow,go)     | bad_content     | a triggering event such as { +!go(_) } was expected",
             ".diffuse(\"ROMA\",askOne,3)      | bad_content     | a belief was expected",
+            ".diffuse(broadcast,tell,a__b(1))  | bad_content     | a name with two underlines may mean something to Jason",
+            ".filter(except,_)                 | wrong_arguments | a percept such as light(X), or a list of such",
             ".deliver(\"ROMA\",tell)          | wrong_arguments | 3 arguments are expected",
             ".deliver(broadcast,tell,help)     | wrong_arguments | not ////, as messages to all or to a group",
             ".deliver(\"//SU\",tell,help)     | wrong_arguments | not acknowledged; use .diffuse",
@@ -101,6 +109,52 @@ class WrongArgumentsTest {
         String note = agent.nextNote();
         assertTrue(note.startsWith(error + " :"), note);
         assertTrue(note.contains(fragment), note);
+    }
+
+    private static final List<String> TERMS = List.of("3", "-0.5", "0 / 0", "\"text\"", "\"\"", "atom",
+            "'quoted atom'", "'kqml'::p(1)", "p(1)", "p(Y)", "~p", "_", "Free", "[]", "[a|_]", "[[3],p(Y)]",
+            "{ +!g <- x }", "{ a; b }", "{ +!g }", "{ p :- q }", "p[source(self)]", "p[a|Free]",
+            "select__option(a,b,c,d)");
+
+    private static final Set<String> ENDS =
+            Set.of("done", "wrong_arguments", "bad_address", "bad_content", "receiver_not_found");
+
+    /** Where anything goes wrong, the step fails by an error that the page names, and nothing else. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
+            ".percepts|open", ".limit|1", ".filter|except|light(Z)|Z > 3", ".silence|0", ".infrastructure|lte|[com]",
+            ".setMyRFId|\"SUPO\"", ".getRFMessages|open", ".diffuse|\"ROMA\"|tell|help", ".deliver|\"ROMA\"|tell|help",
+            ".act|stop", ".send|\"ROMA\"|tell|help", ".send|\"ROMA\"|askOne|p(_)|_|20",
+    })
+    void action_anyTermAsEachArgument_failsAloneOrIsDone(ArgumentsAccessor given) {
+        List<String> call = Stream.of(given.toArray()).filter(Objects::nonNull).map(Object::toString).toList();
+        List<String> steps = new ArrayList<>();
+        for (int place = 1; place < call.size(); place++) {
+            for (String term : TERMS) {
+                List<String> arguments = new ArrayList<>(call.subList(1, call.size()));
+                arguments.set(place - 1, term);
+                steps.add(call.get(0) + "(" + String.join(",", arguments) + ")");
+            }
+        }
+        StringBuilder program =
+                new StringBuilder("!start. +!start <- .port(desk); .setMyRFId(SUPO); diffuser.note(ready)."
+                        + "+!hold <- .wait(held); diffuser.note(held).");
+        for (int i = 0; i < steps.size(); i++) {
+            program.append(
+                    "+!do%1$d <- %2$s; diffuser.note(done). -!do%1$d[error(E)] <- diffuser.note(E).\n".formatted(i,
+                            steps.get(i)));
+        }
+        RunningAgent agent = RunningAgent.run(program.toString(), new FakeBoard("desk").endAll(Outcome.DELIVERED));
+        agent.notes("ready");
+        agent.achieve("hold");
+        for (int i = 0; i < steps.size(); i++) {
+            agent.achieve("do" + i);
+            String end = agent.nextNote();
+            assertTrue(ENDS.contains(end) || end.equals("internal_action") && steps.get(i).startsWith(".send"),
+                    steps.get(i) + " ends with " + end);
+        }
+        agent.believe("held");
+        agent.notes("held");
     }
 
     @Test

@@ -74,8 +74,9 @@ public class filter extends DiffuserAction {
 
     private List<Literal> patterns(Term percepts) throws JasonException {
         List<Literal> patterns = new ArrayList<>();
-        for (Term percept : percepts instanceof ListTerm list ? list.getAsList() : List.of(percepts)) {
-            if (!percept.isLiteral()) {
+        // A variable is an instance of ListTerm, too.
+        for (Term percept : percepts.isList() ? ((ListTerm) percepts).getAsList() : List.of(percepts)) {
+            if (!percept.isLiteral() || percept.isVar()) {
                 throw JasonException.createWrongArgument(this,
                         "a percept such as light(X), or a list of such, was expected, not '" + percepts + "'.");
             }
