@@ -155,7 +155,7 @@ final class Exchange {
         return Duration.ofNanos(System.nanoTime() - presentSince);
     }
 
-    /** Says how long the sketch lets each request wait: until then none is repeated, which would but fill its buffer. */
+    /** Says how long the sketch lets each request wait: until then none is repeated, as that only fills its buffer. */
     void setLag(Duration time) {
         lag = time;
     }

@@ -59,6 +59,7 @@ class SlowLoopTest extends BoardFixture {
     }
 
     private void openPatiently() {
-        open(listener, config -> config.setHelloInterval(Duration.ofSeconds(1)).setReplyTimeout(Duration.ofSeconds(10)));
+        open(listener,
+                config -> config.setHelloInterval(Duration.ofSeconds(1)).setReplyTimeout(Duration.ofSeconds(10)));
     }
 }
