@@ -77,7 +77,7 @@ Status RadioCommands::command(const Request &request, Reply &reply) {
     case 'O': return overhear(body, length);
     case 'Y': return relay(body, length, reply);
     case 'W': return config::LARGE ? relaying(body, length, reply) : Status::UNKNOWN_COMMAND;
-    case 'E': return keyCommands_.raiseEpoch(body, length);
+    case 'E': return delivery_->outbox().count() != 0 ? Status::BUSY : keyCommands_.raiseEpoch(body, length);
     case 'K':
     case 'N': return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
     case KeyCommands::USE:

@@ -56,7 +56,16 @@ TEST_F(BoardStatus, understands_all_requests_of_the_vectors) {
     SCOPED_TRACE(vector.toString());
     if (vector.text("name") == "transmit") continue;
     EXPECT_EQ(Status::OK, board.request(vector.bytes("message")).status);
+    board.passSending(20000);
   }
+}
+
+TEST_F(BoardStatus, raises_no_epoch_while_a_message_is_under_way_or_waits) {
+  board.setKey("SUPO", KEY);
+  for (const char *to : {"////", "SUPO", "SUPO"}) board.transmit(to, "ROMA", "tell;x");
+  EXPECT_EQ(Status::BUSY, board.request('E', {0, 1, 0}).status);
+  board.passSending(120000);
+  EXPECT_EQ(Status::OK, board.request('E', {0, 1, 0}).status);
 }
 
 TEST_F(BoardStatus, transmits_the_requests_of_the_vectors) {

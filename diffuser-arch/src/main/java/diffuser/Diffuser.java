@@ -33,7 +33,7 @@ import jason.asSyntax.Trigger;
 
 import javino.board.BoardConfig;
 import javino.board.Transmission;
-import javino.keyring.KeyringNotes;
+import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
@@ -131,7 +131,7 @@ public class Diffuser extends AgArch {
 
     /** The settings of the session with the board; override it for other times, or other notes of its epochs. */
     protected BoardConfig boardConfig() {
-        return BoardConfig.create(config -> config.setEpochNotes(KeyringNotes.named()));
+        return BoardConfig.create(config -> config.setNotes(BoardNotes.ofHost()));
     }
 
     /**

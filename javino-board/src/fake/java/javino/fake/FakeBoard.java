@@ -57,6 +57,8 @@ public final class FakeBoard {
     private volatile boolean damaged;
     private volatile boolean greeted;
     private volatile int transmissionCount;
+    /** The numbers of transmissions that have not ended. */
+    private final Set<Integer> underWay = ConcurrentHashMap.newKeySet();
     private int relays;
 
     private record Refusal(Status status, AtomicInteger times) {
@@ -154,6 +156,7 @@ public final class FakeBoard {
         return switch (command) {
             case 'A' -> act(textOf(message.from(1)));
             case 'C' -> listActions((int) message.number(1, 3));
+            case 'E' -> underWay.isEmpty() ? keys.perform(command, "", message) : status(Status.BUSY);
             case 'I' -> setId(Keys.addressIn(message));
             case 'O', 'R' -> ok();
             case 'S' -> statistics();
@@ -223,8 +226,9 @@ public final class FakeBoard {
     private Bytes transmit() {
         int number = transmissionCount;
         transmissionCount = number + 1 & 0xFF;
+        underWay.add(number);
         if (everyOutcome != null) {
-            mail.end(number, everyOutcome);
+            end(number, everyOutcome);
         }
         return ok(Bytes.of(number));
     }
@@ -334,6 +338,7 @@ public final class FakeBoard {
 
     /** Ends the transmission of this number, even if there is none. */
     public void end(int number, Outcome outcome) {
+        underWay.remove(number);
         mail.end(number, outcome);
     }
 
@@ -361,6 +366,7 @@ public final class FakeBoard {
         synchronized (line) {
             greeted = false;
             transmissionCount = 0;
+            underWay.clear();
             keys.boot();
             mail.boot();
             percepts.forgetReading();

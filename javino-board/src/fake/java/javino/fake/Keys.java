@@ -21,7 +21,8 @@ public final class Keys {
     private final Set<String> doubted = new HashSet<>();
     /** The check values of all session keys since the boot. */
     private final Set<Bytes> sessionKeys = new HashSet<>();
-    private int epoch = 1;
+    /** As one that hosts have raised before: far above the clock. */
+    private int epoch = 9_000_000;
     private boolean corrupt;
 
     /** The check value of the key that seals, and beside it of the next or the previous one, or null. */

@@ -126,11 +126,7 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the address is no device's.
      */
     public CompletableFuture<Void> setRfId(Address id) {
-        return ask(Request.setRfId(id), reply -> {
-            reply.nothing();
-            session.renamed(id);
-            return null;
-        });
+        return ask(Request.setRfId(id), Board::nothing);
     }
 
     /** Switches the reception of radio messages on or off, now and whenever the board comes online again. */
@@ -174,20 +170,12 @@ public final class Board implements AutoCloseable {
      * Stores a key in the board and replaces all its keys for the address.
      *
      * @param address the device or group that the key is shared with.
-     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
+     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}. Fails with a
+     *         {@link LostKeyException} if the board had this key and has lost it.
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
     public CompletableFuture<Bytes> setKey(Address address, Key key) {
         return ask(Request.setKey(address, key), Reply::checkValue);
-    }
-
-    /**
-     * Raises the board's epoch, the first half of its nonces; an epoch that is not lower stays.
-     *
-     * @throws IllegalArgumentException if the epoch is not 0…0xFFFFFE.
-     */
-    public CompletableFuture<Void> raiseEpoch(int epoch) {
-        return ask(Request.raiseEpoch(epoch), Board::nothing);
     }
 
     /**

@@ -1,7 +1,10 @@
 package javino.board;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.function.Consumer;
+import javino.keyring.BoardNotes;
+import javino.keyring.BoundedClock;
 import javino.protocol.Request;
 
 /**
@@ -22,10 +25,12 @@ import javino.protocol.Request;
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
  * @param queueCapacity  how many requests may wait, at least 1; 512 by default.
- * @param epochNotes     what is known of a board that has lost its boot epoch; nothing by default.
+ * @param notes          what is noted of boards, so that no nonce and no lost key comes again; nothing by default.
+ * @param clock          by which epochs are raised; the system's by default.
  */
 public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration actionTime,
-        Duration helloInterval, Duration reopenInterval, Duration patience, int queueCapacity, EpochNotes epochNotes) {
+        Duration helloInterval, Duration reopenInterval, Duration patience, int queueCapacity, List<BoardNotes> notes,
+        BoundedClock clock) {
 
     private static final Duration MAX_HOLD = Duration.ofMillis(Request.MAX_HOLD_MILLIS);
 
@@ -68,6 +73,12 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         return builder.build();
     }
 
+    /** The same, but for its notes and its clock. */
+    public BoardConfig with(List<BoardNotes> known, BoundedClock time) {
+        return new BoardConfig(hold, replyTimeout, attempts, actionTime, helloInterval, reopenInterval, patience,
+                queueCapacity, known, time);
+    }
+
     /** Collects settings; see {@link BoardConfig} for their meanings. */
     public static final class Builder {
 
@@ -79,7 +90,8 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         private Duration reopenInterval = Duration.ofMillis(200);
         private Duration patience = Duration.ofSeconds(5);
         private int queueCapacity = 512;
-        private EpochNotes epochNotes = EpochNotes.NONE;
+        private List<BoardNotes> notes = List.of();
+        private BoundedClock clock = BoundedClock.SYSTEM;
 
         private Builder() {
         }
@@ -132,15 +144,21 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
             return this;
         }
 
-        /** Sets {@link BoardConfig#epochNotes()}. */
-        public Builder setEpochNotes(EpochNotes notes) {
-            epochNotes = notes;
+        /** Sets {@link BoardConfig#notes()}. */
+        public Builder setNotes(List<BoardNotes> known) {
+            notes = List.copyOf(known);
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#clock()}. */
+        public Builder setClock(BoundedClock time) {
+            clock = time;
             return this;
         }
 
         private BoardConfig build() {
             return new BoardConfig(hold, replyTimeout, attempts, actionTime, helloInterval, reopenInterval,
-                    patience, queueCapacity, epochNotes);
+                    patience, queueCapacity, notes, clock);
         }
     }
 }

@@ -1,66 +1,34 @@
 package javino.board;
 
-import java.io.IOException;
-import java.time.Instant;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.stream.Collectors;
-import javino.JavinoException;
-import javino.protocol.Address;
-import javino.protocol.BoardInfo;
 import javino.protocol.Reply.StoredKey;
 
-/** What a board may have lost of the state on which security rests (SPEC 5.1), for a session and for people. */
+/** For people: what a board may have lost of the state on which security rests (SPEC 5.1). */
 public final class LostState {
 
     private static final String LOST = "the board has lost its boot epoch: something has written over its EEPROM; ";
 
-    private final EpochNotes notes;
-    /** The highest epoch of each board that this session has seen: it alone has used them, as the port is its own. */
-    private final Map<Address, Integer> seen = new HashMap<>();
-
-    LostState(EpochNotes notes) {
-        this.notes = notes;
-    }
-
-    /** A board was greeted. */
-    void greeted(BoardInfo board) {
-        if (board.bootEpoch() <= BoardInfo.LAST_EPOCH) {
-            board.rfId().ifPresent(id -> seen.merge(id, board.bootEpoch(), Math::max));
-        }
-    }
-
-    /** Whether a board has lost its epoch, or goes on from one below another that it has had. */
-    boolean isLost(BoardInfo board) {
-        return board.hasLostEpoch() || board.bootEpoch() < highest(board);
-    }
-
-    private int highest(BoardInfo board) {
-        return board.rfId().map(seen::get).orElse(0);
-    }
-
-    /**
-     * The epoch that a board is to be given, which has lost its own.
-     *
-     * @return nothing if it is not known what it has had.
-     */
-    OptionalInt epochFor(BoardInfo board, List<StoredKey> keys, Instant now)
-            throws IOException, JavinoException, InterruptedException {
-        if (board.rfId().isEmpty()) {
-            return OptionalInt.empty();
-        }
-        int known = highest(board);
-        int least = known == 0 ? 0 : EpochNotes.above(known, now);
-        OptionalInt noted = notes.raise(board.rfId().get(), keys, least);
-        return noted.isPresent() || least == 0 || least > BoardInfo.LAST_EPOCH ? noted : OptionalInt.of(least);
+    private LostState() {
     }
 
     /** For people: what became of a board's epoch. */
     static String raised(int epoch) {
         return LOST + "it was raised to " + epoch + ", above all that it has had";
+    }
+
+    /** For people: that a board had a higher epoch than it tells. */
+    static String ofOlderImage(int epoch) {
+        return "the board tells an earlier boot epoch than it has had: its EEPROM was erased, or is an older copy; the "
+                + "epoch is " + epoch + " now, but messages that it has had since that copy could be replayed under "
+                + "its keys: make new ones (javino keygen --renew)";
+    }
+
+    /** For people: that no epoch is left. */
+    public static String ofUsedUp() {
+        return "the board's nonces are used up, and it seals nothing: clear its EEPROM (the Arduino IDE's example "
+                + "eeprom_clear), flash its sketch again, and give it new keys";
     }
 
     /** For people: what is to be done about a board's epoch. */

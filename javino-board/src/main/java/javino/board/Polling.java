@@ -39,10 +39,15 @@ final class Polling {
         perception = context.perception();
     }
 
-    /** A board came online; after a boot it counts messages and transmissions anew. */
-    void greeted(BoardInfo board) {
+    /**
+     * A board came online; after a boot it counts messages and transmissions anew.
+     *
+     * @return whether it has booted, or was not greeted by this session before.
+     */
+    boolean greeted(BoardInfo board) {
         // Without an epoch no boot can be told from the one before.
-        if (!board.equals(source) || board.bootEpoch() == 0) {
+        boolean booted = !board.equals(source) || board.bootEpoch() == 0;
+        if (booted) {
             toldDamage = false;
             taken = Request.NOTHING_TAKEN;
             owesTaken = false;
@@ -51,11 +56,12 @@ final class Polling {
         }
         source = board;
         perception.forget();
+        return booted;
     }
 
-    /** The same board has a new address. */
+    /** The same board has a new address or epoch, and will say so in the next hello. */
     void renamed(BoardInfo board) {
-        source = board;
+        source = board.withActions(List.of());
     }
 
     /** The board said that it has booted since it was greeted. */

@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import javino.JavinoException;
 import javino.link.LinkException;
 import javino.protocol.ActionNames;
+import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
@@ -29,15 +31,22 @@ final class Service {
     private final SessionContext context;
     private final Exchange exchange;
     private final Polling polling;
+    private final StateGuard guard;
     private Deadline latestPoll = Deadline.in(Duration.ZERO);
     private boolean pollsFail;
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
     private boolean pollFirst;
 
-    Service(SessionContext context, Exchange exchange, Polling polling) {
+    /** What is to be done when the board has got an address. */
+    interface Renamed {
+        void to(Address id) throws LinkException, LostException, ProtocolException;
+    }
+
+    Service(SessionContext context, Exchange exchange, Polling polling, StateGuard guard) {
         this.context = context;
         this.exchange = exchange;
         this.polling = polling;
+        this.guard = guard;
         exchange.setLateReplies(this::takeLate);
     }
 
@@ -91,9 +100,9 @@ final class Service {
         return reply.status() == Status.OK ? reply.statistics() : Map.of();
     }
 
-    /** Raises the board's epoch. @return whether it has it. */
-    boolean raiseEpoch(int epoch) throws LinkException, LostException, ProtocolException {
-        return ask(Request.raiseEpoch(epoch)).status() == Status.OK;
+    /** Raises the board's epoch. @return OK if it has it; BUSY while messages are under way. */
+    Status raiseEpoch(int epoch) throws LinkException, LostException, ProtocolException {
+        return ask(Request.raiseEpoch(epoch)).status();
     }
 
     private ActionNames actionsFrom(int offset) throws LinkException, LostException, ProtocolException {
@@ -105,13 +114,13 @@ final class Service {
     }
 
     /** Returns when the session was closed. */
-    void run(Supplier<BoardInfo> present) throws LinkException, LostException {
+    void run(Supplier<BoardInfo> present, Renamed renamed) throws LinkException, LostException {
         pollFirst = polling.owesTaken();
         context.queue().setRoom();
         while (!context.queue().isClosed()) {
             PendingRequest<?> request = pollFirst ? null : context.queue().next(Deadline.in(Duration.ZERO));
             if (request != null && !request.result().isDone()) {
-                perform(request, present.get());
+                perform(request, present.get(), renamed);
             }
             if (request == null || latestPoll.passed()) {
                 poll();
@@ -122,31 +131,47 @@ final class Service {
         }
     }
 
-    private void perform(PendingRequest<?> pending, BoardInfo board) throws LinkException, LostException {
+    private void perform(PendingRequest<?> pending, BoardInfo board, Renamed renamed)
+            throws LinkException, LostException {
         try {
             Request request = pending.source().request(board);
             if (request.command().needsRadio() && !board.hasRadio()) {
                 throw new RequestFailedException(pending.description(), Status.NO_RADIO);
             }
-            Reply reply = ask(request);
+            if (request.isSealed() && !guard.maySeal()) {
+                throw new RequestFailedException(pending.description(), Status.NONCE_EXHAUSTED);
+            }
+            Reply reply = request.command().storesKey() ? store(request, board) : ask(request);
+            if (request.command() == Request.Command.SET_RF_ID && reply.status() == Status.OK) {
+                renamed.to(Address.decode(request.frame().message(), 1));
+            }
             if (pending.isTransmission() && reply.status() == Status.QUEUE_FULL && polling.isTransmitting()) {
                 context.queue().hold(pending);
             } else {
                 pending.answer(reply);
             }
-        } catch (RequestFailedException e) {
-            pending.fail(e);
         } catch (ProtocolException e) {
             context.counters().count(SessionCounter.BAD_REPLIES);
             pending.fail(e);
         } catch (LinkException | LostException e) {
             pending.fail(new OutcomeUnknownException(pending.description(), e.getMessage()));
             throw e;
+        } catch (JavinoException e) {
+            pending.fail(e);
         }
     }
 
+    private Reply store(Request request, BoardInfo board) throws LinkException, LostException, JavinoException {
+        StateGuard.StoredKeyRequest admitted = guard.admit(this, board, request);
+        Reply reply = ask(request);
+        if (reply.status() == Status.OK) {
+            admitted.done(this);
+        }
+        return reply;
+    }
+
     /** The board holds its reply until it has something to tell, or somebody here has. */
-    private void poll() throws LinkException, LostException {
+    void poll() throws LinkException, LostException {
         boolean first = pollFirst;
         pollFirst = false;
         Duration hold = context.queue().hasNews() ? Duration.ZERO : context.config().hold();

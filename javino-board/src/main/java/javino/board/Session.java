@@ -1,11 +1,8 @@
 package javino.board;
 
-import java.io.IOException;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import javino.JavinoException;
 import javino.link.Link;
@@ -26,7 +23,9 @@ final class Session implements Runnable {
     private volatile BoardState state = BoardState.OFFLINE;
     private volatile BoardInfo info;
     private final CompletableFuture<BoardInfo> greeted = new CompletableFuture<>();
-    private final LostState lost;
+    private final StateGuard guard;
+    /** Whether the board may have booted since its epoch was seen to, or may be another. */
+    private boolean fresh;
     private String offlineWhy;
     private Deadline patience;
     private final ReopenPause reopenPause;
@@ -38,7 +37,7 @@ final class Session implements Runnable {
         this.opener = opener;
         this.context = context;
         this.polling = new Polling(context);
-        this.lost = new LostState(context.config().epochNotes());
+        this.guard = new StateGuard(context);
         reopenPause = new ReopenPause(context.config().reopenInterval());
     }
 
@@ -56,10 +55,12 @@ final class Session implements Runnable {
         return greeted;
     }
 
-    /** On the session's thread, after a set RF id was answered. */
-    void renamed(Address id) {
-        info = info.withRfId(id);
-        polling.renamed(info);
+    /** On the session's thread, after a set RF id was answered: what was noted of that address counts from now on. */
+    private void renamed(Service service, Address id) throws LinkException, LostException, ProtocolException {
+        if (!info.rfId().equals(Optional.of(id))) {
+            info = info.withRfId(id);
+            raiseEpoch(service, true);
+        }
     }
 
     /** On the session's thread, after a transmission was answered. */
@@ -110,6 +111,7 @@ final class Session implements Runnable {
 
     private void use(Link link) throws LinkException, SilenceException {
         Greeting greeting = new Greeting(link, context, this::keepGreeting);
+        fresh = true;
         while (!context.queue().isClosed()) {
             try {
                 greet(greeting);
@@ -144,39 +146,26 @@ final class Session implements Runnable {
             nowOnline();
             new LegacyService(context, greeting.legacyExchange()).run(info);
         } else {
-            Service service = new Service(context, greeting.exchange(), polling);
+            Service service = new Service(context, greeting.exchange(), polling, guard);
             info = info.withActions(service.actions());
             if (!greeting.exchange().lag().isZero()) {
                 SketchTimes.ofLoop(service.statistics()).ifPresent(context.listener()::warn);
             }
-            if (lost.isLost(info)) {
-                raiseLostEpoch(service);
+            if (fresh) {
+                raiseEpoch(service, false);
+                fresh = false;
             }
-            lost.greeted(info);
             service.restoreWishes(info);
             nowOnline();
-            service.run(() -> info);
+            service.run(() -> info, id -> renamed(service, id));
         }
     }
 
-    /** Before anybody may send: nothing is sealed without an epoch. */
-    private void raiseLostEpoch(Service service) throws LinkException, LostException, ProtocolException {
-        OptionalInt epoch = OptionalInt.empty();
-        String why = "";
-        try {
-            epoch = lost.epochFor(info, service.keys(), Instant.now());
-        } catch (IOException | JavinoException | IllegalArgumentException e) {
-            why = " (" + e.getMessage() + ")";
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        if (epoch.isPresent() && service.raiseEpoch(epoch.getAsInt())) {
-            info = info.withBootEpoch(epoch.getAsInt());
-            polling.renamed(info);
-            context.listener().warn(LostState.raised(epoch.getAsInt()));
-        } else {
-            context.listener().warn(LostState.notRaised() + why);
-        }
+    /** Before anybody may send. */
+    private void raiseEpoch(Service service, boolean renamed)
+            throws LinkException, LostException, ProtocolException {
+        info = guard.raiseEpoch(service, info, renamed);
+        polling.renamed(info);
     }
 
     private void nowOnline() {
@@ -209,7 +198,7 @@ final class Session implements Runnable {
         context.counters().count(SessionCounter.GREETINGS);
         greetedAt = System.nanoTime();
         info = board;
-        polling.greeted(board);
+        fresh |= polling.greeted(board);
         return true;
     }
 

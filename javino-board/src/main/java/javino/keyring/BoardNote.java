@@ -1,6 +1,5 @@
 package javino.keyring;
 
-import java.time.Instant;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,9 +7,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javino.board.EpochNotes;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
 
 /**
  * What a keyring knows of a board.
@@ -28,14 +27,6 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
     private static final String LOST = "lost";
     private static final String EPOCH = "epoch ";
 
-    /** How far ahead of the clock an epoch may be: 5 years, in minutes. */
-    private static final int AHEAD = 5 * 366 * 24 * 60;
-
-    /** The highest epoch that can be right by the clock; any, before 2026, as a computer without a clock says. */
-    public static int mostAt(Instant now) {
-        return EpochNotes.at(now) == 0 ? BoardInfo.LAST_EPOCH + 1 : EpochNotes.at(now) + AHEAD;
-    }
-
     /** What it had for an address. */
     public HeldKeys held(Address address) {
         return keys.getOrDefault(address, HeldKeys.NONE);
@@ -43,6 +34,37 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
 
     public BoardNote withEpoch(int higher) {
         return new BoardNote(lost, Math.max(epoch, higher), keys);
+    }
+
+    /** After it was given new keys only, with which it may begin anew. */
+    public BoardNote withNewEpoch(int lower) {
+        return new BoardNote(lost, lower, keys);
+    }
+
+    /** With what it has told of its keys. A key that it does not tell any more stays noted: it has lost that. */
+    public BoardNote withTold(Map<Address, HeldKeys> told) {
+        Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
+        told.forEach((with, each) -> known.merge(with, each,
+                (noted, now) -> now.follows(noted) ? now : noted));
+        return new BoardNote(lost, epoch, known);
+    }
+
+    /** After it was given a key. */
+    public BoardNote withGiven(Address with, HeldKeys now) {
+        Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
+        known.put(with, now);
+        return new BoardNote(lost, epoch, known);
+    }
+
+    /** Whether what a board tells shows that it is the one that is noted. */
+    public boolean isShownBy(Map<Address, HeldKeys> told) {
+        return told.entrySet().stream().anyMatch(key -> key.getValue().current() != null
+                && held(key.getKey()).accepts(key.getValue().current()));
+    }
+
+    /** Whether a board had a key for an address that it has no longer: it is not given it again. */
+    public boolean isLost(Address with, Bytes check, Map<Address, HeldKeys> told) {
+        return held(with).accepts(check) && !told.getOrDefault(with, HeldKeys.NONE).accepts(check);
     }
 
     public BoardNote withLost() {

@@ -44,6 +44,11 @@ public record HeldKeys(Bytes current, Bytes next, Bytes previous) {
         return Stream.of(current, next, previous).anyMatch(check::equals);
     }
 
+    /** Whether a board that had others can have these without the loss of one that it has not deleted. */
+    boolean follows(HeldKeys before) {
+        return current.equals(before.next) || accepts(before.current) && (before.next == null || accepts(before.next));
+    }
+
     /** Whether the key seals. */
     public boolean sealsWith(Bytes check) {
         return check.equals(current);

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javino.fake.FakeBoard;
 import javino.fake.FakePort;
+import javino.keyring.BoundedClock;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Performative;
@@ -27,6 +29,11 @@ abstract class BoardFixture {
     final FakePort port = fake.port;
     final RecordingListener listener = new RecordingListener();
     Board board;
+
+    /** No host has raised the board's epoch, nor does the session, by the clock of a computer that has none. */
+    BoardFixture() {
+        fake.keys.setEpoch(1);
+    }
 
     /** Opens a session that tells {@code told}. */
     final void open(BoardListener told) {
@@ -50,7 +57,8 @@ abstract class BoardFixture {
         return BoardConfig.create(builder -> settings.accept(builder.setHold(Duration.ofMillis(20))
                 .setReplyTimeout(Duration.ofMillis(20)).setActionTime(Duration.ofSeconds(1))
                 .setHelloInterval(Duration.ofMillis(10))
-                .setReopenInterval(Duration.ofMillis(10)).setPatience(Duration.ofSeconds(30)).setAttempts(20)));
+                .setReopenInterval(Duration.ofMillis(10)).setPatience(Duration.ofSeconds(30)).setAttempts(20)
+                .setClock(BoundedClock.at(Instant.EPOCH))));
     }
 
     static <T extends Throwable> T failure(Class<T> type, CompletableFuture<?> future) {

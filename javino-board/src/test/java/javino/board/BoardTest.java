@@ -274,8 +274,6 @@ class BoardTest extends BoardFixture {
         assertEquals(Reply.Role.NEXT, board.keys().get().get(1).role());
         board.useKey(SUPO).get();
         board.finishRenewal(SUPO).get();
-        board.raiseEpoch(470_012).get();
-        assertEquals(470_012, fake.keys.epoch());
         board.deleteKey(SUPO).get();
         assertEquals(Status.NO_KEY,
                 failure(RequestFailedException.class, board.deleteKey(SUPO)).status());

@@ -1,16 +1,54 @@
 package javino.board;
 
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
-import java.util.OptionalInt;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javino.JavinoException;
+import javino.keyring.BoardNote;
+import javino.keyring.BoardNotes;
+import javino.keyring.BoundedClock;
+import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 
 /** What a session does with a board that has lost the state on which security rests. */
 class LostStateTest extends BoardFixture {
+
+    private static final Instant AUTUMN = Instant.parse("2026-11-22T12:30:00Z");
+    private static final int OF_AUTUMN = (325 * 24 + 12) * 60 + 30;
+
+    private final Map<Address, BoardNote> notes = new ConcurrentHashMap<>();
+    private volatile boolean isReadable = true;
+    private final BoardNotes noted = new BoardNotes() {
+        @Override
+        public BoardNote of(Address id) {
+            if (!isReadable) {
+                throw new IllegalArgumentException("keys, line 3: wrong");
+            }
+            return notes.getOrDefault(id, BoardNote.NONE);
+        }
+
+        @Override
+        public void change(Address id, UnaryOperator<BoardNote> change) {
+            notes.put(id, change.apply(of(id)));
+        }
+
+        @Override
+        public boolean keepsTold() {
+            return true;
+        }
+    };
 
     private void setEpoch(int epoch) {
         fake.setRfId("SUPO");
@@ -32,7 +70,7 @@ class LostStateTest extends BoardFixture {
             fake.keys.loseEpoch();
             fake.reset();
             listener.until("offline");
-            int above = 9_000_000 + loss * EpochNotes.MOST_BOOTS;
+            int above = 9_000_000 + loss * KnownState.MOST_BOOTS;
             assertTrue(warning().endsWith("it was raised to " + above + ", above all that it has had"));
             assertEquals("online " + above, listener.next());
             assertEquals(above, board.info().orElseThrow().bootEpoch());
@@ -45,10 +83,11 @@ class LostStateTest extends BoardFixture {
         setEpoch(9_000_000);
         listener.until("online");
         fake.keys.setEpoch(7);
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
         fake.reset();
         listener.until("offline");
-        assertTrue(warning().contains("raised to 9400000"));
-        assertEquals("online 9400000", listener.next());
+        assertTrue(warning().contains("the epoch is 9000001 now"));
+        assertEquals("online 9000001", listener.next());
     }
 
     @Test
@@ -62,26 +101,177 @@ class LostStateTest extends BoardFixture {
         assertFalse(listener.until("online").isEmpty(), "it is greeted again, though no epoch tells its boots apart");
     }
 
+    private void openWith(BoardNote note) {
+        fake.setRfId("SUPO");
+        notes.put(SUPO, note);
+        open(listener, config -> config.setNotes(List.of(noted)).setClock(BoundedClock.at(AUTUMN)));
+    }
+
+    private static BoardNote note(int epoch, String... keys) {
+        return BoardNote.parse("epoch " + epoch + Stream.of(keys).map(key -> ", " + key).collect(joining()));
+    }
+
     @Test
     void epoch_lostAndNoted_isRaisedBeforeItIsOnline() throws Exception {
-        fake.setRfId("SUPO");
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
         fake.keys.setEpoch(0);
-        open(listener, config -> config.setEpochNotes((id, keys, least) -> {
-            assertEquals(0, least);
-            return OptionalInt.of(470_012);
-        }));
-        assertTrue(warning().contains("raised to 470012"));
-        assertEquals("online 470012", listener.next());
+        openWith(note(470_012, "ROMA 010203"));
+        assertTrue(warning().contains("raised to 870012"));
+        assertEquals("online 870012", listener.next());
+        assertEquals(870_012, notes.get(SUPO).epoch(), "noted before anything is sent");
     }
 
     @Test
     void epoch_notesThatCannotBeRead_areNamed() throws Exception {
-        fake.setRfId("SUPO");
+        isReadable = false;
         fake.keys.setEpoch(0);
-        open(listener, config -> config.setEpochNotes((id, keys, least) -> {
-            throw new IllegalArgumentException("keys, line 3: wrong");
-        }));
+        openWith(BoardNote.NONE);
         assertTrue(warning().endsWith("(keys, line 3: wrong)"));
+    }
+
+    @Test
+    void epoch_ofEachBoard_isRaisedByTheClockBeforeItIsOnline() throws Exception {
+        fake.keys.setEpoch(7);
+        openWith(BoardNote.NONE);
+        assertEquals("online " + OF_AUTUMN, listener.next());
+        assertEquals(List.of("epoch " + OF_AUTUMN), List.copyOf(fake.requests));
+        assertEquals(OF_AUTUMN, notes.get(SUPO).epoch());
+    }
+
+    @Test
+    void epoch_thatWasSeenByAnotherRun_isNotUsedAgain() throws Exception {
+        fake.keys.setEpoch(600_000);
+        openWith(note(600_000));
+        assertEquals("online 600001", listener.next());
+    }
+
+    @Test
+    void epoch_whenTheLinkComesBack_isRaised_asTheBoardMayBeAnOlderImage() throws Exception {
+        fake.keys.setEpoch(7);
+        openWith(BoardNote.NONE);
+        listener.until("online");
+        port.unplug();
+        listener.until("offline");
+        port.plug();
+        listener.until("online " + (OF_AUTUMN + 1));
+    }
+
+    @Test
+    void epoch_whileAMessageIsUnderWay_staysAsItIs() throws Exception {
+        fake.keys.setEpoch(600_000);
+        openWith(note(600_000));
+        listener.until("online");
+        board.transmit(Address.parse("ROMA"), HELP).taken().get();
+        board.close();
+        fake.requests.clear();
+        open(listener, config -> config.setNotes(List.of(noted)).setClock(BoundedClock.at(AUTUMN)));
+        listener.until("online");
+        assertEquals(List.of("epoch 600002"), List.copyOf(fake.requests));
+        assertEquals(600_001, fake.keys.epoch());
+        assertEquals(600_001, notes.get(SUPO).epoch());
+    }
+
+    @Test
+    void epoch_thatAnUnknownBoardTells_isNotNoted() throws Exception {
+        fake.keys.setEpoch(600_000);
+        fake.keys.set("ROMA", Bytes.of(9, 9, 9));
+        openWith(note(500_000, "ROMA 010203"));
+        assertEquals("online 600000", listener.next());
+        assertEquals(500_000, notes.get(SUPO).epoch());
+        assertEquals("010203", notes.get(SUPO).held(Address.parse("ROMA")).current().hex());
+    }
+
+    @Test
+    void epoch_andKeysThatTheBoardTells_areNoted() throws Exception {
+        fake.keys.setEpoch(600_000);
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
+        fake.keys.set("//SU", Bytes.of(4, 5, 6));
+        openWith(note(500_000, "ROMA 010203"));
+        listener.until("online");
+        assertEquals(note(600_000, "ROMA 010203", "//SU 040506"), notes.get(SUPO));
+    }
+
+    @Test
+    void clock_yearsAhead_raisesNothingAndIsNamed() throws Exception {
+        fake.keys.setEpoch(7);
+        fake.setRfId("SUPO");
+        open(listener, config -> config.setClock(BoundedClock.at(Instant.parse("2057-12-01T00:00:00Z"))));
+        assertTrue(warning().contains("this computer's clock says 2057-12-01, more than 20 years after"));
+        assertEquals("online 7", listener.next());
+    }
+
+    @Test
+    void address_thatIsSet_bringsItsOwnNote() throws Exception {
+        notes.put(Address.parse("ROMA"), note(800_000));
+        fake.keys.setEpoch(600_000);
+        openWith(note(500_000));
+        listener.until("online");
+        board.setRfId(Address.parse("ROMA")).get();
+        assertEquals(800_001, fake.keys.epoch());
+        assertEquals(800_001, board.info().orElseThrow().bootEpoch());
+    }
+
+    // ---- Stored keys.
+
+    private static final Key KEY = Key.of(Bytes.ofText("an old test key!"));
+    private static final Key OTHER = Key.of(Bytes.ofText("a new test key!!"));
+    private static final Address GROUP = Address.parse("//SU");
+
+    @Test
+    void key_thatTheBoardHasLost_isNotPutBack() throws Exception {
+        fake.keys.setEpoch(600_000);
+        openWith(note(500_000, "//SU " + KEY.check().hex()));
+        listener.until("online");
+        assertTrue(failure(LostKeyException.class, board.setKey(GROUP, KEY)).getMessage()
+                .contains("has lost the key for //SU"));
+        assertEquals(List.of(), fake.requests.stream().filter(each -> each.startsWith("key")).toList());
+        assertEquals(OTHER.check(), board.setKey(GROUP, OTHER).get());
+        assertEquals(OTHER.check(), notes.get(SUPO).held(GROUP).current());
+        assertEquals(OTHER.check(), board.setKey(GROUP, OTHER).get(), "it has this one");
+        board.deleteKey(GROUP).get();
+        failure(LostKeyException.class, board.setKey(GROUP, OTHER));
+    }
+
+    @Test
+    void nextKey_thatTheBoardHasLost_isNotPutBack() throws Exception {
+        fake.keys.set("//SU", KEY.check());
+        openWith(note(500_000, "//SU " + KEY.check().hex() + " next " + OTHER.check().hex()));
+        listener.until("online");
+        failure(LostKeyException.class, board.renewKey(GROUP, OTHER));
+    }
+
+    @Test
+    void key_ofWhichIsNotKnownWhetherItIsLost_isRefused() throws Exception {
+        openWith(BoardNote.NONE);
+        listener.until("online");
+        isReadable = false;
+        assertTrue(failure(JavinoException.class, board.setKey(GROUP, KEY)).getMessage()
+                .contains("cannot be known: keys, line 3: wrong"));
+    }
+
+    // ---- Nonces that are used up.
+
+    @Test
+    void board_thatHadItsLastEpoch_sealsNothingInAnEarlierOne() throws Exception {
+        fake.keys.setEpoch(7);
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
+        openWith(note(BoardInfo.LAST_EPOCH, "ROMA 010203"));
+        assertTrue(warning().contains("nonces are used up"));
+        listener.until("online");
+        assertEquals(Status.NONCE_EXHAUSTED, failure(RequestFailedException.class,
+                board.transmit(Address.parse("ROMA"), HELP).end()).status());
+        board.transmit(Address.BROADCAST, HELP).taken().get();
+    }
+
+    @Test
+    void board_thatHadItsLastEpochAndWasErased_beginsAnewWithNewKeys() throws Exception {
+        fake.keys.setEpoch(1);
+        openWith(note(BoardInfo.LAST_EPOCH, "//SU " + KEY.check().hex()));
+        assertEquals("online " + OF_AUTUMN, listener.next());
+        failure(LostKeyException.class, board.setKey(GROUP, KEY));
+        assertEquals(BoardInfo.LAST_EPOCH, notes.get(SUPO).epoch());
+        board.setKey(GROUP, OTHER).get();
+        assertEquals(note(OF_AUTUMN, "//SU " + OTHER.check().hex()), notes.get(SUPO));
     }
 
     @Test
@@ -93,13 +283,5 @@ class LostStateTest extends BoardFixture {
         fake.line.awaitPolls(3);
         fake.reset();
         assertEquals("offline fake: the board was reset", listener.next());
-    }
-
-    @Test
-    void above_isNeverAnEpochThatWasKnown() {
-        Instant early = Instant.EPOCH;
-        assertEquals(400_001, EpochNotes.above(1, early));
-        assertEquals(473_760, EpochNotes.above(1, Instant.parse("2026-11-26T00:00:00Z")));
-        assertEquals(BoardInfo.LAST_EPOCH + 1, EpochNotes.above(BoardInfo.LAST_EPOCH - 7, early));
     }
 }

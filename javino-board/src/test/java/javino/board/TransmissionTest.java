@@ -207,7 +207,7 @@ class TransmissionTest extends BoardFixture {
         fake.end(0, Outcome.DELIVERED);
         // Between the hello and the next poll the radio is opened again: that must not make the board forget it.
         assertEquals(List.of("offline fake: the board has taken a request and not answered it in 1 s; the sketch's "
-                + "functions of actions and percepts must return at once", "online 1", "ended DELIVERED"),
+                + "functions of actions and percepts must return at once", "online 2", "ended DELIVERED"),
                 listener.until("ended"));
         fake.line.awaitPolls(2);
         assertEquals(List.of(), listener.rest());

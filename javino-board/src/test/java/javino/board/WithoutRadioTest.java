@@ -38,7 +38,7 @@ class WithoutRadioTest extends BoardFixture {
                 Map.entry("overhear", () -> board.overhear(true)), Map.entry("relaying", () -> board.relaying(true)),
                 Map.entry("is relaying", board::isRelaying),
                 Map.entry("relay", () -> board.relay(new Frame(SUPO, Address.parse("ROMA"), Bytes.of(1))).end()),
-                Map.entry("epoch", () -> board.raiseEpoch(7)), Map.entry("key", () -> board.setKey(SUPO, key)),
+                Map.entry("key", () -> board.setKey(SUPO, key)),
                 Map.entry("renew", () -> board.renewKey(SUPO, key)), Map.entry("use", () -> board.useKey(SUPO)),
                 Map.entry("finish", () -> board.finishRenewal(SUPO)),
                 Map.entry("session key", () -> board.setSessionKey(SUPO, key)),

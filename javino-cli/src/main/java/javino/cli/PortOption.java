@@ -1,11 +1,17 @@
 package javino.cli;
 
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.keyring.BoardNotes;
+import javino.keyring.BoundedClock;
+import javino.keyring.KeyringNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import picocli.CommandLine;
@@ -35,12 +41,23 @@ final class PortOption {
 
     /** Makes commands whose boards are at serial ports. */
     static CommandLine.IFactory serial() {
-        return factory(SerialLink::opener, BoardConfig.create());
+        return factory(SerialLink::opener, BoardConfig.create(config -> config.setNotes(BoardNotes.ofHost())));
     }
 
     /** Makes commands whose boards are where these links lead. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config) {
         return factory(links, config, Path.of("/"));
+    }
+
+    /** As {@link #factory(Function, BoardConfig)}, for commands by another clock. */
+    static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, BoundedClock clock) {
+        CommandLine.IFactory rest = factory(links, config.with(config.notes(), clock));
+        return new CommandLine.IFactory() {
+            @Override
+            public <K> K create(Class<K> type) throws Exception {
+                return type == ClockOption.class ? type.cast(new ClockOption(clock)) : rest.create(type);
+            }
+        };
     }
 
     /** As {@link #factory(Function, BoardConfig)}, with another folder than the root. */
@@ -87,6 +104,14 @@ final class PortOption {
      */
     Board open(BoardListener listener) throws JavinoException, InterruptedException {
         return greeted(Board.open(link(), config, listener));
+    }
+
+    /** As {@link #open(BoardListener)}, with a keyring's notes too, and by a clock. */
+    Board open(Optional<Path> keyring, BoundedClock clock, BoardListener listener)
+            throws JavinoException, InterruptedException {
+        List<BoardNotes> notes = Stream.concat(keyring.stream().map(KeyringNotes::new), config.notes().stream())
+                .toList();
+        return greeted(Board.open(link(), config.with(notes, clock), listener));
     }
 
     /** The same board once it was greeted; closed if that fails. */

@@ -1,15 +1,19 @@
 package javino.cli;
 
+import javino.keyring.BoundedClock;
 import javino.keyring.PrivateFile;
 import javino.keyring.Keyring;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.board.Board;
+import javino.board.BoardListener;
+import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.Key;
 import picocli.CommandLine.Command;
@@ -41,6 +45,9 @@ final class ProvisionCommand implements Callable<Integer> {
             description = "A device or group (//SU), and a file with its key as 32 hexadecimal digits.")
     private Map<Address, Path> keyFiles = Map.of();
 
+    @Mixin
+    private ClockOption clock;
+
     @Spec
     private CommandSpec spec;
 
@@ -50,8 +57,18 @@ final class ProvisionCommand implements Callable<Integer> {
             Keyring.keysOf(keyring, id);  // before the port is opened: whether it has any
         }
         Map<Address, Key> keys = readKeys();
-        try (Board board = port.open()) {
-            new Provisioning(board, port.name(), id, keyring, spec.commandLine().getOut()).run(keys, Instant.now());
+        PrintWriter out = spec.commandLine().getOut();
+        BoundedClock time = clock.checked();
+        BoardListener losses = new BoardListener() {
+            @Override
+            public void warning(String what) {
+                if (!what.startsWith(LostState.notRaised())) {
+                    out.println(what);
+                }
+            }
+        };
+        try (Board board = port.open(Optional.ofNullable(keyring), time, losses)) {
+            new Provisioning(board, time, port.name(), id, keyring, out).run(keys);
         }
         return 0;
     }

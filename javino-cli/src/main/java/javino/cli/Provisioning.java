@@ -1,6 +1,7 @@
 package javino.cli;
 
 import javino.keyring.BoardNote;
+import javino.keyring.BoundedClock;
 import javino.keyring.HeldKeys;
 import javino.keyring.SharedKey;
 import javino.keyring.Keyring;
@@ -8,7 +9,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,7 +17,6 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import javino.JavinoException;
 import javino.board.Board;
-import javino.board.EpochNotes;
 import javino.board.LostState;
 import javino.board.RequestFailedException;
 import javino.protocol.Address;
@@ -36,6 +35,7 @@ final class Provisioning {
     private static final Duration BUSY_PAUSE = Duration.ofMillis(100);
 
     private final Board board;
+    private final BoundedClock clock;
     private final String port;
     private final Address id;
     private final Path file;
@@ -45,13 +45,15 @@ final class Provisioning {
     private boolean changed;
 
     /**
-     * @param port for error lines.
+     * @param port  for error lines.
+     * @param clock as the board's session has it.
      * @param id   that the board is to have.
      * @param file the keyring; null where there is none.
      * @param out  told a line for each thing that was done; never a key.
      */
-    Provisioning(Board board, String port, Address id, Path file, PrintWriter out) {
+    Provisioning(Board board, BoundedClock clock, String port, Address id, Path file, PrintWriter out) {
         this.board = board;
+        this.clock = clock;
         this.port = port;
         this.id = id;
         this.file = file;
@@ -68,11 +70,10 @@ final class Provisioning {
      * Does it.
      *
      * @param more keys that are not of the keyring, or not for this device.
-     * @param now  by this computer's clock.
      * @throws JavinoException if the board refused something, or has another key than it was given; if it is not to be
      *                         given its keys; or if nothing is to be done before other boards had their turn.
      */
-    void run(Map<Address, Key> more, Instant now) throws IOException, JavinoException, InterruptedException {
+    void run(Map<Address, Key> more) throws IOException, JavinoException, InterruptedException {
         BoardInfo info = Await.result(board.greeted());
         Map<Address, HeldKeys> held = HeldKeys.of(Await.result(board.keys()));
         Keyring ring = file == null ? new Keyring() : Keyring.read(file);
@@ -81,13 +82,14 @@ final class Provisioning {
                 .orElse(new SharedKey(key, null))));
         refuseForeign(info, held, ring);
         refuseLost(held, wanted, ring);
-        raiseEpoch(info, ring, now);
+        refuseEpoch(info, ring, !held.isEmpty());
         Await.result(board.setRfId(id));
+        noteEpoch(ring);
         out.println("RF id " + id);
         for (Map.Entry<Address, SharedKey> key : wanted.entrySet()) {
             step(key.getKey(), key.getValue(), held.getOrDefault(key.getKey(), HeldKeys.NONE), ring);
         }
-        note(wanted, info.bootEpoch(), now);
+        note(wanted);
         if (!waits.isEmpty() && !changed) {
             throw new JavinoException("nothing can be done with " + id + " yet: " + String.join("; ", waits)
                     + "; javino provision on these first");
@@ -119,11 +121,9 @@ final class Provisioning {
     private void refuseLost(Map<Address, HeldKeys> held, Map<Address, SharedKey> wanted, Keyring ring)
             throws IOException, JavinoException, InterruptedException {
         BoardNote note = ring.note(id);
-        List<Address> lost = wanted.entrySet().stream().filter(entry -> {
-            Bytes check = entry.getValue().last().check();
-            return note.held(entry.getKey()).accepts(check)
-                    && !held.getOrDefault(entry.getKey(), HeldKeys.NONE).accepts(check);
-        }).map(Map.Entry::getKey).toList();
+        List<Address> lost = wanted.entrySet().stream()
+                .filter(entry -> note.isLost(entry.getKey(), entry.getValue().last().check(), held))
+                .map(Map.Entry::getKey).toList();
         if (lost.isEmpty()) {
             return;
         }
@@ -141,31 +141,31 @@ final class Provisioning {
         return String.join(", ", texts);
     }
 
-    /**
-     * Gives the board an epoch above all that this id can have had, by the clock and by what is known: a computer may
-     * have no clock, and a board that was erased counts from 1. It is noted before the board has it.
-     */
-    private void raiseEpoch(BoardInfo info, Keyring ring, Instant now)
-            throws IOException, JavinoException, InterruptedException {
+    /** Before anything is changed: whether nonces are left, and none can come twice (SPEC 5.1). */
+    private void refuseEpoch(BoardInfo info, Keyring ring, boolean hasKeys) throws JavinoException {
         int noted = ring.note(id).epoch();
-        int epoch = info.hasLostEpoch() ? EpochNotes.above(noted, now)
-                : Math.min(BoardInfo.LAST_EPOCH, Math.max(EpochNotes.at(now), noted + 1));
-        if (info.hasLostEpoch() && (noted == 0 || epoch > Math.min(BoardInfo.LAST_EPOCH, BoardNote.mostAt(now)))) {
+        if (info.bootEpoch() > BoardInfo.LAST_EPOCH) {
+            throw new JavinoException(port + ": " + LostState.ofUsedUp());
+        }
+        if (noted > clock.most() && hasKeys) {
+            throw new JavinoException(file + " notes that " + id + " had epoch " + noted
+                    + ", which is years ahead of this computer's clock; set the clock, or else correct the line");
+        }
+    }
+
+    /** What the board is given is noted before it has a key; the session that was greeted has raised it. */
+    private void noteEpoch(Keyring ring) throws IOException, JavinoException, InterruptedException {
+        BoardInfo info = board.info().orElseThrow();
+        if (info.hasLostEpoch()) {
             throw new JavinoException(
                     port + ": the board has lost its boot epoch, and no keyring tells a higher one, so "
                             + "that its keys cannot be used again: javino forget --port " + port
                             + " --all, then new keys for it (javino keygen)");
         }
-        if (noted > BoardNote.mostAt(now)) {
-            throw new JavinoException(file + " notes that " + id + " had epoch " + noted
-                    + ", which is years ahead of this computer's clock; set the clock, or else correct the line");
-        }
+        // What it says beyond that counts only when it has shown that it has the keys.
+        int epoch = Math.min(info.bootEpoch(), Math.max(clock.epoch(), ring.note(id).epoch() + 1));
         if (file != null) {
             Keyring.change(file, latest -> latest.note(id, latest.note(id).withEpoch(epoch)));
-        }
-        Await.result(board.raiseEpoch(epoch));
-        if (info.hasLostEpoch()) {
-            out.println("boot epoch " + epoch + ": the board had lost its own, and this is above all that it has had");
         }
     }
 
@@ -253,7 +253,7 @@ final class Provisioning {
     }
 
     /** What the board says of its epoch counts only now that it has shown that it has the keys. */
-    private void note(Map<Address, SharedKey> wanted, int claimed, Instant now)
+    private void note(Map<Address, SharedKey> wanted)
             throws IOException, JavinoException, InterruptedException {
         List<StoredKey> keys = Await.result(board.keys());
         LostState.ofFloors(keys).ifPresent(out::println);
@@ -263,7 +263,8 @@ final class Provisioning {
         Map<Address, HeldKeys> found = HeldKeys.of(keys);
         boolean proved = wanted.entrySet().stream().anyMatch(key -> key.getValue().all().stream()
                 .anyMatch(each -> found.getOrDefault(key.getKey(), HeldKeys.NONE).sealsWith(each.check())));
-        int epoch = proved && claimed <= BoardNote.mostAt(now) ? claimed : 0;
+        int claimed = board.info().orElseThrow().bootEpoch();
+        int epoch = proved && claimed <= clock.most() ? claimed : 0;
         List<Keyring.Members> settled = new ArrayList<>();
         Keyring.change(file, latest -> {
             latest.note(id, latest.note(id).withEpoch(epoch).withKeys(found, wanted.keySet()));

@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
@@ -14,6 +15,7 @@ import javino.board.BoardConfig;
 import javino.fake.FakeBoard;
 import javino.fake.FakeLegacyBoard;
 import javino.fake.FakePort;
+import javino.keyring.BoundedClock;
 import javino.protocol.Bytes;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
@@ -47,13 +49,14 @@ abstract class CommandFixture {
     @BeforeEach
     final void storeKey() {
         fake.keys.set("SUPO", Bytes.of(1, 2, 3));
+        fake.keys.setEpoch(1);
     }
 
     final int run(String... args) {
         BoardConfig config = BoardConfig.create(builder -> builder.setHold(Duration.ofMillis(20))
                 .setReplyTimeout(Duration.ofMillis(20)).setAttempts(20)
                 .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
-                .setPatience(patience));
+                .setPatience(patience).setClock(BoundedClock.at(Instant.EPOCH)));
         CommandLine commandLine =
                 Main.commandLine(
                         PortOption.factory(name -> name.equals(older.port.name()) ? older.port : port, config, system));

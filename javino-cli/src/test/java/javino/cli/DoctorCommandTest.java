@@ -85,7 +85,7 @@ class DoctorCommandTest extends CommandFixture {
     @Test
     void board_examined_isAskedButNotChanged() {
         examine();
-        assertEquals(1, fake.line.count('L'));
+        assertEquals(2, fake.line.count('L'), "after hello too");
         assertEquals(1, fake.line.count('S'));
         assertEquals(List.of(), List.copyOf(fake.requests));
     }

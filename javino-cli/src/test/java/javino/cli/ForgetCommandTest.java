@@ -11,7 +11,7 @@ class ForgetCommandTest extends CommandFixture {
     void key_held_isDeleted() {
         assertEquals(0, run("forget", "--port", "fake", "--key", "SUPO", "--key", "SUPO"), err.toString());
         assertEquals(List.of("key for SUPO forgotten"), lines());
-        assertEquals(1, fake.line.count('L'));
+        assertEquals(2, fake.line.count('L'), "after hello, and before");
         assertEquals(List.of("delete key SUPO"), List.copyOf(fake.requests));
     }
 

@@ -3,6 +3,8 @@ package javino.cli;
 import javino.keyring.KeyringNotes;
 import javino.keyring.PrivateFile;
 import javino.keyring.BoardNote;
+import javino.keyring.BoardNotes;
+import javino.keyring.BoundedClock;
 import javino.keyring.HeldKeys;
 import javino.keyring.SharedKey;
 import javino.keyring.Keyring;
@@ -46,6 +48,8 @@ class ProvisionCommandTest {
     private final StringWriter err = new StringWriter();
     private final Map<String, FakeBoard> boards = new TreeMap<>();
 
+    private BoundedClock clock = BoundedClock.SYSTEM;
+
     @TempDir
     private Path folder;
     private Path keys;
@@ -54,6 +58,7 @@ class ProvisionCommandTest {
     void makeBoards() {
         for (String id : IDS) {
             boards.put(id, new FakeBoard());
+            boards.get(id).keys.setEpoch(1);
         }
         keys = folder.resolve("keys");
         succeed("keygen", "--out", keys.toString(), "--pair", "ROMA,SUPO", "--pair", "SUPO,SUPP", "--group", "SU");
@@ -61,7 +66,7 @@ class ProvisionCommandTest {
 
     private int run(String... args) {
         CommandLine commandLine = Main.commandLine(PortOption.factory(name -> boards.get(name).port,
-                BoardConfig.create()));
+                BoardConfig.create(), clock));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));
         return commandLine.execute(args);
@@ -113,7 +118,6 @@ class ProvisionCommandTest {
         List<String> performed = List.copyOf(boards.get("SUPO").requests);
         assertTrue(performed.get(0).startsWith("epoch "), performed.toString());
         assertEquals(List.of("id SUPO", "key ROMA", "key SUPP", "key //SU"), performed.subList(1, performed.size()));
-        assertEquals(2, boards.get("SUPO").line.count('L'), "before and after");
         BoardNote note = keyring().note(Address.parse("SUPO"));
         assertEquals(boards.get("SUPO").keys.epoch(), note.epoch());
         assertEquals("[ROMA, SUPP, //SU]", note.keys().keySet().toString());
@@ -147,8 +151,11 @@ class ProvisionCommandTest {
     }
 
     private void provisionAt(Instant now) throws Exception {
-        try (Board board = Board.open(boards.get("SUPO").port, BoardConfig.create(), new BoardListener() {})) {
-            new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out, true)).run(Map.of(), now);
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        clock = BoundedClock.at(now);
+        if (run(provisionOf("SUPO")) != 0) {
+            throw new JavinoException(err.toString());
         }
     }
 
@@ -187,6 +194,7 @@ class ProvisionCommandTest {
         }
         assertTrue(noted("SUPO") <= OF_AUTUMN, "only what it was to be given");
         FakeBoard genuine = new FakeBoard();
+        genuine.keys.setEpoch(1);
         boards.put("SUPO", genuine);
         provisionAt(AUTUMN);
         assertEquals(OF_AUTUMN + 1, genuine.keys.epoch());
@@ -223,7 +231,8 @@ class ProvisionCommandTest {
             int above = OF_AUTUMN + loss * 400_000;
             assertEquals(above, boards.get("SUPO").keys.epoch());
             assertEquals(above, noted("SUPO"));
-            assertTrue(out.toString().contains("boot epoch " + above + ": the board had lost its own"), out.toString());
+            assertTrue(out.toString().contains("it was raised to " + above + ", above all that it has had"),
+                    out.toString());
             assertTrue(out.toString().contains("under its keys for SUPP, //SU"), out.toString());
         }
     }
@@ -247,7 +256,7 @@ class ProvisionCommandTest {
         board.keys.loseEpoch();
         System.setProperty(KeyringNotes.PROPERTY, keys.toString());
         try {
-            BoardConfig config = BoardConfig.create(each -> each.setEpochNotes(KeyringNotes.named()));
+            BoardConfig config = BoardConfig.create(each -> each.setNotes(BoardNotes.ofHost()));
             FakeBoard other = new FakeBoard();
             other.setRfId("SUPO");
             other.keys.set("SUPO", Bytes.of(1, 2, 3));
@@ -266,9 +275,48 @@ class ProvisionCommandTest {
     }
 
     @Test
-    void epoch_longAfter_isTheLastOne() throws Exception {
-        provisionAt(Instant.parse("2090-01-01T00:00:00Z"));
-        assertEquals(0xFFFFFE, boards.get("SUPO").keys.epoch());
+    void clock_yearsAhead_isNotBelievedBeforeAPersonSaysSo() throws Exception {
+        clock = BoundedClock.at(Instant.parse("2046-11-30T00:00:00Z"));
+        assertEquals("javino: this computer's clock says 2046-11-30, more than 20 years after this release of Javino; "
+                + "set it, or say --clock-is-right", fail(provisionOf("SUPO")));
+        assertEquals(List.of(), List.copyOf(boards.get("SUPO").requests), "nothing is asked of the board");
+        succeed(Stream.concat(Stream.of(provisionOf("SUPO")), Stream.of("--clock-is-right")).toArray(String[]::new));
+        assertTrue(boards.get("SUPO").keys.epoch() > 10_900_000);
+    }
+
+    @Test
+    void clock_atTheEndOfTime_leavesTheBoardEpochs() throws Exception {
+        clock = BoundedClock.at(Instant.parse("2090-01-01T00:00:00Z"));
+        succeed(Stream.concat(Stream.of(provisionOf("SUPO")), Stream.of("--clock-is-right")).toArray(String[]::new));
+        assertEquals(0xFFFFFE - 0x100000, boards.get("SUPO").keys.epoch());
+    }
+
+    @Test
+    void board_withoutNonces_beginsAnewWithNewKeysOnly() throws Exception {
+        provisionAll();
+        boards.get("SUPO").keys.setEpoch(0xFFFFFF);
+        Files.writeString(keys, Files.readString(keys).replaceAll("SUPO: epoch [0-9]+", "SUPO: epoch 16777214"));
+        assertTrue(fail(provisionOf("SUPO")).contains("nonces are used up, and it seals nothing: clear its EEPROM"));
+        boards.get("SUPO").eraseEeprom();
+        assertTrue(fail(provisionOf("SUPO")).contains("the board has lost keys"));
+        succeed("keygen", "--renew", keys.toString(), "--id", "SUPO");
+        for (int round = 0; round < 3; round++) {
+            for (String id : List.of("SUPP", "ROMA", "SUPO")) {
+                run(provisionOf(id));
+            }
+        }
+        int epoch = boards.get("SUPO").keys.epoch();
+        assertTrue(epoch < 10_900_000, "by the clock: " + epoch);
+        assertEquals(epoch, noted("SUPO"));
+    }
+
+    @Test
+    void board_withAnOlderImage_getsAnEpochAboveAllThatWasSeen() throws Exception {
+        provisionAt(AUTUMN);
+        Files.writeString(keys, Files.readString(keys).replace("epoch " + OF_AUTUMN, "epoch 600000"));
+        provisionAt(AUTUMN);
+        assertEquals(600_001, boards.get("SUPO").keys.epoch());
+        assertTrue(out.toString().contains("its EEPROM was erased, or is an older copy"), out.toString());
     }
 
     @Test
@@ -285,8 +333,8 @@ class ProvisionCommandTest {
                         + " --id SUPO, then javino provision on each board",
                 fail(provisionOf("SUPO")));
         fail(provisionOf("SUPO"));
-        assertEquals(List.of(), boards.get("SUPO").requests.stream().skip(before).toList(),
-                "nothing is written");
+        assertEquals(List.of(), boards.get("SUPO").requests.stream().skip(before)
+                .filter(each -> !each.startsWith("epoch")).toList(), "no key is written");
     }
 
     @Test
@@ -475,13 +523,7 @@ class ProvisionCommandTest {
     @Test
     void provision_keyringThatCannotBeChanged_failsBeforeTheBoardGetsAKey() throws Exception {
         Files.writeString(folder.resolve("keys.part"), "");
-        try (Board board = Board.open(boards.get("SUPO").port, BoardConfig.create(), new BoardListener() {})) {
-            Provisioning provisioning =
-                    new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out));
-            JavinoException e = assertThrows(JavinoException.class, () -> provisioning.run(Map.of(), Instant.now()));
-            assertTrue(e.getMessage().contains("is being changed by another program; if none runs, delete"),
-                    e.getMessage());
-        }
-        assertEquals(List.of(), List.copyOf(boards.get("SUPO").requests));
+        assertTrue(fail(provisionOf("SUPO")).contains("is being changed by another program; if none runs, delete"));
+        assertEquals(0, performed("SUPO", "key"));
     }
 }

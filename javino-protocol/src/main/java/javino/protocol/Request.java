@@ -81,6 +81,11 @@ public record Request(Command command, Frame frame, String description) {
             };
         }
 
+        /** Whether it puts a key into EEPROM. */
+        public boolean storesKey() {
+            return this == SET_KEY || this == RENEW_KEY;
+        }
+
         /** Whether only a board with a radio performs it. */
         public boolean needsRadio() {
             return switch (this) {
@@ -290,6 +295,11 @@ public record Request(Command command, Frame frame, String description) {
         check(address.kind() == Address.Kind.DEVICE || address.kind() == Address.Kind.MULTICAST,
                 "a key is for a device such as ROMA or a group such as //SU", address);
         return Bytes.join(address.toBytes(), key.bytes());
+    }
+
+    /** Whether the board seals it. */
+    public boolean isSealed() {
+        return command == Command.TRANSMIT && !frame.destination().equals(Address.BROADCAST);
     }
 
     /** {@link Command#USE_KEY}. */

@@ -7,13 +7,16 @@ import java.security.SecureRandom;
 import javino.JavinoException;
 import javino.Printable;
 import javino.cli.AddressOption;
+import javino.cli.ClockOption;
 import javino.cli.CommandPlugin;
+import javino.keyring.DeviceNotes;
 import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -37,7 +40,7 @@ public final class EnrollCommand implements CommandPlugin {
 
     @Option(names = "--folder", paramLabel = "FOLDER",
             description = "Where the identities of devices are; default: .javino in your home.")
-    private Path folder = Identity.defaultFolder();
+    private Path folder = DeviceNotes.defaultFolder();
 
     @ArgGroup
     private What what = new What();
@@ -46,6 +49,9 @@ public final class EnrollCommand implements CommandPlugin {
             description = "With --certificate: trust this authority beside those that the device trusts already; as "
                     + "javino ca init or list says it.")
     private String authority;
+
+    @Mixin
+    private ClockOption clock;
 
     @Spec
     private CommandSpec spec;
@@ -89,7 +95,7 @@ public final class EnrollCommand implements CommandPlugin {
     }
 
     private Path file() {
-        return Identity.file(folder, id);
+        return DeviceNotes.identity(folder, id);
     }
 
     private void print(String line) {
@@ -152,6 +158,7 @@ public final class EnrollCommand implements CommandPlugin {
                 .add(P256.number(answer.get(Identity.CONTRIBUTION).orElse(Bytes.EMPTY))).mod(P256.ORDER));
         own.set(Identity.SECRET, secret).set(Identity.CERTIFICATE, encoded).remove(REQUEST_SECRET).remove(Request.NAME);
         for (Bytes revocationList : answer.all(Identity.REVOCATION_LIST)) {
+            clock.check(what.certificate, RevocationList.decode(revocationList).day());
             Identity.keep(RevocationList.decode(revocationList), own);
         }
         try {
@@ -190,6 +197,7 @@ public final class EnrollCommand implements CommandPlugin {
                         what.revocationList + " has no revocation list; javino ca revoke writes one"));
         Identity identity = Identity.read(folder, id)
                 .orElseThrow(() -> new HandshakeException(id + " has no certificate in " + folder));
+        clock.check(what.revocationList, RevocationList.decode(revocationList).day());
         boolean isNew = identity.take(revocationList);
         identity.keep();
         print(RevocationList.decode(revocationList)

@@ -19,6 +19,7 @@ import diffuser.HostClock;
 import diffuser.KeyService;
 
 import javino.board.Transmission;
+import javino.keyring.DeviceNotes;
 import javino.protocol.Address;
 import javino.protocol.Message;
 import javino.protocol.Outcome;
@@ -32,8 +33,8 @@ import javino.protocol.HostMessage;
  */
 public final class BoardKeyAgreement implements KeyService {
 
-    /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
-    public static final String FOLDER_PROPERTY = "javino.identities";
+    /** Names the folder of identities where it is not the default one. */
+    public static final String FOLDER_PROPERTY = DeviceNotes.FOLDER_PROPERTY;
 
     private final Path folder;
     private final HostClock clock;
@@ -54,8 +55,7 @@ public final class BoardKeyAgreement implements KeyService {
 
         @Override
         public KeyService of(Diffuser diffuser) {
-            return new BoardKeyAgreement(Path.of(System.getProperty(FOLDER_PROPERTY,
-                    Identity.defaultFolder().toString())), diffuser.hostClock());
+            return new BoardKeyAgreement(DeviceNotes.named().folder(), diffuser.hostClock());
         }
     }
 

@@ -8,7 +8,11 @@ import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javino.JavinoException;
+import javino.keyring.DeviceNotes;
 import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -55,17 +59,6 @@ public final class Identity {
         }
     }
 
-    /** Where {@code javino enroll} puts identities unless told otherwise: {@code ~/.javino}. */
-    public static Path defaultFolder() {
-        return Path.of(System.getProperty("user.home"), ".javino");
-    }
-
-    /** Where the identity of a device is. */
-    static Path file(Path folder, Address device) {
-        // A slash is a digit of addresses, and no letter of a file's name.
-        return folder.resolve(device.toString().replace('/', '-') + ".identity");
-    }
-
     /**
      * Reads the identity of a device, which {@code javino enroll} wrote.
      *
@@ -73,7 +66,7 @@ public final class Identity {
      * @throws IllegalArgumentException if the file is damaged, or others may read it.
      */
     public static Optional<Identity> read(Path folder, Address device) throws IOException {
-        Path file = file(folder, device);
+        Path file = DeviceNotes.identity(folder, device);
         Entries entries = Files.exists(file) ? Entries.parse(PrivateFile.read(file), file) : new Entries();
         return entries.get(CERTIFICATE).isEmpty() ? Optional.empty() : Optional.of(of(file, entries));
     }
@@ -208,17 +201,23 @@ public final class Identity {
         return file.resolveSibling(file.getFileName().toString().replace(".identity", ".group"));
     }
 
-    /** The key of the group that this device gives, as it was kept last. */
-    Optional<Key> groupKey() throws IOException {
-        return certificate.groupKeyServer() && Files.exists(groupFile())
-                ? Optional.of(Key.of(Bytes.ofHex(PrivateFile.read(groupFile()).strip()))) : Optional.empty();
+    /** The key of the group that this device gives, and who has had it, as it was kept last. */
+    Optional<GroupKeys.Kept> groupKey() throws IOException {
+        if (!certificate.groupKeyServer() || !Files.exists(groupFile())) {
+            return Optional.empty();
+        }
+        List<String> words = List.of(PrivateFile.read(groupFile()).strip().split("\\s+"));
+        Set<Address> had = words.stream().skip(1).map(Address::parse).collect(Collectors.toSet());
+        return Optional.of(new GroupKeys.Kept(Key.of(Bytes.ofHex(words.get(0))), had));
     }
 
-    void keepGroupKey(Key key) throws IOException, JavinoException, InterruptedException {
+    void keepGroupKey(GroupKeys.Kept kept) throws IOException, JavinoException, InterruptedException {
+        String text = Stream.concat(Stream.of(kept.key().bytes().hex()), kept.had().stream()
+                .map(Address::toString).sorted()).collect(Collectors.joining("\n"));
         if (Files.exists(groupFile())) {
-            PrivateFile.change(groupFile(), before -> key.bytes().hex());
+            PrivateFile.change(groupFile(), before -> text);
         } else {
-            PrivateFile.create(groupFile(), key.bytes().hex());
+            PrivateFile.create(groupFile(), text);
         }
     }
 

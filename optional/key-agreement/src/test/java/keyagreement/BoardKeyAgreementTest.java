@@ -16,6 +16,7 @@ import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
+import javino.keyring.DeviceNotes;
 import javino.board.BoardOfflineException;
 import javino.board.Transmission;
 import javino.protocol.Address;
@@ -163,7 +164,7 @@ class BoardKeyAgreementTest {
         other.online(board, BUSA, 1, List.of());
         time.run(1);
         assertFalse(other.sharesGroup());
-        Files.writeString(Identity.file(folder, Address.parse("BUSB")), "damaged");
+        Files.writeString(DeviceNotes.identity(folder, Address.parse("BUSB")), "damaged");
         other.online(board, Address.parse("BUSB"), 1, List.of());
         time.run(1);
         assertTrue(other.sharesGroup());

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.List;
 import java.util.Optional;
+import javino.keyring.DeviceNotes;
 import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -94,7 +95,7 @@ class IdentityTest {
     @Test
     void device_withAForgedCertificate_isRefused() throws IOException, JavinoException {
         Identity busa = authority.certified("BUSA");
-        Path file = Identity.file(folder, address(busa));
+        Path file = DeviceNotes.identity(folder, address(busa));
         Entries forged = Entries.parse(Files.readString(file), file);
         byte[] bytes = busa.certificate().toBytes().toArray();
         bytes[5] = 1;
@@ -187,7 +188,7 @@ class IdentityTest {
     @Test
     void identity_thatIsMissingDamagedOrReadableByOthers_isNotUsed() throws IOException {
         assertEquals(Optional.empty(), Identity.read(folder, Address.parse("BUSA")));
-        Path file = Identity.file(folder, address(supo));
+        Path file = DeviceNotes.identity(folder, address(supo));
         String text = Files.readString(file);
         Files.writeString(file, text.replaceAll("secret ..", "secret " + (text.contains("secret 00") ? "01" : "00")));
         String said = assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)))

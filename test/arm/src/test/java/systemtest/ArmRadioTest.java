@@ -2,6 +2,7 @@ package systemtest;
 
 import static harness.Host.get;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Host;
 import harness.SketchBoard;
@@ -26,7 +27,7 @@ class ArmRadioTest {
             host.awaitOnline(1);
             BoardInfo info = host.board.info().orElseThrow();
             assertEquals("ROMA", info.rfId().orElseThrow().toString());
-            assertEquals(epoch + 1, info.bootEpoch());
+            assertTrue(info.bootEpoch() > epoch);
             assertEquals(1, get(host.board.keys()).size());
         }
     }

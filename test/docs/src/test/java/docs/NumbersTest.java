@@ -3,11 +3,14 @@ package docs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
+import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.board.BoardConfig;
+import javino.keyring.BoundedClock;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
@@ -36,6 +39,8 @@ class NumbersTest {
     private static final int FLOORS = firmware("FLOOR_SLOTS");
     private static final int SAMPLE = firmware("DEFAULT_SAMPLE_MILLIS");
     private static final BoardConfig SESSION = BoardConfig.create();
+    private static final int LATEST_EPOCH =
+            BoundedClock.at(Instant.parse("2100-01-01T00:00:00Z")).right().epoch();
 
     static Stream<Arguments> sayings() {
         return Stream.of(
@@ -56,6 +61,10 @@ class NumbersTest {
                 says("SPEC.md", "(%d ms by default, and %d ms more for commands that write to EEPROM)",
                         SESSION.replyTimeout().toMillis(), constant("javino-board/src/main", "EEPROM_TIME")),
                 says("SPEC.md", "epoch 0x%X is never used", BoardInfo.LAST_EPOCH + 1),
+                says("SPEC.md", "believe a day after %s, 20 years after", BoundedClock.LATEST),
+                says("SECURITY.md", "No clock later than %s", BoundedClock.LATEST),
+                says("SPEC.md", "at most %s, and above",
+                        String.format(Locale.ROOT, "%,d", LATEST_EPOCH).replace(',', ' ')),
                 says("SPEC.md", "N + %d is stored (%d messages a write)", AHEAD, AHEAD + 1),
                 says("SPEC.md", "a ring of %d records", FLOORS),
                 says("SPEC.md", "a limited number of places for them: %d, and 0 or 1",

@@ -18,6 +18,7 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.Transmission;
+import javino.keyring.DeviceNotes;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -51,7 +52,8 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         this.received = received;
         agreement = new BoardKeyAgreement(identities, clock);
         hosts = new HostChannel(List.of(agreement), this::transmitAsIs, warnings::add);
-        board.complete(Board.open(link, BoardConfig.create(), this));
+        board.complete(Board.open(link, BoardConfig.create(config -> config.setNotes(List.of(new DeviceNotes(identities)))),
+                this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
         awaitOnline();
