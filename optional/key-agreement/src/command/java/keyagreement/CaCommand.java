@@ -13,10 +13,12 @@ import java.util.ArrayList;
 import java.util.List;
 import javino.JavinoException;
 import javino.cli.AddressOption;
+import javino.cli.ClockOption;
 import javino.cli.CommandPlugin;
 import javino.keyring.PrivateFile;
 import javino.protocol.Address;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -49,9 +51,9 @@ public final class CaCommand implements CommandPlugin {
 
     @Command(name = "init", description = "Makes a new authority.")
     int init(@Option(names = "--ca", required = true, paramLabel = "FILE",
-            description = "The authority's file; must not exist yet.") Path file)
+            description = "The authority's file; must not exist yet.") Path file, @Mixin ClockOption clock)
             throws IOException, JavinoException {
-        Authority authority = Authority.create(LocalDate.now(), new SecureRandom());
+        Authority authority = Authority.create(clock.day(), new SecureRandom());
         PrivateFile.create(file, authority.format());
         print("authority " + authority.keys().fingerprint() + " written to " + file);
         return 0;
@@ -68,9 +70,10 @@ public final class CaCommand implements CommandPlugin {
             @Option(names = "--group-key-server",
                     description = GROUP_KEY_SERVER) boolean groupKeyServer,
             @Option(names = "--replace",
-                    description = "Revoke the device's certificate that is valid. A device has one.") boolean replace)
+                    description = "Revoke the device's certificate that is valid. A device has one.") boolean replace,
+            @Mixin ClockOption clock)
             throws IOException, JavinoException, InterruptedException {
-        LocalDate today = LocalDate.now();
+        LocalDate today = clock.day();
         LocalDate last = until == null ? today.plusYears(1) : until;
         if (last.isBefore(today) || !Days.fits(last)) {
             throw wrongUsage("--until takes a day from today to " + Days.LAST + ", not " + last);
@@ -112,12 +115,13 @@ public final class CaCommand implements CommandPlugin {
             @Option(names = "--id", paramLabel = "ADDRESS", converter = AddressOption.Device.class,
                     description = "A device whose certificate ends.") List<Address> devices,
             @Option(names = "--least-until", paramLabel = "DAY",
-                    description = "All certificates end whose last day is before this one.") LocalDate leastUntil)
+                    description = "All certificates end whose last day is before this one.") LocalDate leastUntil,
+            @Mixin ClockOption clock)
             throws IOException, JavinoException, InterruptedException {
         if (leastUntil != null && !Days.fits(leastUntil)) {
             throw wrongUsage("--least-until takes a day up to " + Days.LAST);
         }
-        LocalDate today = LocalDate.now();
+        LocalDate today = clock.day();
         mustBeNew(out);
         String text = PrivateFile.change(file, before -> {
             Authority authority = Authority.parse(before, file);

@@ -10,10 +10,14 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Instant;
 import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.Stream;
+import javino.board.BoardConfig;
 import javino.fake.NoPermissionsFileSystem;
+import javino.keyring.BoundedClock;
+import javino.link.SerialLink;
 import javino.protocol.Address;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,13 +35,15 @@ class CertificateCommandsTest {
     private StringWriter out;
     private StringWriter err;
 
+    private BoundedClock clock = BoundedClock.SYSTEM;
+
     @TempDir
     private Path folder;
 
     private int run(String... args) {
         out = new StringWriter();
         err = new StringWriter();
-        CommandLine commandLine = Main.commandLine(PortOption.serial());
+        CommandLine commandLine = Main.commandLine(PortOption.factory(SerialLink::opener, BoardConfig.create(), clock));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));
         commandLine.registerConverter(Path.class, name -> onStick ? stick.of(Path.of(name)) : Path.of(name));
@@ -106,6 +112,29 @@ class CertificateCommandsTest {
         assertEquals("authority " + fingerprint + "\n" + revocationList + "\ncertificate 0 of SUPO until "
                 + TODAY.plusYears(1) + ": valid, 365 days left\n" + certificate("ROMA") + ": valid, 5 days left",
                 says("ca", "list", "--ca", file("ca")).replace("366 days", "365 days"));
+    }
+
+    @Test
+    void clock_yearsAhead_endsNothing() throws Exception {
+        Instant late = Instant.parse("2050-06-01T00:00:00Z");
+        says("ca", "init", "--ca", file("ca"));
+        certify("SUPO");
+        enroll("ROMA", "--request", "ROMA.request");
+        String before = Files.readString(folder.resolve("ca"));
+        clock = BoundedClock.at(late);
+        String unbelieved = "more than 20 years after this release of Javino; set it, or say --clock-is-right";
+        assertTrue(fails(1, "ca", "init", "--ca", file("other")).endsWith(unbelieved));
+        assertTrue(fails(1, "ca", "issue", "--ca", file("ca"), "--request", file("ROMA.request"), "--out", file("x"))
+                .endsWith(unbelieved));
+        assertTrue(fails(1, "ca", "revoke", "--ca", file("ca"), "--out", file("x")).endsWith(unbelieved));
+        assertEquals(before, Files.readString(folder.resolve("ca")));
+        says("ca", "revoke", "--ca", file("ca"), "--out", file("late"), "--clock-is-right");
+        clock = BoundedClock.SYSTEM;
+        assertTrue(enrollFails("SUPO", "--revocation-list", "late").endsWith(
+                "late says 2050-06-01, more than 20 years after this release of Javino; if that is right, say "
+                        + "--clock-is-right"));
+        says("ca", "issue", "--ca", file("ca"), "--request", file("ROMA.request"), "--out", file("ROMA.certificate"));
+        assertTrue(enrollFails("ROMA", "--certificate", "ROMA.certificate").contains("says 2050-06-01"));
     }
 
     @Test
