@@ -57,11 +57,12 @@ local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = tr
 local KINDS = {}
 for i, name in ipairs({"MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
   "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY", "MOVE_OFFER", "MOVE_WANT", "MOVE_DATA", "MOVE_READY", "MOVE_GO", "MOVE_AWAKE",
-  "MOVE_CANCELLED", "MOVE_REFUSED"}) do KINDS[0x7F + i] = name end
+  "MOVE_CANCELLED", "MOVE_REFUSED", "GROUP_KEY_REQUEST"}) do KINDS[0x7F + i] = name end
 local FIRST_SEALED = 0x88
 -- The lengths of their bodies, of the fragments from 0 on; of the others any.
 local BODIES = {MESSAGE_1 = {37}, MESSAGE_2 = {62, 26}, MESSAGE_3 = {63}, RENEWAL_1 = {16}, RENEWAL_2 = {16}, RENEWAL_3 = {8},
-  WANT = {2}, GROUP = {0}, GROUP_KEY = {16}, MOVE_READY = {4}, MOVE_GO = {4}, MOVE_CANCELLED = {4}}
+  WANT = {2}, GROUP = {0}, GROUP_KEY = {16}, MOVE_READY = {4}, MOVE_GO = {4}, MOVE_CANCELLED = {4},
+  GROUP_KEY_REQUEST = {0}}
 
 -- ---------------------------------------------------------------------------------------------------------------------
 -- Fields

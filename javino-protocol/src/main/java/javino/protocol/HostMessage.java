@@ -73,7 +73,9 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
         /** It stays where it was: forget it. */
         MOVE_CANCELLED(Use.MOVE, 4),
         /** It may not come. */
-        MOVE_REFUSED(Use.MOVE);
+        MOVE_REFUSED(Use.MOVE),
+        /** A member's board lacks the key of its group; of the group key server: whether it does. */
+        GROUP_KEY_REQUEST(Use.KEY_AGREEMENT, 0);
 
         private static final int ANY = -1;
 

@@ -12,7 +12,8 @@ final class HostMessageVectors {
 
     private static final List<String> KINDS = List.of("MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2",
             "RENEWAL_3", "WANT", "GROUP", "CONTENT", "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY", "MOVE_OFFER",
-            "MOVE_WANT", "MOVE_DATA", "MOVE_READY", "MOVE_GO", "MOVE_AWAKE", "MOVE_CANCELLED", "MOVE_REFUSED");
+            "MOVE_WANT", "MOVE_DATA", "MOVE_READY", "MOVE_GO", "MOVE_AWAKE", "MOVE_CANCELLED", "MOVE_REFUSED",
+            "GROUP_KEY_REQUEST");
     private static final int LONGEST = 493;
 
     private HostMessageVectors() {
@@ -37,7 +38,8 @@ final class HostMessageVectors {
                 unicast("MOVE_READY", bytes(1, 2, 3, 4)), unicast("MOVE_GO", bytes(1, 2, 3, 4)),
                 unicast("MOVE_AWAKE", join(bytes(1, 2, 3, 4), Wire.text("bus_1"))),
                 unicast("MOVE_CANCELLED", bytes(1, 2, 3, 4)),
-                unicast("MOVE_REFUSED", join(bytes(1, 2, 3, 4), Wire.text("lacks .fly")))));
+                unicast("MOVE_REFUSED", join(bytes(1, 2, 3, 4), Wire.text("lacks .fly"))),
+                unicast("GROUP_KEY_REQUEST", bytes())));
         lists.put("invalid", List.of(
                 invalid(bytes(0x80, 0, 0), "no addressee"), invalid(plain(0x80, counting(36)), "a byte is missing"),
                 invalid(plain(0x80, counting(38)), "a byte too many"),
@@ -49,6 +51,7 @@ final class HostMessageVectors {
                 invalid(join(bytes(0x8B), counting(15)), "a byte is missing"),
                 invalid(bytes(0x8F, 1, 2, 3), "no number of a move"),
                 invalid(bytes(0x90, 1, 2, 3, 4, 5), "a byte too many"),
+                invalid(bytes(0x94, 0), "a byte too many"),
                 invalid(bytes(0x80 + KINDS.size()), "no kind"), invalid(bytes(0xBF), "no kind")));
         return lists;
     }

@@ -33,12 +33,13 @@ sealed interface Effect {
     record DeleteKey(Address device) implements Effect {
     }
 
-    /** To give the board the key of the own group, and to call {@link KeyAgreement#groupKeySet} if it takes it. */
+    /** To give the board the key of the own group, and to call {@link KeyAgreement#groupKeySet} if it takes it; or
+     * {@link KeyAgreement#groupKeyRefused} if it has lost it. */
     record SetGroupKey(Key key) implements Effect {
     }
 
     /** To keep the own group's key for {@link KeyAgreement#KeyAgreement}, as its server. */
-    record KeepGroupKey(Key key) implements Effect {
+    record KeepGroupKey(GroupKeys.Kept kept) implements Effect {
     }
 
     /** To keep the identity's revocation lists. */

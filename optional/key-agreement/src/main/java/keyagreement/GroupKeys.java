@@ -19,22 +19,38 @@ final class GroupKeys {
     private static final long WAIT_MILLIS = 30_000;
     /** Between two questions for the key. */
     private static final long AGAIN_MILLIS = 10_000;
+    /** Between two keys for members that have lost theirs. */
+    static final long RENEWAL_MILLIS = 3_600_000;
 
     private final Context context;
     private final Address group;
     private final Deque<Waiting> waiting = new ArrayDeque<>();
+    /** Who was given the server's key, whether it came or not. */
     private final Set<Address> given = new HashSet<>();
+    /** Who has had it. */
+    private final Set<Address> had = new HashSet<>();
+    /** Who has had it and says, without a proof, that its board lacks it. */
+    private final Set<Address> asked = new HashSet<>();
     /** The server's. */
     private Optional<Key> key;
-    private long asked = -AGAIN_MILLIS;
+    /** A member that has had the key has lost it: another one is due. */
+    private boolean isLost;
+    private long mayRenew = Long.MIN_VALUE;
+    private boolean lacks;
+    private long askedAt = -AGAIN_MILLIS;
 
     private record Waiting(Object ticket, long end) {
     }
 
-    /** @param key of a server, what it kept last. */
-    GroupKeys(Context context, Optional<Key> key) {
+    /** What a server keeps: the key, and who has had it. */
+    record Kept(Key key, Set<Address> had) {
+    }
+
+    /** @param kept of a server, what it kept last. */
+    GroupKeys(Context context, Optional<Kept> kept) {
         this.context = context;
-        this.key = key;
+        key = kept.map(Kept::key);
+        kept.ifPresent(each -> had.addAll(each.had()));
         group = Address.multicast(context.self().group());
         if (isServer() && key.isEmpty()) {
             make();
@@ -47,11 +63,17 @@ final class GroupKeys {
 
     /** Makes another key. */
     private void make() {
-        Key made = Key.random(context.random());
-        key = Optional.of(made);
+        key = Optional.of(Key.random(context.random()));
         given.clear();
-        context.effects().add(new Effect.KeepGroupKey(made));
-        context.effects().add(new Effect.SetGroupKey(made));
+        had.clear();
+        asked.clear();
+        isLost = false;
+        keep();
+        context.effects().add(new Effect.SetGroupKey(key.get()));
+    }
+
+    private void keep() {
+        context.effects().add(new Effect.KeepGroupKey(new Kept(key.get(), Set.copyOf(had))));
     }
 
     /** Makes another key, if this host is the server: whoever a new revocation list names has the last one. */
@@ -61,14 +83,40 @@ final class GroupKeys {
         }
     }
 
+    /**
+     * Makes another key if a member has lost the one that it had: with the same again, its nonces and what others have
+     * said could come again. Once an hour at most, so that no member wears out the others' EEPROM.
+     *
+     * @return who had the one before; nobody if there is no other one.
+     */
+    Set<Address> renewLost(long now) {
+        if (!isLost || now < mayRenew) {
+            return Set.of();
+        }
+        Set<Address> before = Set.copyOf(had);
+        mayRenew = now + RENEWAL_MILLIS;
+        make();
+        return before;
+    }
+
     /** The board lacks the key: a server gives it, a member asks for it, unless it has done so lately. */
     void want(long now) {
+        lacks = true;
         if (isServer()) {
-            context.effects().add(new Effect.SetGroupKey(key.get()));
-        } else if (now - asked >= AGAIN_MILLIS) {
-            asked = now;
+            isLost |= had.contains(context.self());
+            if (!isLost) {
+                context.effects().add(new Effect.SetGroupKey(key.get()));
+            }
+        } else if (now - askedAt >= AGAIN_MILLIS) {
+            askedAt = now;
             context.hint(new HostMessage(Kind.GROUP, group, Bytes.EMPTY));
         }
+    }
+
+    /** The board has had the key that it was to be given, and has lost it: it does not take it. */
+    void refused() {
+        lacks = true;
+        isLost |= isServer();
     }
 
     /** Takes a message that needs the key, unless too many wait. */
@@ -82,13 +130,17 @@ final class GroupKeys {
 
     /** The board has the key. */
     void set() {
+        lacks = false;
+        if (isServer()) {
+            had(context.self());
+        }
         waiting.forEach(each -> context.effects().add(new Effect.Multicast(each.ticket())));
         waiting.clear();
     }
 
     /** A device gives the key. */
     void take(Certificate from, Bytes bytes) {
-        if (from.groupKeyServer() && isMember(from.address())) {
+        if (isServedBy(from)) {
             context.effects().add(new Effect.SetGroupKey(Key.of(bytes)));
         } else {
             context.count(Event.REFUSED);
@@ -100,27 +152,87 @@ final class GroupKeys {
         return isServer() && wanted.equals(group) && isMember(from);
     }
 
+    /** Anybody says in a member's name that it lacks the key: what was given is lost, unless the member has had it. */
+    void asks(Address member) {
+        given.remove(member);
+        if (had.contains(member)) {
+            asked.add(member);
+        }
+    }
+
+    /** Whether a device with this certificate gives this host the key. */
+    boolean isServedBy(Certificate other) {
+        return other.groupKeyServer() && isMember(other.address());
+    }
+
+    /**
+     * A request by a session key. Of the server: whether the board lacks the key. Of a member: it does.
+     *
+     * @return the answer, if there is one.
+     */
+    Optional<HostMessage> requested(Certificate from) {
+        if (!isServer() && isServedBy(from)) {
+            return lacks ? Optional.of(request()) : Optional.empty();
+        }
+        if (!isServer() || !isMember(from.address())) {
+            context.count(Event.REFUSED);
+            return Optional.empty();
+        }
+        asked.remove(from.address());
+        given.remove(from.address());
+        isLost |= had.contains(from.address());
+        return give(from.address());
+    }
+
+    static HostMessage request() {
+        return new HostMessage(Kind.GROUP_KEY_REQUEST, Bytes.EMPTY);
+    }
+
+    /** A member has taken a message. */
+    void delivered(Address member, HostMessage message) {
+        if (message.kind() == Kind.GROUP_KEY && key.filter(each -> each.bytes().equals(message.body())).isPresent()) {
+            had(member);
+        } else if (message.kind() == Kind.GROUP_KEY_REQUEST) {
+            asked.remove(member);
+        }
+    }
+
+    private void had(Address member) {
+        if (had.add(member)) {
+            keep();
+        }
+    }
+
     private boolean isMember(Address device) {
         return device.group().equals(context.self().group());
     }
 
-    /** The member lacks the key: what was given is lost. */
-    void lost(Address member) {
+    /** A member is forgotten: whether the key has come to it is not known. */
+    void forget(Address member) {
         given.remove(member);
     }
 
-    /** What a device is to be given, if this host is the server and has not given it. */
+    /** What a device is to be sent, if this host is the server: the key, once; or whether it lacks the one it had. */
     Optional<HostMessage> give(Address to) {
-        return key.filter(each -> isMember(to) && given.add(to))
-                .map(each -> new HostMessage(Kind.GROUP_KEY, each.bytes()));
+        if (key.isEmpty() || !isMember(to)) {
+            return Optional.empty();
+        }
+        if (had.contains(to)) {
+            return asked.contains(to) ? Optional.of(request()) : Optional.empty();
+        }
+        return given.add(to) ? Optional.of(new HostMessage(Kind.GROUP_KEY, key.get().bytes())) : Optional.empty();
     }
 
     long next() {
+        return Math.min(isLost ? mayRenew : Context.NEVER, end());
+    }
+
+    private long end() {
         return waiting.isEmpty() ? Context.NEVER : waiting.peek().end();
     }
 
     void tick(long now) {
-        while (next() <= now) {
+        while (end() <= now) {
             context.effects().add(new Effect.End(waiting.poll().ticket(), Ending.NO_GROUP_KEY));
         }
     }

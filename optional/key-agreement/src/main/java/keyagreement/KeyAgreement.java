@@ -6,13 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
 import javino.protocol.HostMessage.Kind;
-import javino.protocol.Key;
 import javino.protocol.Message;
 import keyagreement.edhoc.HandshakeException;
 
@@ -37,7 +37,7 @@ final class KeyAgreement {
     private int lastId;
 
     /** @param groupKey of a group key server, what {@link Effect.KeepGroupKey} had it keep last; else nothing. */
-    KeyAgreement(Identity identity, Optional<Key> groupKey, SecureRandom random) {
+    KeyAgreement(Identity identity, Optional<GroupKeys.Kept> groupKey, SecureRandom random) {
         context = new Context(identity, random);
         groupKeys = new GroupKeys(context, groupKey);
         lastId = random.nextInt();
@@ -71,12 +71,15 @@ final class KeyAgreement {
 
     /** Keeps a message to the own group until the board has its key; as {@link #send}. */
     boolean sendToGroup(Object ticket, long now) {
-        return groupKeys.send(ticket, now);
+        boolean taken = groupKeys.send(ticket, now);
+        renewLostGroupKey(now);
+        return taken;
     }
 
     /** The board has no key of the own group. */
     void lacksGroupKey(long now) {
         groupKeys.want(now);
+        renewLostGroupKey(now);
     }
 
     /** Whether there is a session key, as far as is known. */
@@ -152,7 +155,7 @@ final class KeyAgreement {
         }
         Optional<Peer> member = context.permits(context.hints(), now) ? peer(from) : Optional.empty();
         member.ifPresent(peer -> {
-            groupKeys.lost(from);
+            groupKeys.asks(from);
             peer.giveGroupKey(now);
             if (!peer.isSecure()) {
                 peer.meet(now);
@@ -165,6 +168,8 @@ final class KeyAgreement {
             peer.opened(message, now);
             if (message.kind() == Kind.REVOCATION_LIST) {
                 revocationList(message.body(), now);
+            } else if (message.kind() == Kind.GROUP_KEY_REQUEST) {
+                renewLostGroupKey(now);
             }
         });
     }
@@ -181,6 +186,16 @@ final class KeyAgreement {
             }
         } catch (HandshakeException e) {
             context.count(Event.REFUSED);
+        }
+    }
+
+    /** Those that are met get another key at once; the server meets the others that had the one before. */
+    private void renewLostGroupKey(long now) {
+        Set<Address> before = groupKeys.renewLost(now);
+        if (!before.isEmpty()) {
+            List.copyOf(peers.values()).forEach(peer -> peer.giveGroupKey(now));
+            before.stream().filter(member -> !member.equals(context.self()) && !isSecure(member))
+                    .forEach(member -> peer(member).ifPresent(peer -> peer.meet(now)));
         }
     }
 
@@ -215,6 +230,13 @@ final class KeyAgreement {
         groupKeys.set();
     }
 
+    /** {@link Effect.SetGroupKey} was refused: the board has lost this key. */
+    void groupKeyRefused(long now) {
+        groupKeys.refused();
+        renewLostGroupKey(now);
+        List.copyOf(peers.values()).forEach(peer -> peer.requestGroupKey(now));
+    }
+
     // Time
 
     /** When {@link #tick} is to be called, unless something happens before. {@link Long#MAX_VALUE} for never. */
@@ -227,6 +249,7 @@ final class KeyAgreement {
     void tick(long now) {
         List.copyOf(peers.values()).forEach(peer -> peer.tick(now));
         groupKeys.tick(now);
+        renewLostGroupKey(now);
     }
 
     /** How often each has happened; what has not is absent. */

@@ -104,6 +104,11 @@ final class MessageQueue {
         return !items.isEmpty() && items.get(0).state != State.WAITING;
     }
 
+    /** The message under way. */
+    HostMessage underWay() {
+        return items.get(0).message;
+    }
+
     /** Whether the first message needed no other agreement yet. */
     boolean isFirstTry() {
         return !items.isEmpty() && items.get(0).agreements == 0;

@@ -15,6 +15,7 @@ import diffuser.HostClock;
 import diffuser.KeyService;
 
 import javino.JavinoException;
+import javino.board.LostKeyException;
 import javino.board.Transitions;
 import javino.board.Transmission;
 import javino.protocol.Address;
@@ -111,7 +112,7 @@ final class OpenAgreement {
             setGroupKey(set.key());
         } else if (effect instanceof Effect.KeepGroupKey kept) {
             keep("the key of " + group + " could not be kept, and will be another at the next start",
-                    () -> identity.keepGroupKey(kept.key()));
+                    () -> identity.keepGroupKey(kept.kept()));
         } else if (effect instanceof Effect.KeepRevocationLists) {
             keep("a revocation list of the authority could not be kept", identity::keep);
         } else if (effect instanceof Effect.Met fresh) {
@@ -169,10 +170,16 @@ final class OpenAgreement {
             if (thrown == null) {
                 stored.add(group);
                 agreement.groupKeySet();
+            } else if (isLostKey(thrown)) {
+                agreement.groupKeyRefused(clock.millis());
             } else {
                 host.warn(Failure.of(thrown).message());
             }
         });
+    }
+
+    private static boolean isLostKey(Throwable thrown) {
+        return thrown instanceof LostKeyException || thrown.getCause() instanceof LostKeyException;
     }
 
     private interface Keeping {

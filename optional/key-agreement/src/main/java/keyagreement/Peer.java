@@ -3,6 +3,7 @@ package keyagreement;
 import java.util.ArrayDeque;
 import java.util.Collection;
 import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.LongStream;
 import javino.protocol.Address;
@@ -244,6 +245,9 @@ final class Peer {
         }
         Ending ending = how == Session.Input.DELIVERED ? Ending.DELIVERED
                 : how == Session.Input.UNDELIVERED ? Ending.UNDELIVERED : Ending.NOT_SENT;
+        if (how == Session.Input.DELIVERED) {
+            groupKeys.delivered(address, queue.underWay());
+        }
         if (deed(how, now) == Session.Deed.AGAIN) {
             queue.again(ending);
         } else {
@@ -273,6 +277,8 @@ final class Peer {
             content(message.body());
         } else if (message.kind() == Kind.GROUP_KEY) {
             groupKeys.take(certificate, message.body());
+        } else if (message.kind() == Kind.GROUP_KEY_REQUEST) {
+            queue(groupKeys.requested(certificate).stream().toList(), now);
         } else if (message.kind() == Kind.SEQUENCES) {
             queue(lists.heard(message.body(), now), now);
         }
@@ -303,6 +309,13 @@ final class Peer {
         }
     }
 
+    /** Asks for another key of the own group, if this is who gives it. */
+    void requestGroupKey(long now) {
+        if (isSecure() && groupKeys.isServedBy(certificate)) {
+            queue(List.of(GroupKeys.request()), now);
+        }
+    }
+
     // What is forgotten
 
     /** A revocation list has come: a device that is not valid any more is forgotten. */
@@ -318,7 +331,7 @@ final class Peer {
             context.effects().add(new Effect.DeleteKey(address));
         }
         step(Session.Input.FORGOTTEN);
-        groupKeys.lost(address);
+        groupKeys.forget(address);
         kept = null;
         certificate = null;
         handshakes.drop();

@@ -2,7 +2,9 @@ package keyagreement;
 
 import java.nio.file.Path;
 import java.security.SecureRandom;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,8 +29,13 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
     final Identity identity;
     KeyAgreement agreement;
     private long tick;
-    private Optional<Key> keptGroupKey = Optional.empty();
+    private Optional<GroupKeys.Kept> keptGroupKey = Optional.empty();
+    /** In the board's EEPROM. */
     Optional<Key> groupKey = Optional.empty();
+    /** All that the board was given, in their order. */
+    final List<Key> groupKeys = new ArrayList<>();
+    /** What the host has noted that the board had. */
+    final Set<Key> noted = new HashSet<>();
     final Map<Address, Integer> met = new LinkedHashMap<>();
     int keysSet;
     private final Map<String, Simulation.Letter> said;
@@ -164,10 +171,9 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
         } else if (effect instanceof Effect.DeleteKey delete) {
             later(() -> board.keys.remove(delete.device()));
         } else if (effect instanceof Effect.SetGroupKey set) {
-            groupKey = Optional.of(set.key());
-            board.eepromWrites++;
+            later(() -> setGroupKey(set.key()));
         } else if (effect instanceof Effect.KeepGroupKey kept) {
-            keptGroupKey = Optional.of(kept.key());
+            keptGroupKey = Optional.of(kept.kept());
         } else if (effect instanceof Effect.Met fresh) {
             met.merge(fresh.peer(), 1, Integer::sum);
         } else if (effect instanceof Effect.Receive receive) {
@@ -175,6 +181,25 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
         } else if (effect instanceof Effect.End end) {
             ended(end);
         }
+    }
+
+    private void setGroupKey(Key key) {
+        if (noted.contains(key) && !groupKey.equals(Optional.of(key))) {
+            agreement.groupKeyRefused(millis());
+            return;
+        }
+        groupKey = Optional.of(key);
+        groupKeys.add(key);
+        noted.add(key);
+        board.eepromWrites++;
+        agreement.groupKeySet();
+    }
+
+    /** Erases the board's EEPROM, and has the host notice that. */
+    void erase() {
+        groupKey = Optional.empty();
+        board.reset();
+        within(() -> agreement.lacksGroupKey(millis()));
     }
 
     private void ended(Effect.End end) {

@@ -326,6 +326,118 @@ class KeyAgreementTest {
         assertEquals(buke.groupKey, busa.groupKey, "a group key server that starts again keeps the key");
     }
 
+    /** A group key server and two members, who have its key. */
+    private List<CertifiedHost> group() throws Exception {
+        TestAuthority authority = new TestAuthority(elsewhere);
+        CertifiedHost buke = simulation.add(authority.groupKeyServer("BUKE"));
+        List<CertifiedHost> group = new ArrayList<>(List.of(buke));
+        for (String id : List.of("BUSA", "BUSB")) {
+            CertifiedHost member = simulation.add(authority.certified(id));
+            member.within(() -> member.agreement.lacksGroupKey(simulation.millis()));
+            simulation.run(MINUTE);
+            assertEquals(buke.groupKey, member.groupKey);
+            group.add(member);
+        }
+        return group;
+    }
+
+    @Test
+    void groupKey_memberHasLostIt_isAnotherOneForAll() throws Exception {
+        List<CertifiedHost> group = group();
+        for (boolean hasNote : List.of(true, false)) {
+            Optional<Key> first = group.get(0).groupKey;
+            if (!hasNote) {
+                group.get(1).noted.clear();
+            }
+            group.get(1).erase();
+            simulation.run(MINUTE);
+            assertNotEquals(first, group.get(0).groupKey);
+            group.forEach(host -> assertEquals(group.get(0).groupKey, host.groupKey, host.address.toString()));
+            simulation.run(GroupKeys.RENEWAL_MILLIS);
+        }
+    }
+
+    @Test
+    void groupKey_serverHasLostItOnItsBoard_isAnotherOneForAll() throws Exception {
+        List<CertifiedHost> group = group();
+        for (boolean hasNote : List.of(true, false)) {
+            Optional<Key> first = group.get(0).groupKey;
+            if (!hasNote) {
+                group.get(0).noted.clear();
+            }
+            group.get(0).erase();
+            simulation.run(MINUTE);
+            assertNotEquals(first, group.get(0).groupKey);
+            group.forEach(host -> assertEquals(group.get(0).groupKey, host.groupKey, host.address.toString()));
+            simulation.run(GroupKeys.RENEWAL_MILLIS);
+        }
+    }
+
+    @Test
+    void groupKey_memberHasLostItAndTheServerStartsAgain_isAnotherOne() throws Exception {
+        List<CertifiedHost> group = group();
+        Optional<Key> first = group.get(0).groupKey;
+        group.get(0).crash();
+        simulation.run(MINUTE);
+        group.get(1).noted.clear();
+        group.get(1).erase();
+        simulation.run(MINUTE);
+        assertNotEquals(first, group.get(1).groupKey);
+        group.forEach(host -> assertEquals(group.get(0).groupKey, host.groupKey, host.address.toString()));
+    }
+
+    @Test
+    void groupKey_memberLosesItAgainAndAgain_isAnotherOneOnceAnHour() throws Exception {
+        List<CertifiedHost> group = group();
+        int before = group.get(2).groupKeys.size();
+        for (int minute = 0; minute < 50; minute++) {
+            group.get(1).erase();
+            simulation.run(MINUTE);
+        }
+        assertEquals(before + 1, group.get(2).groupKeys.size());
+        simulation.run(20 * MINUTE);
+        assertEquals(before + 2, group.get(2).groupKeys.size(), "what was asked for meanwhile comes then");
+        assertEquals(group.get(0).groupKey, group.get(1).groupKey);
+    }
+
+    @Test
+    void groupKey_othersAskInAMembersName_staysAsItIs() throws Exception {
+        List<CertifiedHost> group = group();
+        Optional<Key> first = group.get(0).groupKey;
+        Address self = group.get(1).address;
+        for (int minute = 0; minute < 10; minute++) {
+            group.get(0).within(() -> group.get(0).agreement.received(self,
+                    new HostMessage(HostMessage.Kind.GROUP, Address.multicast(self.group()), Bytes.EMPTY),
+                    simulation.millis()));
+            simulation.run(MINUTE);
+        }
+        group.forEach(host -> assertEquals(first, host.groupKey));
+    }
+
+    @Test
+    void groupKey_thatWasLostOnItsWay_isSentAgain() throws Exception {
+        TestAuthority authority = new TestAuthority(elsewhere);
+        Identity server = authority.groupKeyServer("BUKE");
+        Identity member = authority.certified("BUSA");
+        for (int reset = 500; reset < 8000; reset += 250) {
+            Simulation lossy = new Simulation(reset);
+            CertifiedHost buke = lossy.add(server);
+            CertifiedHost busa = lossy.add(member);
+            busa.within(() -> busa.agreement.lacksGroupKey(lossy.millis()));
+            lossy.run(reset);
+            busa.board.reset();
+            for (int tries = 0; tries < 2; tries++) {
+                lossy.run(MINUTE);
+                if (busa.groupKey.isEmpty()) {
+                    busa.within(() -> busa.agreement.lacksGroupKey(lossy.millis()));
+                }
+            }
+            lossy.run(MINUTE);
+            assertEquals(1, Set.copyOf(buke.groupKeys).size(), "reset after " + reset);
+            assertEquals(buke.groupKey, busa.groupKey, "reset after " + reset);
+        }
+    }
+
     @Test
     void groupKey_fromWhoIsNoGroupKeyServer_isRefused() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);

@@ -82,7 +82,7 @@ class SpecTablesTest {
             List<String> numbers = found("0x..", row).toList();
             List<String> names = found("(?<=`)[A-Z_0-9]+(?=`)", row).toList();
             return IntStream.range(0, names.size()).mapToObj(i -> numbers.get(i) + " " + names.get(i));
-        }).toList();
+        }).sorted().toList();
         assertEquals(Arrays.stream(HostMessage.Kind.values())
                 .map(kind -> String.format("0x%02X %s", kind.first(), kind)).toList(), listed);
     }

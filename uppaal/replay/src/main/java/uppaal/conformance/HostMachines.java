@@ -200,7 +200,7 @@ final class HostMachines implements Check {
             case MESSAGE_1, RENEWAL_1 -> "first";
             case MESSAGE_2, RENEWAL_2 -> "second";
             case MESSAGE_3, RENEWAL_3 -> "third";
-            case WANT, GROUP, CONTENT, SEQUENCES, REVOCATION_LIST, GROUP_KEY -> "";
+            case WANT, GROUP, CONTENT, SEQUENCES, REVOCATION_LIST, GROUP_KEY, GROUP_KEY_REQUEST -> "";
             default -> message.kind().name().substring("MOVE_".length()).toLowerCase(Locale.ROOT);
         };
     }
