@@ -100,7 +100,7 @@ class NumbersTest {
                 says("javino-board/README.md", "a content of up to %d bytes", Content.MAX_LENGTH),
                 says("javino-board/README.md", "waits for it, %d s unless configured otherwise",
                         SESSION.patience().toSeconds()),
-                says("diffuser-arch/README.md", "longer than %d bytes", Content.MAX_LENGTH),
+                says("diffuser-arch/README.md", "are at most %d bytes of UTF-8", Content.MAX_LENGTH),
                 says("emulator/README.md", "A picture shows at most %d s",
                         constant("test/campaign/src/main/java/air", "MOST_SECONDS")),
                 says("emulator/README.md", "less than a slot (%d bits)", SLOT),
