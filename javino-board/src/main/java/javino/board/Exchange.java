@@ -98,7 +98,7 @@ final class Exchange {
         overdue = false;
         Duration actionTime = context.config().actionTime();
         Duration rest = rest(request.hold().plus(timeout));
-        bound = Deadline.in(actionTime.compareTo(rest) < 0 ? rest : actionTime);
+        bound = Deadline.in(!left.isEmpty() ? actionTime.plus(rest) : actionTime.compareTo(rest) < 0 ? rest : actionTime);
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new SerialPacket(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
@@ -138,11 +138,8 @@ final class Exchange {
      * zero if that is not why the last one has no reply.
      */
     Duration overdue() {
-        Duration actionTime = context.config().actionTime();
-        if (overdue) {
-            return actionTime.plus(rest(Duration.ZERO));
-        }
-        return left.isEmpty() || !leftTaken ? Duration.ZERO : actionTime;
+        boolean taken = overdue || !left.isEmpty() && leftTaken;
+        return taken ? context.config().actionTime().plus(rest(Duration.ZERO)) : Duration.ZERO;
     }
 
     /** Whether the board has asked again since the last hello began, as none of the older protocol does. */
