@@ -59,6 +59,25 @@ class NewProjectTest {
     }
 
     @Test
+    void run_agentCannotStart_endsWithOneLineAndLeavesNothing(@TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project).waitFor());
+        Path program = project.resolve("src/agt/robot.asl");
+        Files.writeString(program, Files.readString(program).replace("!start.\n", "!start\n"));
+
+        Path said = folder.resolve("said");
+        int status = gradle("run").directory(project.toFile()).redirectErrorStream(true).redirectOutput(said.toFile())
+                .start().waitFor();
+
+        List<String> lines = Files.readAllLines(said);
+        assertEquals(1, status, () -> String.join("\n", lines));
+        // Gradle writes the task's name before what the task writes first.
+        assertEquals(1, lines.stream().filter(line -> line.endsWith("src/agt/robot.asl:5: + is not expected here; is a"
+                + " full stop, a semicolon or a bracket missing before it?")).count(), () -> String.join("\n", lines));
+        awaitGone(project.resolve("ports/robot"));
+    }
+
+    @Test
     void sketch_forAnUno_takesLibrariesOfProjectAndSketchbookAndTellsItsSize(@TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, "--board", "uno").waitFor());
