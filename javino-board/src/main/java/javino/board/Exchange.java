@@ -98,7 +98,8 @@ final class Exchange {
         overdue = false;
         Duration actionTime = context.config().actionTime();
         Duration rest = rest(request.hold().plus(timeout));
-        bound = Deadline.in(!left.isEmpty() ? actionTime.plus(rest) : actionTime.compareTo(rest) < 0 ? rest : actionTime);
+        bound = Deadline
+                .in(!left.isEmpty() ? actionTime.plus(rest) : actionTime.compareTo(rest) < 0 ? rest : actionTime);
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new SerialPacket(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
