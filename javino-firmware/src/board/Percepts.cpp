@@ -1,5 +1,7 @@
 #include "Percepts.h"
 
+#include <string.h>
+
 namespace javinolib {
 
 namespace {
@@ -7,7 +9,10 @@ namespace {
 const char PERCEPT = 'P';
 const uint8_t MAX_DIGITS = 20;  // of an unsigned long, be it of 64 bits
 const uint8_t DECIMALS = 2;
-const uint8_t NONE = 0xFF;
+const uint8_t NO_DECIMALS = 0xFF;
+
+// In place of a number: as an AgentSpeak variable, which no agent believes.
+const char UNWRITABLE[][6] JAVINO_FLASH = {"(Ovf)", "(Inf)", "(NaN)"};
 
 void addEscaped(Record &record, char next) {
   const bool newline = next == '\n';
@@ -21,12 +26,12 @@ const uint8_t UNIT_COUNT = sizeof UNITS / sizeof *UNITS;
 
 // `(number)`. AVR takes 600 cycles to divide 32 bits, and 200 for 16: so there are only as many divisions as the number has
 // digits beyond 16 bits, and these are then split by subtraction.
-void addNumber(Record &record, bool negative, unsigned long number, uint8_t hundredths = NONE) {
+void addNumber(Record &record, bool negative, unsigned long number, uint8_t hundredths = NO_DECIMALS) {
   uint8_t text[1 + 1 + MAX_DIGITS + 1 + DECIMALS + 1];
   uint8_t *const end = text + sizeof text;
   uint8_t *first = end;
   *--first = ')';
-  if (hundredths != NONE) {
+  if (hundredths != NO_DECIMALS) {
     *--first = static_cast<uint8_t>('0' + hundredths % 10);
     *--first = static_cast<uint8_t>('0' + hundredths / 10);
     *--first = '.';
@@ -77,12 +82,25 @@ void Percepts::write(const FlashText *name, const Text &text) {
   close(record);
 }
 
+long Percepts::whyNot(double number) {
+  // By its bits, as comparisons of AVR's library take 100 bytes more: an exponent of all ones, and beside it nothing.
+  const float single = static_cast<float>(number);
+  uint32_t bits;
+  memcpy(&bits, &single, sizeof bits);
+  bits &= 0x7FFFFFFF;
+  return bits < 0x7F800000 ? BEYOND : bits == 0x7F800000 ? INFINITE : NONE;
+}
+
 void Percepts::addHundredths(const FlashText *name, long number) {
   const unsigned long magnitude =
       number < 0 ? 0 - static_cast<unsigned long>(number) : static_cast<unsigned long>(number);
   Record record(reply_, PERCEPT);
   record.add(name);
-  addNumber(record, number < 0, magnitude / 100, static_cast<uint8_t>(magnitude % 100));
+  if (number < BEYOND) {
+    addNumber(record, number < 0, magnitude / 100, static_cast<uint8_t>(magnitude % 100));
+  } else {
+    record.add(reinterpret_cast<const FlashText *>(UNWRITABLE[number - BEYOND]));
+  }
   close(record);
 }
 

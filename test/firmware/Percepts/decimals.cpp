@@ -60,7 +60,7 @@ TEST(Decimals, a_float_is_a_number_like_a_double) {
   EXPECT_EQ((std::vector<std::string>{"t(20.99)", "t(20.99)"}), board.poll(true).texts('P'));
 }
 
-TEST(Decimals, a_number_that_cannot_be_written_is_left_out_and_told_so) {
+TEST(Decimals, of_what_is_no_such_number_it_is_told_why) {
   TestBoard board;
   board.start();
   board.board->poll().setSource([](Percepts &percepts) {
@@ -68,12 +68,18 @@ TEST(Decimals, a_number_that_cannot_be_written_is_left_out_and_told_so) {
     percepts.add(F("t"), celsius, 0.5);
     percepts.add(F("dark"));
   });
-  for (double number : {std::nan(""), 21e6, -21e6, HUGE_VAL, -HUGE_VAL}) {
-    celsius = number;
+  const struct {
+    double number;
+    const char *text;
+  } all[] = {{std::nan(""), "t(NaN)"}, {-std::nan(""), "t(NaN)"}, {21e6, "t(Ovf)"},     {-21e6, "t(Ovf)"},
+             {123456789.0, "t(Ovf)"},  {HUGE_VAL, "t(Inf)"},      {-HUGE_VAL, "t(Inf)"}};
+  for (const auto &each : all) {
+    celsius = each.number;
     const PollReply reply = board.poll(true);
-    EXPECT_TRUE(reply.leftOut) << number;
-    EXPECT_EQ(std::vector<std::string>{"dark"}, reply.texts('P')) << number;
+    EXPECT_FALSE(reply.leftOut) << each.number;
+    EXPECT_EQ((std::vector<std::string>{each.text, each.text, "dark"}), reply.texts('P')) << each.number;
   }
+  EXPECT_EQ(0u, board.counter(javinolib::Counter::PERCEPTS_LEFT_OUT)) << "they do fit";
 }
 
 TEST(Decimals, a_value_stays_until_it_differs_by_the_dead_band) {
@@ -88,6 +94,18 @@ TEST(Decimals, a_value_stays_until_it_differs_by_the_dead_band) {
   EXPECT_EQ("t(-0.25)", toldAt(board, -0.25));
   EXPECT_EQ("unchanged", toldAt(board, 0.24));
   EXPECT_EQ("t(0.25)", toldAt(board, 0.25));
+}
+
+TEST(Decimals, a_dead_band_begins_anew_after_what_is_no_number) {
+  TestBoard board;
+  board.start();
+  board.board->poll().sampleEvery(1);
+  board.board->poll().setSource([](Percepts &percepts) { percepts.add(F("t"), celsius, 0.5); });
+  EXPECT_EQ("t(20.00)", toldAt(board, 20));
+  EXPECT_EQ("t(NaN)", toldAt(board, std::nan("")));
+  EXPECT_EQ("t(20.40)", toldAt(board, 20.4));
+  EXPECT_EQ("unchanged", toldAt(board, 20.8));
+  EXPECT_EQ("t(20.90)", toldAt(board, 20.9));
 }
 
 TEST(Decimals, a_value_keeps_its_least_time_beside_a_whole_dead_band) {

@@ -2,8 +2,11 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import javino.protocol.Bytes;
@@ -24,6 +27,8 @@ final class Perception {
     /** What was told last; null where nothing holds. */
     private List<Bytes> percepts;
     private boolean leftOut;
+    /** In place of which percepts a cause was told last. */
+    private Set<String> unwritable = Set.of();
     /** When they came last, on the monotonic clock. */
     private long told;
 
@@ -60,6 +65,7 @@ final class Perception {
     void forget() {
         percepts = null;
         leftOut = false;
+        unwritable = Set.of();
     }
 
     /** Tells that nothing is perceived, once percepts are wanted no longer, and releases who would wait in vain. */
@@ -130,14 +136,20 @@ final class Perception {
 
     private void tell(List<Bytes> literals) {
         List<String> texts = new ArrayList<>();
+        Set<String> causes = new LinkedHashSet<>();
         for (Bytes literal : literals) {
             try {
-                texts.add(literal.text());
+                String text = literal.text();
+                Optional<String> cause = UnwritableNumber.cause(text);
+                cause.ifPresentOrElse(causes::add, () -> texts.add(text));
             } catch (ProtocolException e) {
                 counters.count(SessionCounter.DAMAGED_RECORDS);
                 listener.warn("a percept was skipped: " + e.getMessage());
             }
         }
+        causes.forEach(cause -> counters.count(SessionCounter.UNWRITABLE_NUMBERS));
+        causes.stream().filter(cause -> !unwritable.contains(cause)).forEach(listener::warn);
+        unwritable = causes;
         listener.tell(to -> to.percepts(List.copyOf(texts)));
     }
 }

@@ -36,6 +36,8 @@ public enum SessionCounter {
     UNKNOWN_OUTCOMES,
     /** Messages and percepts that were skipped because they are no text, or no content. */
     DAMAGED_RECORDS,
+    /** Percepts that were skipped because the board could not write their number; of a reading that is told. */
+    UNWRITABLE_NUMBERS,
     /** Calls of the listener that threw. */
     LISTENER_FAILURES
 }

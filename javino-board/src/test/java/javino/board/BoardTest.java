@@ -702,6 +702,23 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void percepts_numbersThatCannotBeWritten_areLeftOutCountedAndNamedEach() throws Exception {
+        openAndAwaitOnline();
+        fake.perceive("celsius(NaN)", "ratio(Inf)", "metres(Ovf)", "light(3)");
+        board.percepts(true);
+        assertEquals("warning percept celsius is left out: it is no number (NaN), as of a sensor that does not answer",
+                listener.next());
+        assertEquals("warning percept ratio is left out: its number is infinite (Inf), as after a division by zero",
+                listener.next());
+        assertEquals("warning percept metres is left out: its number is not between -21 and 21 million (Ovf)",
+                listener.next());
+        assertEquals("percepts [light(3)]", listener.next());
+        assertEquals(3, board.counters().get(SessionCounter.UNWRITABLE_NUMBERS));
+        fake.perceive("celsius(NaN)", "light(4)");
+        assertEquals("percepts [light(4)]", listener.next());
+    }
+
+    @Test
     void percepts_oneNoText_isSkippedWithOneWarning() throws Exception {
         openAndAwaitOnline();
         fake.perceiveBytes(Bytes.ofText("dark"), Bytes.of(0xFF), Bytes.ofText("light"));

@@ -1,0 +1,27 @@
+package javino.board;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** What a board tells in place of a number that it cannot write (SPEC 4.3). */
+enum UnwritableNumber {
+    NO_NUMBER("(NaN)", "it is no number (NaN), as of a sensor that does not answer"),
+    INFINITE("(Inf)", "its number is infinite (Inf), as after a division by zero"),
+    BEYOND("(Ovf)", "its number is not between -21 and 21 million (Ovf)");
+
+    private final String end;
+    private final String cause;
+
+    UnwritableNumber(String end, String cause) {
+        this.end = end;
+        this.cause = cause;
+    }
+
+    /** Which percept is left out and why, if one is. */
+    static Optional<String> cause(String percept) {
+        Stream<UnwritableNumber> found = Arrays.stream(values()).filter(each -> percept.endsWith(each.end));
+        return found.findFirst().map(each -> "percept " + percept.substring(0, percept.length() - each.end.length())
+                + " is left out: " + each.cause);
+    }
+}
