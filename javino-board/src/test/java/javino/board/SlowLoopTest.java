@@ -4,7 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.locks.LockSupport;
+import javino.link.Link;
+import javino.link.LinkOpener;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,17 +39,69 @@ class SlowLoopTest extends BoardFixture {
 
     @Test
     void open_boardThatAsksAgainAndIsLate_isWaitedForAtItsSpeed() throws Exception {
-        port.setBaud(115_200);
-        AtomicInteger hellos = new AtomicInteger();
-        fake.line.setLoses(message -> {
-            if (message.at(0) == 'H' && hellos.incrementAndGet() == 1) {
-                fake.line.askAgain();
+        AskingLink link = new AskingLink();
+        board = Board.open(link, quick(config -> {}), listener);
+        for (int i = 0; i < 60; i++) {
+            assertEquals("hello", link.events.take(), "of the host, number " + i);
+        }
+    }
+
+    /** A board that asks again for each hello, and answers none. */
+    private static final class AskingLink implements LinkOpener, Link {
+
+        private final BlockingQueue<String> events = new LinkedBlockingQueue<>();
+        private boolean asks;
+        private int speed = 115_200;
+
+        @Override
+        public Link open() {
+            return this;
+        }
+
+        @Override
+        public String name() {
+            return "asking";
+        }
+
+        @Override
+        public void write(byte[] bytes) {
+            events.add("hello");
+            asks = true;
+        }
+
+        @Override
+        public int read(byte[] into, Duration timeout) {
+            if (!asks) {
+                LockSupport.parkNanos(timeout.toNanos());
+                return 0;
             }
-            return hellos.get() < 60;
-        });
-        open(listener);
-        assertEquals(List.of("online 1"), listener.until("online"));
-        assertEquals(List.of(), port.awaitSpeeds(0));
+            asks = false;
+            System.arraycopy(new byte[] {0, 1, 0}, 0, into, 0, 3);
+            return 3;
+        }
+
+        @Override
+        public void wake() {
+            // A read ends soon.
+        }
+
+        @Override
+        public int baud() {
+            return speed;
+        }
+
+        @Override
+        public void setBaud(int baud) {
+            if (baud != speed) {
+                speed = baud;
+                events.add("speed " + baud);
+            }
+        }
+
+        @Override
+        public void close() {
+            // There is nothing to free.
+        }
     }
 
     @Test
