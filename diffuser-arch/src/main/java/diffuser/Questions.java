@@ -93,7 +93,12 @@ final class Questions {
         }
     }
 
-    private void remember(OutgoingMessage outgoing, Optional<Intentions.Waiting> waiting) {
+    /**
+     * Expects answers to a question.
+     *
+     * @param waiting the intention that waits for the answer; empty if none does.
+     */
+    void remember(OutgoingMessage outgoing, Optional<Intentions.Waiting> waiting) {
         open.values().removeIf(question -> question.waiting().filter(each -> !intentions.isWaiting(each)).isPresent());
         if (waiting.isEmpty()) {
             forgetOldUnawaited();

@@ -10,7 +10,6 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.logging.Level;
@@ -197,18 +196,20 @@ final class Victim implements AutoCloseable {
             return;
         }
         OutgoingMessage letter = OutgoingMessage.of(message);
-        boolean awaited = body.getTS().getC().getPendingIntentions().containsKey(lastAsked);
-        remember(letter, awaited ? Optional.of(lastAsked) : Optional.empty());
+        remember(letter);
         conversations.put(lastAsked, letter.content().conversation().orElseThrow());
     }
 
     /** As if a board had taken the question. */
-    private void remember(OutgoingMessage letter, Optional<String> awaited) throws ReflectiveOperationException {
-        var questions = Diffuser.class.getDeclaredField("questions");
-        questions.setAccessible(true);
-        var remember = Questions.class.getDeclaredMethod("remember", OutgoingMessage.class, Optional.class);
-        remember.setAccessible(true);
-        remember.invoke(questions.get(diffuser), letter, awaited);
+    private void remember(OutgoingMessage letter) throws Exception {
+        ((Questions) ofDiffuser("questions")).remember(letter,
+                ((Intentions) ofDiffuser("intentions")).waiting(lastAsked));
+    }
+
+    private Object ofDiffuser(String name) throws ReflectiveOperationException {
+        var field = Diffuser.class.getDeclaredField(name);
+        field.setAccessible(true);
+        return field.get(diffuser);
     }
 
     // What the test does
