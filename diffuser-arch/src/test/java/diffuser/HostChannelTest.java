@@ -90,7 +90,7 @@ class HostChannelTest {
                 }
             }
         }
-        assertEquals(EnumSet.allOf(TrustLevel.class).size() * 3L * Kind.values().length, refused + 8 + 4 + 2 * 8);
+        assertEquals(EnumSet.allOf(TrustLevel.class).size() * 3L * Kind.values().length, refused + 8 + 5 + 2 * 8);
     }
 
     @Test
