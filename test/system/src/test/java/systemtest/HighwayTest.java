@@ -249,6 +249,16 @@ class HighwayTest {
         assertEquals(2, run.status);
     }
 
+    @Test
+    @Tag("verify")
+    void agentThatIsNotThere_calledByTheRealGradle_isNamed() throws Exception {
+        Run run = follow(NewProjectTest.gradle("-q", "agent", "-Pagent=buss")
+                .directory(Path.of(System.getProperty("javino.root")).toFile()).redirectErrorStream(true).start());
+
+        assertTrue(run.says("agent: there is no buss.mas2j; -Pagent=NAME names the agent"), run::toString);
+        assertEquals(1, run.status);
+    }
+
     @JaCaMo.EachVersion
     void agentsStartedByHandUnderJaCaMo_busLearnsThatHelpIsComing(String version) throws Exception {
         Platform jacamo = JaCaMo.platform(version);

@@ -16,6 +16,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import trace.TraceEvent;
 import trace.TraceReader;
 
@@ -106,6 +108,16 @@ class NewProjectTest {
         Files.writeString(file, line + "\n");
     }
 
+    /** A property hides what has its name in a build file. */
+    @ParameterizedTest
+    @ValueSource(strings = {"--jason", "--jacamo"})
+    void run_withThePropertiesOfPages_isTaken(String kind, @TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project, kind).waitFor());
+        assertEquals(0, gradle("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository")
+                .directory(project.toFile()).inheritIO().start().waitFor());
+    }
+
     @Test
     void bundle_takenElsewhere_runsByJavaAlone(@TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
@@ -177,7 +189,7 @@ class NewProjectTest {
     }
 
     /** The Gradle that runs this test. */
-    private static ProcessBuilder gradle(String... arguments) {
+    static ProcessBuilder gradle(String... arguments) {
         ProcessBuilder gradle =
                 new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
                         "--gradle-user-home", System.getProperty("javino.gradleUserHome"));
