@@ -97,9 +97,9 @@ def prepare():
     """A copy of what is tested, and a build of it that passes; @return the seconds that each suite takes."""
     ignore = shutil.ignore_patterns('build')
     shutil.rmtree(TREE, ignore_errors=True)
+    shutil.rmtree(OUT, ignore_errors=True)
     for folder in ['javino-firmware/src', 'javino-firmware/examples', 'test/firmware', 'test/arduino-mock', 'test/vectors']:
-        shutil.copytree(os.path.join(ROOT, folder), os.path.join(TREE, folder), ignore=ignore,
-                        copy_function=shutil.copy)  # all newer than what an earlier run has built of a mutant
+        shutil.copytree(os.path.join(ROOT, folder), os.path.join(TREE, folder), ignore=ignore)
     if not run(['cmake', '-S', os.path.join(TREE, 'test/firmware'), '-B', OUT, '-DSANITIZE=OFF']) or not build():
         raise SystemExit('the firmware does not build unchanged: run gradle :test:firmware:test')
     seconds = {}
