@@ -2,7 +2,6 @@
 #include "firmware.h"
 
 #include <elf.h>
-#include <errno.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -14,6 +13,7 @@
 #include <simavr/sim_hex.h>
 
 #include "eeprom_file.h"
+#include "whole_file.h"
 
 // The bits of an AVR ELF's flags that name the family (binutils, include/elf/avr.h).
 #define AVR_FAMILY_MASK 0x7F
@@ -23,22 +23,7 @@
 #define EEPROM_SPACE 0x810000
 
 // An ELF file, all of it. Nothing in it is trusted: a file that is cut off or damaged is refused.
-typedef struct {
-  uint8_t *bytes;
-  size_t length;
-} elf_file;
-
-static int read_elf(elf_file *elf, const char *path, char *error, size_t error_size) {
-  FILE *file = fopen(path, "rb");
-  long length = -1;
-  if (file && fseek(file, 0, SEEK_END) == 0) length = ftell(file);
-  elf->bytes = length >= 0 ? malloc((size_t)length + 1) : NULL;
-  if (elf->bytes && fseek(file, 0, SEEK_SET) == 0) elf->length = fread(elf->bytes, 1, (size_t)length, file);
-  bool whole = elf->bytes && elf->length == (size_t)length;
-  if (!whole) snprintf(error, error_size, "%s: %s", path, strerror(errno));
-  if (file) fclose(file);
-  return whole ? 0 : -1;
-}
+typedef whole_file elf_file;
 
 // Checks that the header is that of an ELF file for the model's chip.
 static int check_header(const elf_file *elf, const Elf32_Ehdr *header, const model *m, const char *path, char *error,
@@ -100,10 +85,13 @@ static bool load_segments(struct avr_t *avr, const model *m, const elf_file *elf
 }
 
 int firmware_load(struct avr_t *avr, const model *m, const char *path, char *error, size_t error_size) {
-  elf_file elf = {0};
+  elf_file elf;
   Elf32_Ehdr header = {0};
-  int result = read_elf(&elf, path, error, error_size);
-  if (result == 0) {
+  const char *why;
+  int result = whole_file_read(&elf, path, &why);
+  if (result != 0) {
+    snprintf(error, error_size, "%s: %s", path, why);
+  } else {
     memcpy(&header, elf.bytes, elf.length < sizeof header ? elf.length : sizeof header);
     result = check_header(&elf, &header, m, path, error, error_size);
   }
@@ -111,7 +99,7 @@ int firmware_load(struct avr_t *avr, const model *m, const char *path, char *err
     snprintf(error, error_size, "%s is damaged, or holds no program that fits the %s's flash", path, m->chip);
     result = -1;
   }
-  free(elf.bytes);
+  whole_file_release(&elf);
   return result;
 }
 
@@ -122,6 +110,13 @@ static bool in_boot_section(const struct avr_t *avr, const model *m, const ihex_
 
 int firmware_add_boot_loader(struct avr_t *avr, const model *m, const char *path, char *error, size_t error_size) {
   ihex_chunk_p chunks = NULL;
+  const char *why;
+  FILE *file = open_to_read(path, &why);
+  if (!file) {
+    snprintf(error, error_size, "%s: %s", path, why);
+    return -1;
+  }
+  fclose(file);  // simavr opens it itself, and would read a folder for ever
   int count = read_ihex_chunks(path, &chunks);
   bool fits = count > 0;
   for (int i = 0; i < count; i++) fits = fits && in_boot_section(avr, m, &chunks[i]);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,6 +10,7 @@
 #include "record.h"
 #include "scenario_fault.h"
 #include "scenario_radio.h"
+#include "whole_file.h"
 
 // Returns the next line as JSON, NULL at the end of the file and after a mistake. A last line without its end was cut off
 // with the run: the run ends before it.
@@ -18,8 +18,8 @@ static json_t *next_line(replay *r, json_reader *reader) {
   json_error_t mistake;
   ssize_t length = getline(&r->text, &r->capacity, r->file);
   if (length <= 0 || r->text[length - 1] != '\n') return NULL;
-  r->line++;
-  json_t *value = json_loadb(r->text, (size_t)length, JSON_REJECT_DUPLICATES, &mistake);
+  size_t mark = ++r->line == 1 ? byte_order_mark(r->text, (size_t)length) : 0;
+  json_t *value = json_loadb(r->text + mark, (size_t)length - mark, JSON_REJECT_DUPLICATES, &mistake);
   if (!value)
     snprintf(reader->error, sizeof reader->error, "%s: line %u, column %d: %s", r->path, r->line, mistake.column,
              mistake.text);
@@ -71,9 +71,10 @@ static void read_header(replay *r, scenario *s, const json_node *root) {
 
 int replay_open(replay *r, const char *path, scenario *s, char *error, size_t error_size) {
   json_reader reader = {.file = path, .whole = "the first line"};
-  *r = (replay){.path = path, .file = fopen(path, "re")};
+  const char *why;
+  *r = (replay){.path = path, .file = open_to_read(path, &why)};
   if (!r->file) {
-    snprintf(error, error_size, "--replay %s: %s", path, strerror(errno));
+    snprintf(error, error_size, "--replay %s: %s", path, why);
     return -1;
   }
   json_t *value = next_line(r, &reader);

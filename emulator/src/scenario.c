@@ -14,6 +14,7 @@
 #include "scenario_fault.h"
 #include "scenario_radio.h"
 #include "scenario_world.h"
+#include "whole_file.h"
 
 static bool same_text(const char *a, const char *b) { return a && b && strcmp(a, b) == 0; }
 
@@ -112,13 +113,18 @@ int scenario_load(scenario *result, const char *path, const scenario_context *co
   memset(result, 0, sizeof *result);
   json_reader reader = {.file = path};
   json_error_t mistake;
-  json_t *value = json_load_file(path, JSON_REJECT_DUPLICATES, &mistake);
-  if (!value && mistake.line > 0)
+  whole_file file;
+  const char *why;
+  int unread = whole_file_read(&file, path, &why);
+  size_t mark = unread ? 0 : byte_order_mark(file.bytes, file.length);
+  json_t *value =
+      unread ? NULL : json_loadb((char *)file.bytes + mark, file.length - mark, JSON_REJECT_DUPLICATES, &mistake);
+  whole_file_release(&file);
+  if (unread)
+    snprintf(reader.error, sizeof reader.error, "%s: cannot read the scenario: %s", path, why);
+  else if (!value)
     snprintf(reader.error, sizeof reader.error, "%s: line %d, column %d: %s", path, mistake.line, mistake.column,
              mistake.text);
-  else if (!value)
-    snprintf(reader.error, sizeof reader.error, "%s: cannot read the scenario: %s", path,
-             errno ? strerror(errno) : mistake.text);
   if (value) {
     json_node root = json_root(&reader, value);
     read_root(result, &root, context);

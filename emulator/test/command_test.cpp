@@ -86,6 +86,35 @@ TEST(Command, mistakes_are_one_line_and_status_2) {
   EXPECT_EQ(outcome.err, "javino-emulator: --keys none/keys: No such file or directory\n");
 }
 
+TEST(Command, a_folder_or_an_empty_file_in_the_place_of_a_file_is_called_so) {
+  Scratch scratch;
+  scratch.write("empty", "");
+  write_scenario(scratch, "blink");
+  const std::string BLINK = PROGRAMS_DIR "/blink.elf";
+  for (const std::string &wrong : {std::string("."), std::string("empty")}) {
+    std::string why = wrong == "." ? "it is a folder, not a file\n" : "it is empty\n";
+    std::string file = scratch.folder + "/" + wrong;
+    EXPECT_EQ(run(scratch, {wrong}).err, "javino-emulator: " + wrong + ": cannot read the scenario: " + why);
+    EXPECT_EQ(run(scratch, {"s.json", "--replay", wrong}).err, "javino-emulator: --replay " + wrong + ": " + why);
+    scratch.write("w.json", R"({"boards":[{"name":"a","firmware":")" + file + "\"}]}");
+    EXPECT_EQ(run(scratch, {"w.json"}).err, "javino-emulator: board a: " + file + ": " + why);
+    scratch.write("w.json",
+                  R"({"boards":[{"name":"a","firmware":")" + BLINK + R"(","bootLoader":")" + file + "\"}]}");
+    EXPECT_EQ(run(scratch, {"w.json", "--duration", "0.01"}).err, "javino-emulator: board a: " + file + ": " + why);
+  }
+}
+
+TEST(Command, a_byte_order_mark_before_scenario_and_record_is_skipped) {
+  Scratch scratch;
+  write_scenario(scratch, "blink");
+  EXPECT_EQ(run(scratch, {"s.json", "--duration", "0.01", "--speed", "max", "--record", "record"}).status, 0);
+  for (const char *name : {"s.json", "record"})
+    scratch.write(name, "\xEF\xBB\xBF" + read_text(scratch.path(name)));
+  Outcome outcome = run(scratch, {"s.json", "--replay", "record"});
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.status, 0);
+}
+
 TEST(Command, keys_are_added_to_a_file_that_only_its_user_can_read) {
   Scratch scratch;
   write_scenario(scratch, "blink");
@@ -282,7 +311,7 @@ TEST(Command, a_damaged_record_is_refused_in_one_line_and_never_crashes) {
   const std::string HEADER = R"({"record":1,"seed":"1","radio":{},"boards":[{"name":"a","eeprom":""}]})"
                              "\n";
   const std::vector<std::pair<std::string, std::string>> CASES = {
-      {"", "record: the first line: is missing; expected an object { … } (line 0)"},
+      {"", "--replay record: it is empty"},
       {"x\n", "record: line 1, column 1: "},
       {"{\"record\":2}\n", "record: record: expected 1, as this emulator writes it, found 2 (line 1)"},
       {R"({"record":1,"seed":"1","radio":{},"boards":[{"name":"b","eeprom":""}]})"
