@@ -18,8 +18,11 @@ public final class TextFile {
     private TextFile() {
     }
 
+    /** What some editors put before a text; it belongs to no text. */
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
+
     /**
-     * Reads a file to its end.
+     * Reads a file to its end, without a byte order mark.
      *
      * @throws IllegalArgumentException naming it if it has more than {@link #MOST_BYTES}, or if it is no text in UTF-8.
      */
@@ -36,9 +39,10 @@ public final class TextFile {
                     file + " has more than " + MOST_BYTES + " bytes, and so is not the file that is meant");
         }
         try {
-            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+            return text.startsWith(BYTE_ORDER_MARK) ? text.substring(BYTE_ORDER_MARK.length()) : text;
         } catch (CharacterCodingException e) {
-            throw new IllegalArgumentException(file + " is no text in UTF-8; save it as such", e);
+            throw new IllegalArgumentException(file + " is no text in UTF-8: is it the right file? If so, save it in UTF-8", e);
         }
     }
 }

@@ -12,7 +12,11 @@ public final class BoundedLines implements AutoCloseable {
     /** The longest events are those of many boards, and take some thousands. */
     public static final int MOST_CHARACTERS = 1 << 18;
 
+    /** What some editors put before a text. */
+    private static final char BYTE_ORDER_MARK = '\uFEFF';
+
     private final BufferedReader in;
+    private boolean first = true;
 
     /** Lines of UTF-8. */
     public BoundedLines(InputStream in) {
@@ -23,6 +27,10 @@ public final class BoundedLines implements AutoCloseable {
     public String next() throws IOException {
         StringBuilder line = new StringBuilder();
         int character = in.read();
+        if (first && character == BYTE_ORDER_MARK) {
+            character = in.read();
+        }
+        first = false;
         if (character < 0) {
             return null;
         }

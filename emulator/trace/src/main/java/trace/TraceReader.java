@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 
 /** Reads traces; empty lines count only as lines. */
@@ -42,14 +43,23 @@ public final class TraceReader {
      * Reads a file to its end.
      *
      * @throws MalformedEventException if it has a line that is no event.
+     * @throws FileSystemException     if it is a folder, or has no event at all.
      */
     public static void read(Path file, Consumer<TraceEvent> events) throws IOException {
         if (Files.isDirectory(file)) {
             throw new FileSystemException(file.toString(), null, "it is a folder, not a file");
         }
-        read(Files.newInputStream(file), events, none -> {
+        AtomicBoolean any = new AtomicBoolean();
+        read(Files.newInputStream(file), event -> {
+            any.setPlain(true);
+            events.accept(event);
+        }, none -> {
             throw none;
         });
+        if (!any.getPlain()) {
+            throw new FileSystemException(file.toString(), null,
+                    "it has no event; name the trace of a run, such as build/trace.jsonl");
+        }
     }
 
     /** All events of a file, as {@link #read}. */

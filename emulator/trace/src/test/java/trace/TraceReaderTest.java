@@ -3,13 +3,17 @@ package trace;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,6 +22,22 @@ class TraceReaderTest {
 
     private static final String EVENT =
             "{\"t\":1.5,\"board\":\"a\",\"event\":\"x\",\"n\":3,\"who\":[\"b\"],\"hex\":\"0aff\"}";
+
+    @Test
+    void read_byteOrderMark_isSkippedAtTheBeginningAlone(@TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("trace"), "\uFEFF" + EVENT + "\n" + EVENT + "\n");
+        assertEquals(2, TraceReader.all(file).size());
+        Files.writeString(file, EVENT + "\n\uFEFF" + EVENT + "\n");
+        assertThrows(MalformedEventException.class, () -> TraceReader.all(file));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "\n\n"})
+    void read_fileWithoutAnEvent_isRefused(String text, @TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("trace"), text);
+        IOException e = assertThrows(IOException.class, () -> TraceReader.all(file));
+        assertTrue(e.getMessage().contains("it has no event; name the trace of a run"), e.getMessage());
+    }
 
     @Test
     void read_stream_goesOnBehindLinesThatAreNoEvents() throws IOException {

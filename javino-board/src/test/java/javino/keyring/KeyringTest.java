@@ -157,6 +157,13 @@ class KeyringTest {
     }
 
     @Test
+    void read_byteOrderMark_isSkipped() throws IOException, JavinoException {
+        Path file = file("");
+        Files.writeString(file, "\uFEFFROMA SUPO = " + OTHER + "\n");
+        assertEquals(1, Keyring.read(file).size());
+    }
+
+    @Test
     void read_noUtf8_throwsWithFile() throws IOException, JavinoException {
         Path file = Files.write(file(""), new byte[] {'#', ' ', (byte) 0xE4, '\n'});
         Exception e = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file));

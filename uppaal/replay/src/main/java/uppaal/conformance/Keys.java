@@ -16,6 +16,7 @@ import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import javino.TextFile;
 import javino.protocol.Bytes;
 
 /**
@@ -70,7 +71,7 @@ final class Keys {
 
     private void refresh(Path from) {
         try {
-            String now = Files.exists(from) ? Files.readString(from) : "";
+            String now = Files.exists(from) ? TextFile.read(from) : "";
             if (!now.equals(read)) {
                 now.lines().map(LINE::matcher).filter(Matcher::matches).forEach(this::add);
                 read = now;
