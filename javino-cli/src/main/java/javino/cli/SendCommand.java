@@ -5,7 +5,6 @@ import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.Printable;
 import javino.board.Board;
-import javino.board.BoardListener;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
@@ -32,7 +31,7 @@ final class SendCommand implements Callable<Integer> {
     private Address to;
 
     @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
-            description = "A performative and a term of AgentSpeak, such as 'tell;help'; a question or an answer has "
+            description = "A performative and a term of AgentSpeak, as in 'tell;help'; a question or an answer has "
                     + "three characters for the conversation too, such as 'askOne#AbC;speed(X)'.")
     private Content content;
 
@@ -44,7 +43,11 @@ final class SendCommand implements Callable<Integer> {
         @Override
         public Content convert(String text) {
             try {
-                return Content.parse(text);
+                Content content = Content.parse(text);
+                TermText.mistake(content).ifPresent(what -> {
+                    throw new TypeConversionException(what);
+                });
+                return content;
             } catch (IllegalArgumentException e) {
                 boolean noContent = e.getMessage().startsWith(ProtocolError.BAD_CONTENT.name());
                 String found = Printable.of(text);
@@ -55,16 +58,6 @@ final class SendCommand implements Callable<Integer> {
         }
     }
 
-    /** Why the board went, if it did. */
-    private static final class Loss implements BoardListener {
-
-        private volatile String why;
-
-        @Override
-        public void offline(String reason) {
-            why = reason;
-        }
-    }
 
     @Override
     public Integer call() throws JavinoException, InterruptedException {
@@ -72,12 +65,14 @@ final class SendCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), content.performative()
                     + " goes to a device or a group, not to all: no agent accepts it from a broadcast");
         }
-        Loss loss = new Loss();
-        try (Board board = port.open(loss)) {
+        SilenceCheck check = new SilenceCheck(to);
+        try (Board board = port.open(check)) {
+            check.begin(board);
             Outcome outcome = Await.result(board.transmit(to, content).end());
             spec.commandLine().getOut().println(outcome.toString().toLowerCase(Locale.ROOT));
-            if (outcome == Outcome.UNDELIVERED && loss.why != null) {
-                spec.commandLine().getErr().println("javino: " + loss.why + "; the message may have arrived");
+            if (outcome == Outcome.UNDELIVERED) {
+                spec.commandLine().getErr().println("javino: " + check.end(board) + "; the message may have arrived: "
+                        + "docs/how-to/debug-a-silent-radio.md goes on");
             }
             return outcome == Outcome.UNDELIVERED ? 1 : 0;
         }

@@ -5,7 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.stream.Stream;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.Capability;
+import javino.protocol.Counter;
+import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -92,7 +97,7 @@ class DriveCommandsTest extends CommandFixture {
     void act_action_isPerformed(String arguments, String action) {
         assertEquals(0, run(("act --port fake " + arguments).split(" ")), err.toString());
         assertEquals(List.of("act " + action), List.copyOf(fake.requests));
-        assertEquals("", out.toString());
+        assertEquals(List.of(action + " is done"), lines());
     }
 
     @Test
@@ -120,14 +125,83 @@ class DriveCommandsTest extends CommandFixture {
     }
 
     @ParameterizedTest
-    @CsvSource({"SUPO,DELIVERED,0", "SUPO,UNDELIVERED,1", "//SU,SENT,0", "////,SENT,0"})
+    @CsvSource({"SUPO,DELIVERED,0", "//SU,SENT,0", "////,SENT,0"})
     void send_message_tellsItsOutcome(String to, Outcome outcome, int status) {
         fake.setRfId("ROMA");
         fake.endAll(outcome);
         assertEquals(status, run("send", "--port", "fake", to, "tell;help"), err.toString());
         assertEquals(List.of(outcome.toString().toLowerCase()), lines());
-        assertEquals(List.of(to + " tell;help"), List.copyOf(fake.requests));
+        assertEquals(List.of(to + " tell;help"), fake.requests.stream().filter(what -> !what.equals("overhear 1"))
+                .toList());
         assertEquals("", err.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "RADIO_SENT                     | has heard no packet of anybody meanwhile",
+            "RADIO_DEFERRED                 | the air was never free",
+            "RADIO_SENT RADIO_DAMAGED       | other packets were heard, but none from SUPO",
+            "RADIO_SENT RADIO_BAD_PROOFS    | SUPO has answered under another key"})
+    void send_undelivered_saysWhatIsKnown(String rising, String known) {
+        fake.setRfId("ROMA");
+        fake.endAll(Outcome.UNDELIVERED);
+        Stream.of(rising.strip().split(" ")).forEach(counter -> fake.setRise(Counter.valueOf(counter), 1));
+        assertEquals(1, run("send", "--port", "fake", "SUPO", "tell;help"));
+        assertEquals(List.of("undelivered"), lines());
+        assertTrue(err.toString().contains(known), err.toString());
+        assertTrue(err.toString().contains("; the message may have arrived: docs/how-to/debug-a-silent-radio.md"),
+                err.toString());
+        assertEquals(1, err.toString().lines().count(), err.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"SUPO,SUPO was heard", "SUHO,none from SUPO"})
+    void send_undeliveredButTheAddressHeard_saysSo(String origin, String known) throws Exception {
+        fake.setRfId("ROMA");
+        fake.setRise(Counter.RADIO_SENT, 1);
+        fake.setRise(Counter.RADIO_RECEIVED, 1);
+        start("send", "--port", "fake", "SUPO", "tell;help");
+        while (!fake.requests.take().equals("SUPO tell;help")) {
+            continue;
+        }
+        fake.mail.overhear(1, 0, new Frame(Address.BROADCAST, Address.parse(origin), Bytes.ofText("tell;hello"))
+                .encode());
+        // The board may still be at answering the request.
+        while (out.toString().isEmpty()) {
+            fake.endLast(Outcome.UNDELIVERED);
+            Thread.sleep(5);
+        }
+        assertEquals(1, status());
+        assertTrue(err.toString().contains(known), err.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "tell;speed(        | there is no end of (", "tell;speed 3       | two terms with nothing between them: speed 3",
+            "tell;help.         | a message has no full stop", "tell;a, b           | write a list, [a, b]",
+            "tell;say(\"hello)   | a quotation mark is missing: \"hello)", "tell;speed(3))      | there is a ) too much",
+            "tell;Help          | a literal begins with a small letter", "achieve;3           | not 3",
+            "tell;speed(3,)     | a term is missing between , and )", "tell;a(b]           | there is a ] too much",
+            "tell;5 %           | not 5 %", "tell;help#          | this is no AgentSpeak: #",
+            "tell;speed(1+      | there is no end of (", "tell;a()            | a term is missing between ( and )",
+            "askOne#AbC;X       | a literal begins with a small letter", "tell;hello world    | two terms"})
+    void send_noAgentSpeak_isRefusedBeforeItIsSent(String content, String reason) {
+        fake.setRfId("ROMA");
+        assertFails(2, reason, "send", "--port", "fake", "SUPO", content);
+        assertEquals(List.of(), List.copyOf(fake.requests));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"tell;help", "tell;~dark(7)[source(x),cost(-3.5e2)]", "tell;[a,b(\"x, y\"),'C d']",
+            "tell#AbC;42", "tell#AbC;[]", "tell#AbC;\"free\"", "askOne#AbC;speed(X)", "askAll#AbC;bed(_)",
+            "askHow#AbC;{ +!go }", "tellHow;{ @l[atomic] +!go(X) : a(X) & not b <- !c(X); .print(\"d\", X); e. }",
+            "tellHow;\"+!go <- run.\"", "untellHow;l1", "achieve;move(-5, 2+3 div 4)", "sorry#AbC;\"why\"",
+            "tell;ns::light(312)", "tell;p([H|T])", "tellHow;{ +!g <- if (x > 3) { a } else { b }; -+c(_) }",
+            "signal;now", "tell;a(.date)", "tell;f({ +!x <- y })", "tell;a(\"é ü\")", "tell;température(3)"})
+    void send_agentSpeak_isSent(String content) {
+        fake.setRfId("ROMA");
+        fake.endAll(Outcome.DELIVERED);
+        assertEquals(0, run("send", "--port", "fake", "SUPO", content), err.toString());
     }
 
     @Test
