@@ -17,7 +17,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code javino act}: has a board perform an action. */
-@Command(name = "act", description = {"Makes a board perform an action of its sketch.",
+@Command(name = "act", description = {"Makes a board perform an action of its sketch, with all arguments given.",
         "Most boards, also a Mega, boot when their port is opened: so each action is the first one after a boot."})
 final class ActCommand implements Callable<Integer> {
 
@@ -40,6 +40,7 @@ final class ActCommand implements Callable<Integer> {
         try (Board board = port.open()) {
             act(board, action);
         }
+        spec.commandLine().getOut().println(Printable.of(action) + " is done");
         return 0;
     }
 

@@ -30,6 +30,6 @@ final class Findings {
     }
 
     private void line(String what, String text) {
-        out.println(Printable.of(InfoCommand.line(what, text)));
+        out.println(Printable.of(String.format("%-19s %s", what, text)));
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.LostState;
@@ -25,19 +26,19 @@ import picocli.CommandLine.Spec;
 @Command(name = "info", description = {
         "Shows a board's name, RF id, actions, check values of keys (never the keys), and counters.",
         "The counters start at 0 with each boot, and most boards, also a Mega, boot when their port is opened: so "
-                + "they say "
-                + "little. With --after you see by how much they rise."})
+                + "they say little. With --after you see by how much they rise."})
 final class InfoCommand implements Callable<Integer> {
 
     private static final int MOST_SECONDS = 3600;
+    private static final int NAME_WIDTH =
+            Stream.of(Counter.values()).mapToInt(counter -> counter.toString().length()).max().orElseThrow();
 
     @Mixin
     private PortOption port;
 
     @Option(names = "--after", paramLabel = "SECONDS", description = "Show by how much each counter rises in this "
             + "time, 1 to 3600 s. The radio is open meanwhile: info takes the messages, and their senders hear that "
-            + "they were "
-            + "delivered.")
+            + "they were delivered.")
     private Integer seconds;
 
     @Spec
@@ -106,6 +107,6 @@ final class InfoCommand implements Callable<Integer> {
 
     /** Wide enough for the longest counter's name. */
     static String line(Object name, Object value) {
-        return String.format("%-19s %s", name, value);
+        return String.format("%-" + NAME_WIDTH + "s %s", name, value);
     }
 }

@@ -5,7 +5,9 @@ import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -100,8 +102,13 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
      * @throws IOException if there is such a folder already, or it cannot be written.
      */
     void write(Path folder) throws IOException {
-        Files.createDirectories(folder.toAbsolutePath().getParent());
-        Files.createDirectory(folder);
+        try {
+            Files.createDirectories(folder.toAbsolutePath().getParent());
+            Files.createDirectory(folder);
+        } catch (NoSuchFileException e) {
+            // A system's own folder, such as /proc, takes none; it is there nevertheless.
+            throw new FileSystemException(folder.toString(), null, "no folder can be made there; choose another place");
+        }
         for (String file : COMMON) {
             write(folder.resolve(file), template("common", file));
         }

@@ -3,6 +3,8 @@ package javino.cli;
 import java.time.LocalDate;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.Printable;
@@ -60,7 +62,8 @@ public final class WrongUsage {
     public static String describe(ParameterException e) {
         ArgSpec argument = e.getArgSpec();
         if (e instanceof MissingParameterException missing) {
-            return missing(missing.getMissing());
+            return unmatched(e.getCommandLine()).map(WrongUsage::describe)
+                    .orElseGet(() -> missing(missing.getMissing()));
         }
         if (e instanceof UnmatchedArgumentException unmatched) {
             return describe(unmatched);
@@ -92,14 +95,30 @@ public final class WrongUsage {
                 .collect(Collectors.joining(" or ")) : EXPECTED.getOrDefault(type, argument.paramLabel());
     }
 
+    /** The first word that has no place, which may be why another place is empty. */
+    private static Optional<UnmatchedArgumentException> unmatched(CommandLine command) {
+        return Stream.iterate(command, Objects::nonNull, CommandLine::getParent)
+                .filter(each -> !each.getUnmatchedArguments().isEmpty()).reduce((lower, upper) -> upper)
+                .map(each -> new UnmatchedArgumentException(each, each.getUnmatchedArguments()));
+    }
+
     /** Which word is too much, and one that is near to it. */
     private static String describe(UnmatchedArgumentException unmatched) {
         String kind = unmatched.isUnknownOption() ? "there is no option "
                 : unmatched.getCommandLine().getSubcommands().isEmpty() ? "there is no place for "
                         : "there is no command ";
         String near =
-                unmatched.getSuggestions().stream().findFirst().map(name -> "; did you mean " + name + "?").orElse("");
+                near(unmatched).map(name -> "; did you mean " + name + "?").orElse("");
         return kind + Printable.of(unmatched.getUnmatched().get(0)) + near;
+    }
+
+    /** An option that differs by its dashes or capitals alone, or begins so; else what picocli finds. */
+    private static Optional<String> near(UnmatchedArgumentException unmatched) {
+        String word = unmatched.getUnmatched().get(0).replaceFirst("^-+", "").replaceFirst("=.*", "");
+        Stream<String> options = !unmatched.isUnknownOption() || word.isEmpty() ? Stream.of()
+                : unmatched.getCommandLine().getCommandSpec().options().stream().map(OptionSpec::longestName)
+                        .filter(name -> name.replaceFirst("^-+", "").regionMatches(true, 0, word, 0, word.length()));
+        return Stream.concat(options, unmatched.getSuggestions().stream()).findFirst();
     }
 
     private static String oneOf(CommandSpec command) {
@@ -109,7 +128,9 @@ public final class WrongUsage {
 
     private static String missing(List<ArgSpec> missing) {
         boolean oneOf = missing.stream().anyMatch(each -> each.group() != null);
-        return missing.stream().map(each -> each.isOption() ? name(each) + " " + each.paramLabel() : name(each))
+        return missing.stream()
+                .map(each -> each.isOption() && each.arity().max() > 0 ? name(each) + " " + each.paramLabel()
+                        : name(each))
                 .collect(Collectors.joining(oneOf ? " or " : ", ", "missing: ", ""));
     }
 

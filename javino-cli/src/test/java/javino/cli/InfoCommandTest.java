@@ -24,11 +24,11 @@ class InfoCommandTest extends CommandFixture {
         fake.setActions("lampOn", "lampOff");
         fake.keys.setSession("ROMA", Bytes.of(4, 5, 6));
         assertEquals(0, run("info", "--port", "fake"), err.toString());
-        assertEquals(List.of("firmware            fake", "protocol version    1", "library             current",
-                "radio               yes", "RF id               none", "boot epoch          1",
-                "actions             lampOn, lampOff",
-                "key                 SUPO, check value 010203", "session key         ROMA, check value 040506",
-                "serialRequests      9"), lines());
+        assertEquals(List.of("firmware              fake", "protocol version      1", "library               current",
+                "radio                 yes", "RF id                 none", "boot epoch            1",
+                "actions               lampOn, lampOff",
+                "key                   SUPO, check value 010203", "session key           ROMA, check value 040506",
+                "serialRequests        9"), lines());
         assertEquals(List.of(), radio());
     }
 
@@ -36,9 +36,9 @@ class InfoCommandTest extends CommandFixture {
     void board_withoutRadio_isShown() {
         fake.setCapabilities(Capability.SAYS_TAKEN).setFirmware("blink 1.0");
         assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
-        assertEquals(List.of("firmware            blink 1.0", "protocol version    1", "library             current",
-                "radio               none: the board has percepts and actions", "actions             none",
-                "serialRequests      +0"), lines());
+        assertEquals(List.of("firmware              blink 1.0", "protocol version      1", "library               current",
+                "radio                 none: the board has percepts and actions", "actions               none",
+                "serialRequests        +0"), lines());
         assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
@@ -46,14 +46,14 @@ class InfoCommandTest extends CommandFixture {
     void board_ofAnEarlierLibrary_saysSo() {
         fake.setCapabilities(Capability.RADIO, Capability.MEMORY);
         run("info", "--port", "fake");
-        assertTrue(lines().contains("library             earlier; flash the sketch anew"), out.toString());
+        assertTrue(lines().contains("library               earlier; flash the sketch anew"), out.toString());
     }
 
     @Test
     void after_times_areShownAsTheyAre() {
         fake.setCounter(Counter.LOOP_MILLIS, 30);
         assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
-        assertTrue(lines().contains("loopMillis          30"), out.toString());
+        assertTrue(lines().contains("loopMillis            30"), out.toString());
     }
 
     @ParameterizedTest
@@ -67,8 +67,8 @@ class InfoCommandTest extends CommandFixture {
         fake.setCounter(Counter.RADIO_RECEIVED, 5);
         fake.setRise(Counter.RADIO_RECEIVED, 3);
         assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
-        assertTrue(lines().contains("RF id               none"), out.toString());
-        assertTrue(lines().containsAll(List.of("serialRequests      +0", "radioReceived       +3")), out.toString());
+        assertTrue(lines().contains("RF id                 none"), out.toString());
+        assertTrue(lines().containsAll(List.of("serialRequests        +0", "radioReceived         +3")), out.toString());
         assertEquals(List.of("radio 1", "radio 0"), radio());
     }
 

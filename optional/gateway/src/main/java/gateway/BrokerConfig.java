@@ -86,9 +86,7 @@ record BrokerConfig(String host, int port, boolean tls, Optional<TrustManagerFac
             TrustManagerFactory factory = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
             factory.init(store);
             return new BrokerConfig(host, port, tls, Optional.of(factory), user, password);
-        } catch (IllegalArgumentException e) {
-            throw new JavinoException(e.getMessage(), e);
-        } catch (GeneralSecurityException e) {
+        } catch (IllegalArgumentException | GeneralSecurityException e) {
             throw new JavinoException(file + " has no certificate: --ca takes that of the broker's CA, as PEM", e);
         }
     }
