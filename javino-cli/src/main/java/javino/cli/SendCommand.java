@@ -45,7 +45,7 @@ final class SendCommand implements Callable<Integer> {
             try {
                 Content content = Content.parse(text);
                 TermText.mistake(content).ifPresent(what -> {
-                    throw new TypeConversionException(what);
+                    throw new TypeConversionException("this is no AgentSpeak: " + what);
                 });
                 return content;
             } catch (IllegalArgumentException e) {

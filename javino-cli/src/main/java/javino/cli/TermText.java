@@ -76,7 +76,7 @@ final class TermText {
         if (!END.matcher(term).region(at, term.length()).matches()) {
             String rest = term.substring(at).strip();
             return Optional.of("\"'".indexOf(rest.charAt(0)) >= 0 ? "a quotation mark is missing: " + Printable.of(rest)
-                    : "this is no AgentSpeak: " + Printable.of(rest));
+                    : "it cannot go on with " + Printable.of(rest));
         }
         if (!open.isEmpty()) {
             return Optional.of("there is no end of " + open.peek());

@@ -182,7 +182,7 @@ class DriveCommandsTest extends CommandFixture {
             "tell;say(\"hello)   | a quotation mark is missing: \"hello)", "tell;speed(3))      | there is a ) too much",
             "tell;Help          | a literal begins with a small letter", "achieve;3           | not 3",
             "tell;speed(3,)     | a term is missing between , and )", "tell;a(b]           | there is a ] too much",
-            "tell;5 %           | not 5 %", "tell;help#          | this is no AgentSpeak: #",
+            "tell;5 %           | not 5 %", "tell;help#          | it cannot go on with #",
             "tell;speed(1+      | there is no end of (", "tell;a()            | a term is missing between ( and )",
             "askOne#AbC;X       | a literal begins with a small letter", "tell;hello world    | two terms"})
     void send_noAgentSpeak_isRefusedBeforeItIsSent(String content, String reason) {
