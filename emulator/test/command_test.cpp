@@ -98,8 +98,7 @@ TEST(Command, a_folder_or_an_empty_file_in_the_place_of_a_file_is_called_so) {
     EXPECT_EQ(run(scratch, {"s.json", "--replay", wrong}).err, "javino-emulator: --replay " + wrong + ": " + why);
     scratch.write("w.json", R"({"boards":[{"name":"a","firmware":")" + file + "\"}]}");
     EXPECT_EQ(run(scratch, {"w.json"}).err, "javino-emulator: board a: " + file + ": " + why);
-    scratch.write("w.json",
-                  R"({"boards":[{"name":"a","firmware":")" + BLINK + R"(","bootLoader":")" + file + "\"}]}");
+    scratch.write("w.json", R"({"boards":[{"name":"a","firmware":")" + BLINK + R"(","bootLoader":")" + file + "\"}]}");
     EXPECT_EQ(run(scratch, {"w.json", "--duration", "0.01"}).err, "javino-emulator: board a: " + file + ": " + why);
   }
 }
@@ -108,8 +107,7 @@ TEST(Command, a_byte_order_mark_before_scenario_and_record_is_skipped) {
   Scratch scratch;
   write_scenario(scratch, "blink");
   EXPECT_EQ(run(scratch, {"s.json", "--duration", "0.01", "--speed", "max", "--record", "record"}).status, 0);
-  for (const char *name : {"s.json", "record"})
-    scratch.write(name, "\xEF\xBB\xBF" + read_text(scratch.path(name)));
+  for (const char *name : {"s.json", "record"}) scratch.write(name, "\xEF\xBB\xBF" + read_text(scratch.path(name)));
   Outcome outcome = run(scratch, {"s.json", "--replay", "record"});
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.status, 0);

@@ -42,7 +42,8 @@ public final class TextFile {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
             return text.startsWith(BYTE_ORDER_MARK) ? text.substring(BYTE_ORDER_MARK.length()) : text;
         } catch (CharacterCodingException e) {
-            throw new IllegalArgumentException(file + " is no text in UTF-8: is it the right file? If so, save it in UTF-8", e);
+            throw new IllegalArgumentException(
+                    file + " is no text in UTF-8: is it the right file? If so, save it in UTF-8", e);
         }
     }
 }

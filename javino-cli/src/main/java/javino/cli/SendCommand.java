@@ -58,7 +58,6 @@ final class SendCommand implements Callable<Integer> {
         }
     }
 
-
     @Override
     public Integer call() throws JavinoException, InterruptedException {
         if (to.equals(Address.BROADCAST) && content.performative().requiresSeal()) {

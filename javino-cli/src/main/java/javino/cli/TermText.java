@@ -15,12 +15,14 @@ import javino.protocol.Performative;
  */
 final class TermText {
 
-    private static final Pattern TOKEN = Pattern.compile("\\s*(?:(?<text>\"(?:[^\"\\\\]|\\\\.)*\"|'(?:[^'\\\\]|\\\\.)*')"
-            + "|(?<word>\\.?\\p{L}[\\p{L}\\p{N}_]*(?:\\.\\p{L}[\\p{L}\\p{N}_]*)*|_[\\p{L}\\p{N}_]*"
-            + "|\\p{N}+(?:\\.\\p{N}+)?(?:[eE][+-]?\\p{N}+)?)"
-            + "|(?<open>[(\\[{])|(?<close>[)\\]}])|(?<comma>,)|(?<sign>[-+*/<>=!?:;|&^~@\\\\.]))");
+    private static final Pattern TOKEN =
+            Pattern.compile("\\s*(?:(?<text>\"(?:[^\"\\\\]|\\\\.)*\"|'(?:[^'\\\\]|\\\\.)*')"
+                    + "|(?<word>\\.?\\p{L}[\\p{L}\\p{N}_]*(?:\\.\\p{L}[\\p{L}\\p{N}_]*)*|_[\\p{L}\\p{N}_]*"
+                    + "|\\p{N}+(?:\\.\\p{N}+)?(?:[eE][+-]?\\p{N}+)?)"
+                    + "|(?<open>[(\\[{])|(?<close>[)\\]}])|(?<comma>,)|(?<sign>[-+*/<>=!?:;|&^~@\\\\.]))");
     private static final Pattern OPERATOR = Pattern.compile("div|mod|not|if|else|elif|while|for");
-    private static final Pattern LITERAL = Pattern.compile("~?\\s*(?:\\p{Ll}|'|\\[|[\\p{L}_][\\p{L}\\p{N}_]*::)(?s:.*)");
+    private static final Pattern LITERAL =
+            Pattern.compile("~?\\s*(?:\\p{Ll}|'|\\[|[\\p{L}_][\\p{L}\\p{N}_]*::)(?s:.*)");
     private static final Pattern END = Pattern.compile("\\s*");
 
     private TermText() {

@@ -33,7 +33,8 @@ final class CommandLines {
     private static final Map<String, String> RIGHT = Map.ofEntries(
             Map.entry("PORT", "fake"), Map.entry("ADDRESS", "SUPO"), Map.entry("ADDRESS=FILE", "ROMA={key}"),
             Map.entry("A,B", "ROMA,SUPO"), Map.entry("GG", "SU"), Map.entry("SECONDS", "1"), Map.entry("TO", "SUPO"),
-            Map.entry("CONTENT", "tell;help"), Map.entry("ACTION", "lampOn"), Map.entry("COMMAND", "info"), Map.entry("ARGUMENT", "1"),
+            Map.entry("CONTENT", "tell;help"), Map.entry("ACTION", "lampOn"), Map.entry("COMMAND", "info"),
+            Map.entry("ARGUMENT", "1"),
             Map.entry("on|off", "on"), Map.entry("BOARD", "uno"), Map.entry("N", "0"), Map.entry("SOCKET", "{new}"),
             Map.entry("FOLDER", "{new}"), Map.entry("DAY", "2099-01-01"), Map.entry("FINGERPRINT", "0123456789abcdef"),
             Map.entry("NAME", "west"), Map.entry("PREFIX", "javino"), Map.entry("URL", "mqtts://127.0.0.1:1"),

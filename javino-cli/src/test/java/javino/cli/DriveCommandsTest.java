@@ -177,9 +177,11 @@ class DriveCommandsTest extends CommandFixture {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-            "tell;speed(        | there is no end of (", "tell;speed 3       | two terms with nothing between them: speed 3",
+            "tell;speed(        | there is no end of (",
+            "tell;speed 3       | two terms with nothing between them: speed 3",
             "tell;help.         | a message has no full stop", "tell;a, b           | write a list, [a, b]",
-            "tell;say(\"hello)   | a quotation mark is missing: \"hello)", "tell;speed(3))      | there is a ) too much",
+            "tell;say(\"hello)   | a quotation mark is missing: \"hello)",
+            "tell;speed(3))      | there is a ) too much",
             "tell;Help          | a literal begins with a small letter", "achieve;3           | not 3",
             "tell;speed(3,)     | a term is missing between , and )", "tell;a(b]           | there is a ] too much",
             "tell;5 %           | not 5 %", "tell;help#          | it cannot go on with #",

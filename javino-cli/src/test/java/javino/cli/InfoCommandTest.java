@@ -36,9 +36,11 @@ class InfoCommandTest extends CommandFixture {
     void board_withoutRadio_isShown() {
         fake.setCapabilities(Capability.SAYS_TAKEN).setFirmware("blink 1.0");
         assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
-        assertEquals(List.of("firmware              blink 1.0", "protocol version      1", "library               current",
-                "radio                 none: the board has percepts and actions", "actions               none",
-                "serialRequests        +0"), lines());
+        assertEquals(
+                List.of("firmware              blink 1.0", "protocol version      1", "library               current",
+                        "radio                 none: the board has percepts and actions", "actions               none",
+                        "serialRequests        +0"),
+                lines());
         assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
@@ -68,7 +70,8 @@ class InfoCommandTest extends CommandFixture {
         fake.setRise(Counter.RADIO_RECEIVED, 3);
         assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
         assertTrue(lines().contains("RF id                 none"), out.toString());
-        assertTrue(lines().containsAll(List.of("serialRequests        +0", "radioReceived         +3")), out.toString());
+        assertTrue(lines().containsAll(List.of("serialRequests        +0", "radioReceived         +3")),
+                out.toString());
         assertEquals(List.of("radio 1", "radio 0"), radio());
     }
 

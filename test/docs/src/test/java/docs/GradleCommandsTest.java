@@ -75,8 +75,10 @@ class GradleCommandsTest {
         List<String> lines = gradle.inputReader().lines().toList();
         assertEquals(0, gradle.waitFor(), () -> String.join("\n", lines));
         for (String task : tasks) {
-            assertTrue(lines.stream().anyMatch(line -> line.matches(":(.*:)?" + Pattern.quote(task.replaceFirst("^:", ""))
-                    + " SKIPPED") || task.equals("tasks")), () -> task + " is missing:\n" + String.join("\n", lines));
+            assertTrue(
+                    lines.stream().anyMatch(line -> line.matches(":(.*:)?" + Pattern.quote(task.replaceFirst("^:", ""))
+                            + " SKIPPED") || task.equals("tasks")),
+                    () -> task + " is missing:\n" + String.join("\n", lines));
         }
     }
 }

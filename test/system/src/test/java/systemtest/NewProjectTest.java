@@ -114,8 +114,9 @@ class NewProjectTest {
     void run_withThePropertiesOfPages_isTaken(String kind, @TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, kind).waitFor());
-        assertEquals(0, gradle("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository")
-                .directory(project.toFile()).inheritIO().start().waitFor());
+        assertEquals(0,
+                gradle("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository")
+                        .directory(project.toFile()).inheritIO().start().waitFor());
     }
 
     @Test
