@@ -39,7 +39,7 @@ public final class EnrollCommand implements CommandPlugin {
     private Address id;
 
     @Option(names = "--folder", paramLabel = "FOLDER",
-            description = "Where the identities of devices are; default: .javino in your home.")
+            description = "The folder of identities; default: .javino in your home.")
     private Path folder = DeviceNotes.defaultFolder();
 
     @ArgGroup
