@@ -57,9 +57,20 @@ public final class FakeBoard {
     private volatile boolean damaged;
     private volatile boolean greeted;
     private volatile int transmissionCount;
+    private volatile FakeAir air;
+    private volatile boolean radioOpen;
     /** The numbers of transmissions that have not ended. */
     private final Set<Integer> underWay = ConcurrentHashMap.newKeySet();
     private int relays;
+
+    /** What is in its EEPROM. */
+    public record Eeprom(String rfId, Keys.Image keys) {
+
+        /** The check values of its keys. */
+        public Set<Bytes> checks() {
+            return keys.checks();
+        }
+    }
 
     private record Refusal(Status status, AtomicInteger times) {
     }
@@ -106,7 +117,7 @@ public final class FakeBoard {
             return status(refusal);
         }
         return frame.destination().equals(Address.SERIAL) ? perform(command, message)
-                : frame.origin().toString().equals(rfId) ? transmit() : status(Status.WRONG_ORIGIN);
+                : frame.origin().toString().equals(rfId) ? transmit(frame) : status(Status.WRONG_ORIGIN);
     }
 
     private static String describe(int command, Bytes message) {
@@ -158,7 +169,11 @@ public final class FakeBoard {
             case 'C' -> listActions((int) message.number(1, 3));
             case 'E' -> underWay.isEmpty() ? keys.perform(command, "", message) : status(Status.BUSY);
             case 'I' -> setId(Keys.addressIn(message));
-            case 'O', 'R' -> ok();
+            case 'O' -> ok();
+            case 'R' -> {
+                radioOpen = message.at(1) == 1;
+                yield ok();
+            }
             case 'S' -> statistics();
             case 'W' -> relaying(message.from(1));
             case 'Y' -> transmit();
@@ -223,6 +238,16 @@ public final class FakeBoard {
         return ok(Bytes.of(relays));
     }
 
+    private Bytes transmit(Frame frame) {
+        if (air == null) {
+            return transmit();
+        }
+        int number = transmissionCount;
+        Status status = air.send(this, frame.destination(), frame.message(), outcome -> mail.end(number, outcome));
+        transmissionCount = status == Status.OK ? number + 1 & 0xFF : number;
+        return status == Status.OK ? ok(Bytes.of(number)) : status(status);
+    }
+
     private Bytes transmit() {
         int number = transmissionCount;
         transmissionCount = number + 1 & 0xFF;
@@ -255,6 +280,56 @@ public final class FakeBoard {
     private static String contentOf(Bytes message) {
         boolean isHostMessage = message.length() > 0 && message.at(0) >= 0x80;
         return isHostMessage ? message.hex() : textOf(message);
+    }
+
+    // By air.
+
+    /** Shares this air with others from now on: what it transmits comes to them, as far as they have its key. */
+    public FakeBoard join(FakeAir shared) {
+        air = shared;
+        shared.join(this);
+        return this;
+    }
+
+    /** Is on that air no more. */
+    public void leave() {
+        air.leave(this);
+    }
+
+    void hear(Address origin, Bytes content) {
+        if (radioOpen) {
+            mail.receive(Address.BROADCAST.toString(), origin.toString(), 0, content);
+        }
+    }
+
+    Keys.Heard hear(FakeAir.Sealed message) {
+        if (!radioOpen || rfId.equals(Address.SERIAL.toString())) {
+            return Keys.Heard.REFUSED;
+        }
+        String origin = message.origin().toString();
+        String destination = message.destination().toString();
+        Keys.Heard heard = keys.hear(message, Address.parse(rfId));
+        if (heard == Keys.Heard.TAKEN) {
+            int id = (int) (message.nonce() >> 8 & 0xFF0000 | message.nonce() & 0xFFFF);
+            mail.receive(destination, origin, id, message.content());
+        } else if (heard == Keys.Heard.NO_KEY) {
+            mail.receiveWithoutKey(destination, origin);
+        }
+        return heard;
+    }
+
+    /** What is in its EEPROM, to be {@link #load}ed later, perhaps by another board. */
+    public Eeprom eeprom() {
+        return new Eeprom(rfId, keys.image());
+    }
+
+    /** Loses power, and boots with this in its EEPROM. */
+    public void load(Eeprom eeprom) {
+        synchronized (line) {
+            rfId = eeprom.rfId;
+            keys.load(eeprom.keys);
+            reset();
+        }
     }
 
     // The script, at any time.
@@ -365,6 +440,7 @@ public final class FakeBoard {
     public void reset() {
         synchronized (line) {
             greeted = false;
+            radioOpen = false;
             transmissionCount = 0;
             underWay.clear();
             keys.boot();

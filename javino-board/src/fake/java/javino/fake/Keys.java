@@ -5,25 +5,63 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
 import javino.protocol.Status;
 
-/** A fake board's keys, by their check values, and its boot epoch (SPEC 4.3, 5.1). */
+/** A fake board's keys, by their check values, its boot epoch, and nonces (SPEC 4.3, 5.1). */
 public final class Keys {
 
     /** The boot epoch does not rise above this (SPEC 5.1). */
     private static final int MAX_EPOCH = 0xFFFFFF;
+    private static final int COUNTER_BITS = 24;
+    /** A floor is so far above the nonce for which it is written, so that the next ones need none. */
+    private static final int FLOOR_STEP = 31;
 
     private final Map<String, StoredKey> keys = new LinkedHashMap<>();
     private final Set<String> doubted = new HashSet<>();
     /** The check values of all session keys since the boot. */
     private final Set<Bytes> sessionKeys = new HashSet<>();
+    /** In EEPROM, of stored keys: no nonce up to this is new after a loss of power. */
+    private final Map<Place, Long> floors = new LinkedHashMap<>();
+    /** In RAM. */
+    private final Map<Place, Long> highest = new LinkedHashMap<>();
+    private int counter;
     /** As one that hosts have raised before: far above the clock. */
     private int epoch = 9_000_000;
     private boolean corrupt;
+
+    /** Where the nonce of a key and an origin is remembered. */
+    private record Place(String address, Bytes check, String origin) {
+    }
+
+    /** What becomes of a sealed message. */
+    public enum Heard {
+        /** It is for others, under another key, or not new. */
+        REFUSED,
+        /** There is no key. */
+        NO_KEY,
+        /** It may be new, but a floor is above it. */
+        STALE, TAKEN
+    }
+
+    /** A nonce, and the check value of the key that is to be used with it; neither unless the status is OK. */
+    record Drawn(Status status, Bytes key, long nonce) {
+    }
+
+    /** What is in EEPROM. */
+    record Image(Map<String, StoredKey> keys, Set<String> doubted, Map<Place, Long> floors, int epoch) {
+
+        Set<Bytes> checks() {
+            return keys.values().stream().flatMap(key -> Stream.of(key.current, key.other)).filter(Objects::nonNull)
+                    .collect(Collectors.toSet());
+        }
+    }
 
     /** The check value of the key that seals, and beside it of the next or the previous one, or null. */
     private record StoredKey(Bytes current, Bytes other, boolean isNext, boolean isSession) {
@@ -31,10 +69,27 @@ public final class Keys {
         static StoredKey of(Bytes check) {
             return new StoredKey(check, null, false, false);
         }
+
+        boolean has(Bytes check) {
+            return check.equals(current) || check.equals(other);
+        }
     }
 
     /** The reply's message; null for a command that is not about keys. */
     synchronized Bytes perform(int command, String address, Bytes message) {
+        Bytes reply = performAny(command, address, message);
+        // Floors go with their keys.
+        floors.keySet().removeIf(place -> !holds(place));
+        highest.keySet().removeIf(place -> !holds(place));
+        return reply;
+    }
+
+    private boolean holds(Place place) {
+        StoredKey stored = keys.get(place.address);
+        return stored != null && stored.has(place.check);
+    }
+
+    private Bytes performAny(int command, String address, Bytes message) {
         return switch (command) {
             case 'E' -> raise((int) message.number(1, 4));
             case 'K' -> store(address, checkOf(message));
@@ -58,6 +113,7 @@ public final class Keys {
     }
 
     private Bytes raise(int to) {
+        counter = to > epoch ? 0 : counter;
         epoch = Math.max(epoch, to);
         return FakeBoard.ok();
     }
@@ -125,7 +181,65 @@ public final class Keys {
         return list;
     }
 
+    /** A nonce for a message to an address. */
+    synchronized Drawn draw(String to) {
+        StoredKey stored = keys.get(to);
+        Status status = epoch == 0 ? Status.EPOCH_LOST : stored == null ? Status.NO_KEY
+                : epoch == MAX_EPOCH || counter > MAX_EPOCH ? Status.NONCE_EXHAUSTED : Status.OK;
+        return status == Status.OK ? new Drawn(status, stored.current, (long) epoch << COUNTER_BITS | counter++)
+                : new Drawn(status, null, 0);
+    }
+
+    /** Draws no more of the nonces that may be below a floor. */
+    synchronized void skip() {
+        counter += FLOOR_STEP;
+    }
+
+    /** @param self the board's address. */
+    synchronized Heard hear(FakeAir.Sealed message, Address self) {
+        if (!message.destination().reaches(self) || message.origin().equals(self)) {
+            return Heard.REFUSED;
+        }
+        boolean unicast = message.destination().kind() == Address.Kind.DEVICE;
+        String address = (unicast ? message.origin() : message.destination()).toString();
+        StoredKey stored = keys.get(address);
+        if (stored == null || !stored.has(message.key())) {
+            return stored == null ? Heard.NO_KEY : Heard.REFUSED;
+        }
+        Place place = new Place(address, message.key(), message.origin().toString());
+        boolean forgot = !highest.containsKey(place);
+        if (forgot && doubted.contains(address) && !floors.containsKey(place)
+                || message.nonce() <= highest.getOrDefault(place, -1L)) {
+            return Heard.REFUSED;
+        }
+        if (forgot && message.nonce() <= floors.getOrDefault(place, -1L)) {
+            return Heard.STALE;
+        }
+        highest.put(place, message.nonce());
+        if (!stored.isSession && message.nonce() > floors.getOrDefault(place, -1L)) {
+            floors.put(place, message.nonce() + FLOOR_STEP);
+        }
+        return Heard.TAKEN;
+    }
+
+    /** What is in EEPROM now. */
+    synchronized Image image() {
+        Map<String, StoredKey> stored = new LinkedHashMap<>(keys);
+        stored.values().removeIf(StoredKey::isSession);
+        return new Image(stored, Set.copyOf(doubted), Map.copyOf(floors), epoch);
+    }
+
+    /** Loses power, and has this in EEPROM. */
+    synchronized void load(Image image) {
+        erase();
+        keys.putAll(image.keys);
+        doubted.addAll(image.doubted);
+        floors.putAll(image.floors);
+        epoch = image.epoch;
+    }
+
     synchronized void boot() {
+        counter = 0;
         epoch = epoch == 0 ? 0 : Math.min(epoch + 1, MAX_EPOCH);
         keys.values().removeIf(StoredKey::isSession);
         sessionKeys.clear();
@@ -133,6 +247,10 @@ public final class Keys {
 
     synchronized void erase() {
         keys.clear();
+        doubted.clear();
+        floors.clear();
+        highest.clear();
+        counter = 0;
         epoch = 1;
     }
 

@@ -52,6 +52,7 @@ public final class Mailbox {
         } else if (!poll.replyMayCome()) {
             reports.subList(0, told).clear();
             told = 0;
+            notifyAll();
         }
         int index = poll.taken() - firstNumber & 0xFF;
         if (poll.taken() >= 0 && index < offered) {
@@ -73,6 +74,7 @@ public final class Mailbox {
         told = 0;
         firstNumber = 0;
         offered = 0;
+        notifyAll();
     }
 
     synchronized boolean isWaiting() {
@@ -93,6 +95,13 @@ public final class Mailbox {
             offered = Math.max(offered, i + 1);
         }
         return Bytes.join(Bytes.of(0, flags), records);
+    }
+
+    /** Waits until the host has had all that there was to tell, and has asked for more. */
+    public synchronized void awaitQuiet() throws InterruptedException {
+        while (!messages.isEmpty() || !reports.isEmpty()) {
+            wait();
+        }
     }
 
     /** Waits until the host has taken all messages. */
