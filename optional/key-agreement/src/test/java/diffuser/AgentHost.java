@@ -1,0 +1,63 @@
+package diffuser;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+
+import jason.asSyntax.ASSyntax;
+
+import javino.board.BoardConfig;
+import javino.board.Transmission;
+import javino.keyring.BoundedClock;
+import javino.link.LinkOpener;
+import javino.protocol.Address;
+import javino.protocol.Message;
+
+/** What a {@link Diffuser} has around its board, without the agent. */
+public final class AgentHost implements AutoCloseable {
+
+    private static final Logger SILENT = Logger.getLogger("agent host of a test");
+
+    private final Device device;
+
+    static {
+        SILENT.setLevel(Level.OFF);
+    }
+
+    /** @param clock what the computer takes for the time. */
+    public AgentHost(LinkOpener link, Address id, BoundedClock clock, KeyService keyService) {
+        BoardConfig usual = new Diffuser().boardConfig();
+        Warnings warnings = new Warnings(() -> SILENT);
+        BoardKeys[] keys = new BoardKeys[1];
+        HostChannel hosts = new HostChannel(List.of(keyService), (to, message) -> keys[0].transmitAsIs(to, message),
+                warnings::once);
+        DeviceContext context = new DeviceContext("agent", new Inbox(null, null, null, warnings), hosts, warnings,
+                () -> {}, text -> {}, Optional.of(keyService));
+        BoardSettings settings = BoardSettings.NONE.withRfId(id).withRadio(true);
+        device = Device.open(new ExclusivePort(link, "agent", CompletableFuture.completedFuture(null)),
+                ASSyntax.createString(link.name()), usual.with(usual.notes(), clock), settings, context);
+        keys[0] = device.keys();
+    }
+
+    /** Whether its board is there; waits until that is known. */
+    public boolean isOnline() {
+        device.decided().join();
+        return device.isOnline();
+    }
+
+    public Transmission transmit(Address to, Message message) {
+        return device.keys().transmit(to, message);
+    }
+
+    /** Waits until the board has done all that it was asked for until now. */
+    public void awaitBoard() {
+        device.counters().handle((counters, thrown) -> null).join();
+    }
+
+    @Override
+    public void close() {
+        device.close().join();
+    }
+}
