@@ -34,9 +34,9 @@ public enum Status {
     STORE_FAILED("the board's EEPROM did not keep what was written"),
     /** No nonce is left. */
     NONCE_EXHAUSTED(
-            "the board has used all its nonces; reset it; if that does not help, use another board and new keys"),
-    /** What is under way is sealed with the key that is to be replaced. */
-    BUSY("a message sealed with the old key is under way; try again when it has ended"),
+            "the board has used all its nonces; reset it; if that does not help, clear its EEPROM and give it new keys"),
+    /** Messages are under way that the change would harm. */
+    BUSY("messages are under way; try again when they have ended"),
     /** A key is stored for this address: it gets no session key. */
     HAS_KEY("the board has a stored key for this address, and sets no session key beside it"),
     /** Keys are stored, but no epoch. */
