@@ -34,7 +34,7 @@ public enum Status {
     STORE_FAILED("the board's EEPROM did not keep what was written"),
     /** No nonce is left. */
     NONCE_EXHAUSTED(
-            "the board has used all its nonces; reset it; if that does not help, clear its EEPROM and give it new keys"),
+            "the board has used all its nonces; reset it; if that does not help, clear its EEPROM, for new keys"),
     /** Messages are under way that the change would harm. */
     BUSY("messages are under way; try again when they have ended"),
     /** A key is stored for this address: it gets no session key. */

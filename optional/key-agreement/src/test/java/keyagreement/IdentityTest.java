@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import javino.keyring.DeviceNotes;
 import javino.JavinoException;
 import javino.protocol.Address;
@@ -199,5 +200,16 @@ class IdentityTest {
         assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)));
         file.toFile().setReadable(true, false);
         assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)));
+    }
+
+    @Test
+    void groupKey_thatIsKept_comesBackWithThoseThatHaveHadIt(@TempDir Path servers) throws Exception {
+        Identity server = new TestAuthority(servers).groupKeyServer("BUKE");
+        assertEquals(Optional.empty(), server.groupKey());
+        for (Set<Address> had : List.of(Set.<Address>of(), Set.of(Address.parse("BUSA"), Address.parse("BU/+")))) {
+            GroupKeys.Kept kept = new GroupKeys.Kept(Key.ofHex("0f".repeat(16)), had);
+            server.keepGroupKey(kept);
+            assertEquals(Optional.of(kept), server.groupKey());
+        }
     }
 }

@@ -19,11 +19,13 @@ class StoredKeysTest {
     private static final String BOARD = "javino-board/src/main/java/javino/board/";
     private static final Set<String> OTHERS = Set.of("test", "fake", "vectors", "simulation");
 
+    private static final Pattern SOURCE_SET = Pattern.compile("src/(\\w+)/");
+
     /** The sources of what users run, without the codec. */
     private static List<Path> sources() {
         return Repository.files(".", ".java").stream().filter(file -> {
             String name = Repository.ROOT.resolve(".").relativize(file).toString();
-            return Pattern.compile("src/(\\w+)/").matcher(name).results().noneMatch(set -> OTHERS.contains(set.group(1)))
+            return SOURCE_SET.matcher(name).results().noneMatch(set -> OTHERS.contains(set.group(1)))
                     && !name.startsWith("test/") && !name.startsWith("bench/") && !name.startsWith("javino-protocol/");
         }).toList();
     }

@@ -52,8 +52,8 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         this.received = received;
         agreement = new BoardKeyAgreement(identities, clock);
         hosts = new HostChannel(List.of(agreement), this::transmitAsIs, warnings::add);
-        board.complete(Board.open(link, BoardConfig.create(config -> config.setNotes(List.of(new DeviceNotes(identities)))),
-                this));
+        BoardConfig noting = BoardConfig.create(config -> config.setNotes(List.of(new DeviceNotes(identities))));
+        board.complete(Board.open(link, noting, this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
         awaitOnline();
