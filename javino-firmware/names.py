@@ -16,8 +16,9 @@ KEYWORDS = set('''alignas alignof asm auto bool break case catch char class cons
     while'''.split()) - {'error', 'define', 'include', 'final'}
 
 # What the headers use as a macro of Arduino's core or of avr-libc, or what is one on some cores.
-USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR OCIE0B OCR0B OCR3BL OCR4BL OCR5BL PCICR RAMEND
-    Serial TCCR0A TIMER0_COMPB_vect TIMSK0 clockCyclesPerMicrosecond pgm_read_byte pgm_read_word'''.split())
+USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR MAPPED_EEPROM_SIZE OCIE0B OCR0B OCR3BL
+    OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMSK0 clockCyclesPerMicrosecond pgm_read_byte
+    pgm_read_word'''.split())
 
 
 def headers(path, found):

@@ -66,7 +66,7 @@ bool isChanged;
 // On some chips EEPROM is a copy in RAM of a page of flash, which begin() makes and commit() stores; others have no commit().
 template <typename Chip>
 auto open(Chip &chip, int) -> decltype(chip.commit(), void()) {
-  if (!isOpen) chip.begin(EEPROM_SIZE);
+  if (!isOpen) chip.begin(LAYOUT_END);
   isOpen = true;
 }
 

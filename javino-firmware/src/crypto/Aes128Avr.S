@@ -1,3 +1,7 @@
+#include "Aes128Core.h"
+
+#if JAVINO_AES_IN_ASSEMBLY
+
 ; AES-128 for AVR: the functions of Aes128Core.h.
 ;
 ; Time. No branch and no address but that of a table depends on key or data, and LPM takes three cycles at every
@@ -17,10 +21,6 @@
 ; Round keys. Where JAVINO_ROUND_KEYS (Config.h) is 1 all of them are computed ahead. Those of even rounds lie in the order of
 ; their bytes; those of odd rounds in the order in which bytes follow each other from register to register, see in_turn.
 ; Where it is 0 there is room for one, and behind it for the key that each block begins with; each round computes the next.
-
-#include "Aes128Core.h"
-
-#if JAVINO_AES_IN_ASSEMBLY
 
 #define XL r26
 #define XH r27

@@ -18,11 +18,17 @@ namespace javinolib {
 /// ring of nonces' floors, whether the board relays, the other half of the ring of boot epochs. No byte has a meaning but in a
 /// record with a seal: whatever stands there, nobody writes to the sketch's part.
 
-#if defined(E2END) && E2END >= JAVINO_BY_PROFILE(4095, 1023)
-static const uint16_t EEPROM_SIZE = E2END + 1;
+#ifdef MAPPED_EEPROM_SIZE  // where the EEPROM is among the other addresses, E2END is not its length
+static const uint16_t CHIPS_EEPROM = MAPPED_EEPROM_SIZE;
+#elif defined(E2END)
+static const uint16_t CHIPS_EEPROM = E2END + 1;
 #else
-static const uint16_t EEPROM_SIZE = JAVINO_BY_PROFILE(4096, 1024);
+static const uint16_t CHIPS_EEPROM = JAVINO_BY_PROFILE(4096, 1024);
 #endif
+
+/// Whether a board with a radio has room for its keys; without, ArduinoBoard.h lets none be made.
+static const bool EEPROM_SUFFICES = CHIPS_EEPROM >= JAVINO_BY_PROFILE(4096, 1024);
+static const uint16_t LAYOUT_END = EEPROM_SUFFICES ? CHIPS_EEPROM : JAVINO_BY_PROFILE(4096, 1024);
 
 /// Address and generation.
 static const uint8_t RF_ID_LENGTH = Address::STORED_LENGTH + 1;
@@ -51,14 +57,14 @@ static const uint8_t FLOOR_PLACE_LENGTH = FLOOR_COPIES * FLOOR_RECORD_LENGTH;
 static const uint8_t RELAYING_LENGTH = 2;
 static const uint8_t RELAYING_RECORD_LENGTH = config::LARGE ? RELAYING_LENGTH + EepromRecord::CHECK_LENGTH : 0;
 
-static const uint16_t OTHER_EPOCHS_AT = EEPROM_SIZE - EPOCHS_LENGTH;
+static const uint16_t OTHER_EPOCHS_AT = LAYOUT_END - EPOCHS_LENGTH;
 static const uint16_t RELAYING_AT = OTHER_EPOCHS_AT - RELAYING_RECORD_LENGTH;
 static const uint16_t FLOORS_AT = RELAYING_AT - config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
 static const uint16_t KEYS_AT = FLOORS_AT - KEY_PLACES * KEY_PLACE_LENGTH;
 static const uint16_t EPOCHS_AT = KEYS_AT - EPOCHS_LENGTH;
 static const uint16_t RF_ID_AT = EPOCHS_AT - RF_ID_PLACES * RF_ID_RECORD_LENGTH;
 
-static_assert(RF_ID_AT >= JAVINO_BY_PROFILE(512, 128) && RF_ID_AT < EEPROM_SIZE,
+static_assert(RF_ID_AT >= JAVINO_BY_PROFILE(512, 128) && RF_ID_AT < LAYOUT_END,
               "JAVINO_KEYS: so many leave too little of the EEPROM to the sketch");
 
 }  // namespace javinolib

@@ -20,6 +20,7 @@ int digitalRead(uint8_t pin);
 int analogRead(uint8_t pin);
 unsigned long millis();
 unsigned long micros();
+void yield();
 
 class Stream {
  public:

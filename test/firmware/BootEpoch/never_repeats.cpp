@@ -78,7 +78,7 @@ TEST(BootEpoch, is_not_stored_where_one_copy_only_was_kept) {
     const bool inThirdPlace = at >= javinolib::EPOCHS_AT + PLACE && at < javinolib::EPOCHS_AT + 2 * PLACE;
     if (!inThirdPlace) eeprom.wearOut(at);
   }
-  for (uint16_t at = javinolib::OTHER_EPOCHS_AT; at < javinolib::EEPROM_SIZE; at++) eeprom.wearOut(at);
+  for (uint16_t at = javinolib::OTHER_EPOCHS_AT; at < javinolib::LAYOUT_END; at++) eeprom.wearOut(at);
   EXPECT_EQ(0u, boot(eeprom));
 }
 

@@ -6,7 +6,7 @@
 
 namespace {
 
-const uint16_t SIZE = javinolib::EEPROM_SIZE;
+const uint16_t SIZE = javinolib::LAYOUT_END;
 
 Bytes lowBytes(SimulatedEeprom &eeprom) {
   const Bytes content = eeprom.content();
