@@ -11,10 +11,10 @@
 #include "delivery/Broadcaster.h"
 #include "delivery/Relay.h"
 #include "radio/AskHardware.h"
+#include "serialradio/SerialRadio.h"
 
 #ifdef JAVINO_HAS_ASK_HARDWARE
 #include "radio/AskRadio.h"
-#include "serialradio/SerialRadio.h"
 
 // For a radio on another timer than 1, write this in one file of the sketch, before this header is included:
 // #define JAVINO_RADIO_TIMER 3

@@ -5,12 +5,11 @@
 #include "../board/Board.h"
 #include "../radioboard/RadioBoard.h"
 #include "../storage/Eeprom.h"
+#include "../storage/EepromLayout.h"
 #include "Cpu.h"
+#include "OtherPort.h"
 
 namespace javinolib {
-
-/// The type of `Serial`: a UART, or the USB of chips that have their own.
-typedef decltype(Serial) HostSerial;
 
 /// An Arduino that an agent can reach: the one object that a sketch needs, a global or static one (support/Zeroed.h).
 template <typename Board>
@@ -44,7 +43,7 @@ class ArduinoBoard {
   // Opens the serial line, 8N1, and starts the radio if there is one; call it once, at the end of setup().
   // Returns false if the radio does not start or the EEPROM cannot be written; all else works nevertheless.
   bool begin(unsigned long baud) {
-    serial_.begin(baud);
+    port_.begin(baud);
     const bool works = board_.begin();
     commit(board_);
     return works;
@@ -64,29 +63,34 @@ class ArduinoBoard {
 
  protected:
   template <typename... Parts>
-  explicit ArduinoBoard(HostSerial &serial, Parts &&...parts) : serial_(serial), board_(SerialPort(serial), parts...) {}
+  explicit ArduinoBoard(SerialPort port, Parts &&...parts) : port_(port), board_(port, parts...) {}
 
  private:
   static void commit(const javinolib::Board &) {}
   static void commit(const RadioBoard &) { eeprom::commit(); }
 
-  HostSerial &serial_;
+  SerialPort port_;
   Board board_;
 };
 
 /// A board with percepts and actions.
 class Javino : public ArduinoBoard<Board> {
  public:
-  // The name tells the host which sketch this is; it is a plain "lamp 1.0", as F("…") is not possible outside of functions.
-  Javino(HostSerial &serial, const char *firmwareName) : ArduinoBoard(serial, firmwareName) {}
+  // The host is at Serial or another port, as Serial1. The name tells it which sketch this is; it is a plain "lamp 1.0", as F("…")
+  // is not possible outside of functions.
+  template <typename Port>
+  Javino(Port &port, const char *firmwareName) : ArduinoBoard(hostPort(port), firmwareName) {}
 };
 
 /// A board with percepts, actions and a radio.
 class JavinoWithRadio : public ArduinoBoard<RadioBoard> {
  public:
   // The radio outlives it.
-  JavinoWithRadio(HostSerial &serial, const char *firmwareName, Radio &radio)
-      : ArduinoBoard(serial, firmwareName, radio) {}
+  template <typename Port>
+  JavinoWithRadio(Port &port, const char *firmwareName, Radio &radio)
+      : ArduinoBoard(hostPort(port), firmwareName, radio) {
+    static_assert(EEPROM_SUFFICES || sizeof(Port) == 0, "this chip's EEPROM has no room for keys");
+  }
 };
 
 }  // namespace javinolib

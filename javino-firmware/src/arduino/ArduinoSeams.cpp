@@ -8,13 +8,12 @@
 #define JAVINO_EEPROM_MAY_BE_A_COPY
 #endif
 
-#include "../board/SerialPort.h"
 #include "../storage/Eeprom.h"
 #include "../storage/EepromLayout.h"
 #include "../storage/Retained.h"
 #include "../support/Clock.h"
 
-// The seams SerialPort, Eeprom, Retained and Clock on the Arduino core.
+// The seams Eeprom, Retained and Clock on the Arduino core.
 
 #ifdef __AVR__
 #define JAVINO_RETAINED __attribute__((section(".noinit")))
@@ -23,31 +22,6 @@
 #endif
 
 namespace javinolib {
-
-// A port is of Serial's type. On an AVR no function is looked up in its table of virtual ones.
-#ifdef __AVR__
-typedef decltype(Serial) HostSerial;
-#define JAVINO_PORT(call) static_cast<HostSerial &>(serial_).HostSerial::call
-#else
-#define JAVINO_PORT(call) serial_.call
-#endif
-
-bool SerialPort::canRead() const { return JAVINO_PORT(available()) > 0; }
-
-uint8_t SerialPort::read() { return static_cast<uint8_t>(JAVINO_PORT(read())); }
-
-// The core's write() waits when its buffer of 64 bytes is full, so it is never called then. Ports of some other cores never
-// tell how much room there is, also not before the first byte.
-bool SerialPort::canWrite() const {
-  const bool hasRoom = JAVINO_PORT(availableForWrite()) > 0;
-#ifndef __AVR__
-  if (hasRoom) tellsRoom_ = true;
-  if (!tellsRoom_) return true;
-#endif
-  return hasRoom;
-}
-
-void SerialPort::write(uint8_t byte) { JAVINO_PORT(write(byte)); }
 
 #ifdef __AVR__
 

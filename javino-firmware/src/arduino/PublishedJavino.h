@@ -70,7 +70,7 @@ class Javino {
  private:
   class Board : public javinolib::ArduinoBoard<javinolib::Board> {
    public:
-    Board() : ArduinoBoard(Serial, "Javino 1.7") {}
+    Board() : ArduinoBoard(javinolib::SerialPort(Serial), "Javino 1.7") {}
   };
 
   static void perceive(javinolib::Percepts &percepts);

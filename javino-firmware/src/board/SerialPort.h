@@ -7,11 +7,14 @@
 namespace javinolib {
 
 /// The bytes between host and board; no function waits. The seam for the port; bound when linking, to
-/// ArduinoSeams.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
+/// HostPort.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
 /// bytes of flash.
 class SerialPort {
  public:
   explicit SerialPort(Stream &serial) : serial_(serial) {}
+
+  /// Opens the port, 8N1.
+  void begin(unsigned long baud);
 
   /// @return whether read() has a byte. Safe to call with interrupts off, as is canWrite().
   bool canRead() const;

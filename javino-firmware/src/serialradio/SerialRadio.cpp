@@ -29,22 +29,23 @@ uint16_t now() { return static_cast<uint16_t>(clock::millis()); }
 
 }  // namespace
 
-SerialRadio::SerialRadio(Stream &port, void (*open)(Stream &, unsigned long), const SerialModule &module,
-                         uint8_t auxPin)
+SerialRadio::SerialRadio(Stream &port, void (*begin)(Stream &, unsigned long), int (*room)(Stream &),
+                         const SerialModule &module, uint8_t auxPin)
     : port_(port),
-      open_(open),
+      beginPort_(begin),
+      roomOfPort_(room),
       module_(module),
       auxPin_(auxPin),
       decoder_(in_, static_cast<uint16_t>(1 + flashByte(&module.longestPayload) + 2)) {}
 
 bool SerialRadio::begin() {
-  open_(port_, flashWord(&module_.baud));
+  beginPort_(port_, flashWord(&module_.baud));
   if (auxPin_ != NO_PIN) pinMode(auxPin_, INPUT_PULLUP);
-  return port_.availableForWrite() > 0;  // some cores never say so
+  return canWrite();  // SoftwareSerial never can, so far as it says
 }
 
 bool SerialRadio::send(const uint8_t *payload, uint8_t length) {
-  if (sending_ || isBusy() || length == 0 || length > longestPayload() || port_.availableForWrite() <= 0) return false;
+  if (sending_ || isBusy() || length == 0 || length > longestPayload() || !canWrite()) return false;
   out_[0] = sentPath_;
   memcpy(out_ + 1, payload, length);
   encoder_.start(out_, static_cast<uint16_t>(1 + length));
@@ -76,15 +77,13 @@ uint8_t *SerialRadio::receive(Received &with) {
   return in_ + 1;
 }
 
-bool SerialRadio::idle() const {
-  return !waits_ && port_.available() <= 0 && (encoder_.done() || port_.availableForWrite() <= 0);
-}
+bool SerialRadio::idle() const { return !waits_ && port_.available() <= 0 && (encoder_.done() || !canWrite()); }
 
 // A module pulls its AUX low while it starts, sends, or gives what it has received.
 bool SerialRadio::isBusy() const { return auxPin_ != NO_PIN && digitalRead(auxPin_) == LOW; }
 
 void SerialRadio::write() {
-  while (!encoder_.done() && port_.availableForWrite() > 0) port_.write(encoder_.next());
+  while (!encoder_.done() && canWrite()) port_.write(encoder_.next());
   if (!sending_ || !encoder_.done() || static_cast<uint16_t>(now() - sentAt_) < airtime_) return;
   sending_ = false;
   countUp(counters_.sent);

@@ -2,6 +2,7 @@
 
 #include <Arduino.h>
 
+#include "../board/PortType.h"
 #include "../framing/PacketDecoder.h"
 #include "../framing/PacketEncoder.h"
 #include "../radio/Radio.h"
@@ -20,7 +21,7 @@ class SerialRadio : public Radio {
   /// @param auxPin digital pin at the AUX of a module that has one, low while it is busy
   template <typename Port>
   SerialRadio(Port &port, const SerialModule &module, uint8_t auxPin = NO_PIN)
-      : SerialRadio(port, openPort<Port>, module, auxPin) {}
+      : SerialRadio(port, PortType<Port>::begin, PortType<Port>::room, module, auxPin) {}
 
   bool begin() override;
   bool send(const uint8_t *payload, uint8_t length) override;
@@ -38,20 +39,18 @@ class SerialRadio : public Radio {
  private:
   static const uint8_t ROOM = 1 + MAX_RADIO_PAYLOAD + 2;
 
-  SerialRadio(Stream &port, void (*open)(Stream &, unsigned long), const SerialModule &module, uint8_t auxPin);
+  SerialRadio(Stream &port, void (*begin)(Stream &, unsigned long), int (*room)(Stream &), const SerialModule &module,
+              uint8_t auxPin);
 
-  template <typename Port>
-  static void openPort(Stream &port, unsigned long baud) {
-    static_cast<Port &>(port).begin(baud);
-  }
-
+  bool canWrite() const { return roomOfPort_(port_) > 0; }
   bool isBusy() const;
   void write();
   void read();
   void take(uint8_t byte);
 
   Stream &port_;
-  void (*const open_)(Stream &, unsigned long);
+  void (*const beginPort_)(Stream &, unsigned long);
+  int (*const roomOfPort_)(Stream &);
   const SerialModule &module_;
   const uint8_t auxPin_;
   bool sending_ JAVINO_ZEROED;

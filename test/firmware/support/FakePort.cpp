@@ -7,6 +7,7 @@
 namespace javinolib {
 
 // Each port of these tests is a FakePort.
+void SerialPort::begin(unsigned long) {}
 bool SerialPort::canRead() const { return static_cast<FakePort &>(serial_).canRead(); }
 uint8_t SerialPort::read() { return static_cast<FakePort &>(serial_).take(); }
 bool SerialPort::canWrite() const { return static_cast<FakePort &>(serial_).canWrite(); }

@@ -36,7 +36,7 @@ class SerialSessionTest {
     /** Starts a board with some of the emulator's sensors. */
     SketchBoard start(String sketch, Path where, List<Map<String, Object>> sensors) throws Exception {
         return new AvrBoard(new Emulator.Scenario().speed("0.3").board("board", sketch,
-                Map.of("model", sketch.equals("Counter") ? "mega" : "uno", "sensors", sensors, "watch",
+                Map.of("model", List.of("Counter", "OtherPort").contains(sketch) ? "mega" : "uno", "sensors", sensors, "watch",
                         List.of(AvrBoard.LAMP)))
                 .start(where), "board");
     }
@@ -99,6 +99,17 @@ class SerialSessionTest {
             get(host.board.act("ledOff"));
             host.percepts(List.of(DARK)::equals);
         });
+    }
+
+    @Test
+    void hostAtAnotherPortThanSerial_isAnsweredEvenIfThePortNeverTellsItsRoom() throws Exception {
+        try (SketchBoard board = start("OtherPort", folder, List.of()); Host host = board.host()) {
+            assertEquals("other 1.0", get(host.board.greeted()).firmware());
+            host.board.percepts(true);
+            host.percepts(List.of(DARK)::equals);
+            get(host.board.act(LED_ON));
+            host.percepts(List.of(LIT)::equals);
+        }
     }
 
     @Test
