@@ -434,7 +434,7 @@ local function read_keyring(name)
     return
   end
   for line in file:lines() do
-    local members, keys = line:gsub("#.*", ""):match("^%s*(.-)%s*=%s*(.-)%s*$")
+    local members, keys = line:gsub("^\xEF\xBB\xBF", ""):gsub("#.*", ""):match("^%s*(.-)%s*=%s*(.-)%s*$")
     local one, other = (members or ""):match("^(%S+)%s+(%S+)$")
     for hex in (keys or ""):gmatch("%x+") do
       if #hex == 32 then
