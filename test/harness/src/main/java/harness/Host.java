@@ -15,6 +15,7 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
+import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
@@ -79,6 +80,12 @@ public final class Host implements AutoCloseable {
 
     public static Host patient(LinkOpener link) {
         return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
+    }
+
+    /** As {@link #patient}, with the notes that an agent's host has. */
+    public static Host noting(Emulator emulator, String board) {
+        return new Host(SerialLink.opener(emulator.port(board)), BoardConfig.create(
+                config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost()))));
     }
 
     /** For boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */
