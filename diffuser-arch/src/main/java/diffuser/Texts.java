@@ -71,8 +71,8 @@ public final class Texts {
     /**
      * What one agent says to another.
      *
-     * @throws JasonException bad_content if the term is not what goes with the performative, its text does not read back,
-     * or every gate refuses it; too_long if it is longer than any message.
+     * @throws JasonException bad_content if the term is not what goes with the performative, its text does not read
+     * back, or every gate refuses it; too_long if it is longer than any message.
      */
     static Content content(Performative performative, Optional<Conversation> conversation, Term term)
             throws JasonException {

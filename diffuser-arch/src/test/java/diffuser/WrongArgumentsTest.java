@@ -87,7 +87,7 @@ class WrongArgumentsTest {
             ".diffuse(\"ROMA\",untellHow,3)   | bad_content     | a plan's label or a list of such was expected",
             ".diffuse(\"ROMA\",askHow,go)     | bad_content     | a triggering event such as { +!go(_) } was expected",
             ".diffuse(\"ROMA\",askOne,3)      | bad_content     | a belief was expected",
-            ".diffuse(broadcast,tell,a__b(1))  | bad_content     | a name with two underlines may mean something to Jason",
+            ".diffuse(broadcast,tell,a__b(1))  | bad_content     | a name with two underlines may mean something",
             ".filter(except,_)                 | wrong_arguments | a percept such as light(X), or a list of such",
             ".deliver(\"ROMA\",tell)          | wrong_arguments | 3 arguments are expected",
             ".deliver(broadcast,tell,help)     | wrong_arguments | not ////, as messages to all or to a group",
