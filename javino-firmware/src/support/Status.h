@@ -21,9 +21,9 @@ enum class Status : uint8_t {
   STORE_FULL = 12,       ///< no place for another key: delete one
   STORE_FAILED = 13,     ///< the EEPROM did not keep what was written: it is worn out
   NONCE_EXHAUSTED = 14,  ///< no nonce is left until the next boot, or, after the last epoch, ever
-  BUSY = 15,        ///< messages are under way that this would harm: try again when they have ended
-  HAS_KEY = 16,     ///< a key is stored for this address: it gets no session key
-  EPOCH_LOST = 17,  ///< keys are stored, but no epoch: raise it above all that the board has had
+  BUSY = 15,             ///< messages are under way that this would harm: try again when they have ended
+  HAS_KEY = 16,          ///< a key is stored for this address: it gets no session key
+  EPOCH_LOST = 17,       ///< keys are stored, but no epoch: raise it above all that the board has had
   MEMORY_DAMAGED = 18,  ///< something, as a rule the stack, ran over the memory of nonces: leave it more RAM, and reset
   NO_RADIO = 19         ///< the sketch has no radio: make a JavinoWithRadio
 };

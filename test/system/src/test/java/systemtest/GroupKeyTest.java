@@ -125,7 +125,8 @@ class GroupKeyTest {
         erase("server");
         try (Emulator started = scenario().start(folder)) {
             emulator = started;
-            try (AgentProcess server = start("server", "true"); AgentProcess police = start("police", "!say(3)");
+            try (AgentProcess server = start("server", "true");
+                    AgentProcess police = start("police", "!say(3)");
                     Transmitter thief = Transmitter.of(started, "thief")) {
                 server.await("heard 3 from SUPO");
                 for (byte[] packet : second) {
