@@ -19,7 +19,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** The internal actions that programs can call by a name with a dot before it, Jason's own and those of this library. */
+/** The internal actions that programs can call by a name with a dot before it: Jason's and this library's. */
 final class InternalActions {
 
     private static final String PACKAGE = "jason/stdlib";

@@ -9,13 +9,13 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Ends a MAS whose agents cannot all be made: one line to the standard error output, and exit status 1. Jason and JaCaMo
+ * Ends a MAS whose agents cannot all be made: one line to standard error, and exit status 1. Jason and JaCaMo
  * would go on without the agent, and a program that waits for their end would wait for ever. The log's settings name
  * it: {@code java.util.logging.ConsoleHandler.filter = diffuser.StartFailures}.
  */
 public final class StartFailures implements Filter {
 
-    /** Of RunLocalMAS, which JaCaMo's launcher extends: an agent that is created later is no reason to end the others. */
+    /** Of RunLocalMAS, which JaCaMo's launcher extends: an agent that is created later ends no others. */
     private static final Pattern STARTING = Pattern.compile("createAgs|init");
     private static final Pattern PARSING =
             Pattern.compile("(?:as2j: error parsing \"|Error parsing file )(?:file:)?([^\"!]+)[\"!].*", Pattern.DOTALL);

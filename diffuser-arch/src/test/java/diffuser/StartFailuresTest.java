@@ -94,7 +94,8 @@ class StartFailuresTest {
     void createAgent_laterWithoutItsClass_endsNothing() throws Exception {
         String said = run(0, MAS, """
                 !start.
-                +!start <- .create_agent(other, "src/agt/other.asl", [agentArchClass("no.such.Class")]); .wait(1); !over.
+                +!start <- .create_agent(other, "src/agt/other.asl", [agentArchClass("no.such.Class")]);
+                   .wait(1); !over.
                 -!start <- !over.
                 +!over  <- .print("goes on"); .stopMAS.
                 """);

@@ -17,8 +17,8 @@ import javino.protocol.Status;
 
 /**
  * Finds out who is at the other end of an open link, and at which speed: says hello, now and then at 1 000 000 baud
- * or 9600, and asks in the older protocol at its speed. Which of them is answered is how the board is then spoken with. For the
- * session's thread only.
+ * or 9600, and asks in the older protocol at its speed. Which of them is answered is how the board is then spoken with.
+ * For the session's thread only.
  */
 final class Greeting {
 

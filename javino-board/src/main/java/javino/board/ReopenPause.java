@@ -3,8 +3,8 @@ package javino.board;
 import java.time.Duration;
 
 /**
- * How long the port of a board that hangs stays closed. Opening it anew resets most boards; one that soon hangs again is
- * reset less and less often.
+ * How long the port of a board that hangs stays closed. Opening it anew resets most boards; one that soon hangs again
+ * is reset less and less often.
  */
 final class ReopenPause {
 

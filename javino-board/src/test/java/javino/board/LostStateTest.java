@@ -146,7 +146,7 @@ class LostStateTest extends BoardFixture {
     }
 
     @Test
-    void epoch_whenTheLinkComesBack_isRaised_asTheBoardMayBeAnOlderImage() throws Exception {
+    void epoch_linkComesBack_isRaisedAsTheBoardMayBeAnOlderImage() throws Exception {
         fake.keys.setEpoch(7);
         openWith(BoardNote.NONE);
         listener.until("online");

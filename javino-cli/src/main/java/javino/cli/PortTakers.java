@@ -10,8 +10,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Programs of the system that take serial ports for devices of their own: for some seconds after a board was plugged in,
- * or for good. Linux shows what runs in files; other systems have no such file.
+ * Programs of the system that take serial ports for devices of their own: for some seconds after a board was plugged
+ * in, or for good. Linux shows what runs in files; other systems have no such file.
  */
 final class PortTakers {
 

@@ -75,7 +75,8 @@ final class SilenceCheck implements BoardListener {
             return to + " has answered under another key: javino info shows the check values on both sides";
         }
         if (rise(now, Counter.RADIO_RECEIVED) + rise(now, Counter.RADIO_DAMAGED) == 0) {
-            return "the board has heard no packet of anybody meanwhile: is another board on, near, and its agent running?";
+            return "the board has heard no packet of anybody meanwhile: is another board on, near, and its agent "
+                    + "running?";
         }
         if (heard) {
             return to + " was heard, but no acknowledgement of it";

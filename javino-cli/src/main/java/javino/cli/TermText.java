@@ -10,8 +10,8 @@ import javino.protocol.Content;
 import javino.protocol.Performative;
 
 /**
- * Whether a text can be the term of a content (SPEC 3). The command has no Jason, so this is no parser: it finds what is
- * no AgentSpeak by its words and brackets alone, and lets through what a parser may still refuse.
+ * Whether a text can be the term of a content (SPEC 3). The command has no Jason, so this is no parser: it finds what
+ * is no AgentSpeak by its words and brackets alone, and lets through what a parser may still refuse.
  */
 final class TermText {
 

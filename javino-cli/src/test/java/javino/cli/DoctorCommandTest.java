@@ -200,8 +200,8 @@ class DoctorCommandTest extends CommandFixture {
         running("init", "ModemManager", "brltty");
         assertEquals(0, examine(), out.toString());
         assertEquals("programs            ok, ModemManager runs, and may take the port; where there is no modem: sudo "
-                + "systemctl disable --now ModemManager; brltty runs, and may take the port; where nobody reads Braille: "
-                + "sudo apt-get remove brltty, and plug the board in anew", lines().get(1));
+                + "systemctl disable --now ModemManager; brltty runs, and may take the port; where nobody reads "
+                + "Braille: sudo apt-get remove brltty, and plug the board in anew", lines().get(1));
     }
 
     @Test

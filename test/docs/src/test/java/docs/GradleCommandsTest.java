@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What pages call Gradle with, taken by the real one: it makes a property of each {@code -P}, which hides whatever has its
- * name in any build file.
+ * What pages call Gradle with, taken by the real one: it makes a property of each {@code -P}, which hides whatever has
+ * its name in any build file.
  */
 class GradleCommandsTest {
 
