@@ -442,10 +442,10 @@ class DoctorCommandTest extends CommandFixture {
         fake.setActions("ledOn", "ledOff");
         fake.setCounter(Counter.RADIO_RECEIVED, 0).setCounter(Counter.SERIAL_DAMAGED, 1);
         assertEquals(1, examine("--report"), err.toString());
-        for (String line : List.of("Java                " + System.getProperty("java.version"),
-                "device              not known", "firmware            blink 1.0", "protocol version    1",
-                "capabilities        radio, memory, says taken", "actions             2", "serialDamaged       1",
-                "host greetings      1", "troubles            radio")) {
+        for (String line : List.of("Java                  " + System.getProperty("java.version"),
+                "device                not known", "firmware              blink 1.0", "protocol version      1",
+                "capabilities          radio, memory, says taken", "actions               2", "serialDamaged         1",
+                "host greetings        1", "troubles              radio")) {
             assertTrue(lines().contains(line), line + " is not in " + out);
         }
         for (String secret : List.of("ROMA", "SUPO", "010203", "fake")) {
@@ -460,14 +460,14 @@ class DoctorCommandTest extends CommandFixture {
         assertEquals(1, examine("--report"));
         assertEquals(List.of("javino", "Java", "system", "device", "troubles"),
                 lines().stream().map(line -> line.split(" ")[0]).toList());
-        assertTrue(lines().contains("troubles            board"), out.toString());
+        assertTrue(lines().contains("troubles              board"), out.toString());
     }
 
     @Test
     void report_ofKeys_namesNoDevice() throws IOException, JavinoException {
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
         assertEquals(1, examine("--report", "--id", "ROMA", "--keyring", keys.toString()));
-        assertTrue(lines().contains("troubles            key"), out.toString());
+        assertTrue(lines().contains("troubles              key"), out.toString());
         assertFalse(out.toString().contains("SUPO"));
     }
 }

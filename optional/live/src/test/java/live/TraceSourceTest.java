@@ -18,10 +18,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class TraceSourceTest {
 
-    /** A trace without events. */
-    static final Source NOTHING = nothing();
-
     private static final String EVENT = "{\"t\":1.5,\"event\":\"note\",\"text\":\"<script>\"}";
+
+    /** A trace that a hub of its own has. */
+    static final Source NOTHING = nothing();
 
     @TempDir
     private Path folder;
@@ -29,9 +29,9 @@ class TraceSourceTest {
 
     private static Source nothing() {
         try {
-            Path empty = Files.createTempFile("empty", ".jsonl");
-            empty.toFile().deleteOnExit();
-            return TraceSource.read(empty, new Hub());
+            Path file = Files.createTempFile("trace", ".jsonl");
+            file.toFile().deleteOnExit();
+            return TraceSource.read(Files.writeString(file, EVENT), new Hub());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         } catch (JavinoException e) {

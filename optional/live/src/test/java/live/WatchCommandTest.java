@@ -31,7 +31,7 @@ class WatchCommandTest {
     @Test
     @Timeout(60)
     void address_standsAloneOnTheLastLine(@TempDir Path folder) throws Exception {
-        Path trace = Files.createFile(folder.resolve("trace"));
+        Path trace = Files.writeString(folder.resolve("trace"), "{\"t\":0,\"event\":\"note\"}\n");
         StringWriter out = new StringWriter();
         CommandLine command = new CommandLine(new WatchCommand()).setOut(new PrintWriter(out, true));
         CompletableFuture<Integer> status = new CompletableFuture<>();
