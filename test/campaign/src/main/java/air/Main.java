@@ -3,6 +3,7 @@ package air;
 import campaign.Table;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
@@ -53,6 +54,8 @@ public final class Main implements Callable<Integer> {
             return wrong(file + ", " + wrong.getMessage());
         } catch (NoSuchFileException missing) {
             return wrong(file + ": there is no such file");
+        } catch (FileSystemException useless) {
+            return wrong(useless.getMessage());
         } catch (IOException unreadable) {
             return wrong(file + " cannot be read: " + unreadable);
         }

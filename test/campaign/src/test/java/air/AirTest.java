@@ -250,6 +250,8 @@ class AirTest {
             lines.remove(1);
         }
         lines.clear();
+        assertWrong("trace.jsonl: it has no event", "--trace", write());
+        line("\"t\":1,\"event\":\"note\"");
         assertWrong("has no packet", "--trace", write());
     }
 
