@@ -69,7 +69,7 @@ class DriveCommandsTest {
         List<String> percepts = end(start("percepts", "police"));
         assertTrue(percepts.get(0).startsWith("light("), percepts.toString());
         assertEquals("0", percepts.get(percepts.size() - 1));
-        assertEquals(List.of("0"), end(start("act", "police", "sirenOn")));
+        assertEquals(List.of("sirenOn is done", "0"), end(start("act", "police", "sirenOn")));
         assertEquals(List.of("1"), end(start("act", "police", "fly")));
     }
 

@@ -40,7 +40,7 @@ class LostStateTest {
 
     private static final Address SUPP = Address.parse("SUPP");
     /** Where the library's README says that the copies of the boot epochs are in EEPROM, and how long each is. */
-    private static final List<Integer> EPOCHS_AT = List.of(750, 4047);
+    private static final List<Integer> EPOCHS_AT = List.of(751, 4048);
     private static final int EPOCHS_LENGTH = 48;
     private static final int NONCE_AT = 10;
     private static final int NONCE_END = 16;
