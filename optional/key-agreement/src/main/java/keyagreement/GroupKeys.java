@@ -25,8 +25,6 @@ final class GroupKeys {
     private final Context context;
     private final Address group;
     private final Deque<Waiting> waiting = new ArrayDeque<>();
-    /** Who was given the server's key, whether it came or not. */
-    private final Set<Address> given = new HashSet<>();
     /** Who has had it. */
     private final Set<Address> had = new HashSet<>();
     /** Who has had it and says, without a proof, that its board lacks it. */
@@ -64,7 +62,6 @@ final class GroupKeys {
     /** Makes another key. */
     private void make() {
         key = Optional.of(Key.random(context.random()));
-        given.clear();
         had.clear();
         asked.clear();
         isLost = false;
@@ -152,9 +149,8 @@ final class GroupKeys {
         return isServer() && wanted.equals(group) && isMember(from);
     }
 
-    /** Anybody says in a member's name that it lacks the key: what was given is lost, unless the member has had it. */
+    /** Anybody says in a member's name that it lacks the key. */
     void asks(Address member) {
-        given.remove(member);
         if (had.contains(member)) {
             asked.add(member);
         }
@@ -179,7 +175,6 @@ final class GroupKeys {
             return Optional.empty();
         }
         asked.remove(from.address());
-        given.remove(from.address());
         isLost |= had.contains(from.address());
         return give(from.address());
     }
@@ -207,12 +202,7 @@ final class GroupKeys {
         return device.group().equals(context.self().group());
     }
 
-    /** A member is forgotten: whether the key has come to it is not known. */
-    void forget(Address member) {
-        given.remove(member);
-    }
-
-    /** What a device is to be sent, if this host is the server: the key, once; or whether it lacks the one it had. */
+    /** What a device is to be sent, if this host is the server: the key until it has had it, then whether it lacks it. */
     Optional<HostMessage> give(Address to) {
         if (key.isEmpty() || !isMember(to)) {
             return Optional.empty();
@@ -220,7 +210,7 @@ final class GroupKeys {
         if (had.contains(to)) {
             return asked.contains(to) ? Optional.of(request()) : Optional.empty();
         }
-        return given.add(to) ? Optional.of(new HostMessage(Kind.GROUP_KEY, key.get().bytes())) : Optional.empty();
+        return Optional.of(new HostMessage(Kind.GROUP_KEY, key.get().bytes()));
     }
 
     long next() {

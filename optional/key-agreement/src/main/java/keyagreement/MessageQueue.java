@@ -92,6 +92,11 @@ final class MessageQueue {
         return items.isEmpty();
     }
 
+    /** Whether the same waits or is under way. */
+    boolean holds(HostMessage message) {
+        return items.stream().anyMatch(item -> item.message.equals(message));
+    }
+
     boolean isWaiting() {
         return waiting().findAny().isPresent();
     }

@@ -278,10 +278,12 @@ final class Peer {
         } else if (message.kind() == Kind.GROUP_KEY) {
             groupKeys.take(certificate, message.body());
         } else if (message.kind() == Kind.GROUP_KEY_REQUEST) {
-            queue(groupKeys.requested(certificate).stream().toList(), now);
+            queueOnce(groupKeys.requested(certificate), now);
         } else if (message.kind() == Kind.SEQUENCES) {
             queue(lists.heard(message.body(), now), now);
         }
+        // It is there, and may not have had what was sent before.
+        giveGroupKey(now);
     }
 
     private void content(Bytes body) {
@@ -305,8 +307,12 @@ final class Peer {
     /** Gives it the key of the own group, if it is to have that. */
     void giveGroupKey(long now) {
         if (isSecure()) {
-            queue(groupKeys.give(address).stream().toList(), now);
+            queueOnce(groupKeys.give(address), now);
         }
+    }
+
+    private void queueOnce(Optional<HostMessage> message, long now) {
+        queue(message.filter(each -> !queue.holds(each)).stream().toList(), now);
     }
 
     /** Asks for another key of the own group, if this is who gives it. */
@@ -331,7 +337,6 @@ final class Peer {
             context.effects().add(new Effect.DeleteKey(address));
         }
         step(Session.Input.FORGOTTEN);
-        groupKeys.forget(address);
         kept = null;
         certificate = null;
         handshakes.drop();

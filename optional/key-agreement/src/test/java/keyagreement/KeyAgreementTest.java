@@ -401,6 +401,19 @@ class KeyAgreementTest {
     }
 
     @Test
+    void groupKey_anotherOneWasUndelivered_comesWhenTheMemberIsHeardAgain() throws Exception {
+        List<CertifiedHost> group = group();
+        group.get(2).kill();
+        group.get(1).erase();
+        simulation.run(2 * MINUTE);
+        assertNotEquals(group.get(0).groupKey, group.get(2).groupKey);
+        group.get(2).start();
+        assertEquals(Optional.of(Ending.DELIVERED), end(group.get(2), group.get(0)));
+        simulation.run(MINUTE);
+        assertEquals(group.get(0).groupKey, group.get(2).groupKey);
+    }
+
+    @Test
     void groupKey_othersAskInAMembersName_staysAsItIs() throws Exception {
         List<CertifiedHost> group = group();
         Optional<Key> first = group.get(0).groupKey;
