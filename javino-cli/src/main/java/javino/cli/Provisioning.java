@@ -171,7 +171,7 @@ final class Provisioning {
 
     /** Takes the step that is due with a key: it is set, or accepted, or used, or the one before it is forgotten. */
     private void step(Address with, SharedKey shared, HeldKeys held, Keyring ring)
-            throws JavinoException, InterruptedException {
+            throws IOException, JavinoException, InterruptedException {
         Key next = shared.next();
         if (next == null) {
             store(with, shared.key(),
@@ -211,18 +211,31 @@ final class Provisioning {
         return late.isEmpty();
     }
 
-    private void store(Address with, Key key, boolean isThere) throws JavinoException, InterruptedException {
+    private void store(Address with, Key key, boolean isThere)
+            throws IOException, JavinoException, InterruptedException {
         expect(with, key, Await.result(board.setKey(with, key)));
+        if (!isThere) {
+            noteGiven(with, new HeldKeys(key.check(), null, null));
+        }
         changed |= !isThere;
         out.println("key for " + with + ", check value " + key.check());
     }
 
-    private void accept(Address with, SharedKey shared, HeldKeys held) throws JavinoException, InterruptedException {
+    private void accept(Address with, SharedKey shared, HeldKeys held)
+            throws IOException, JavinoException, InterruptedException {
         if (held.next() != null || held.previous() != null) {
             Await.result(board.setKey(with, shared.key()));  // ends another renewal, which was left half done
         }
         expect(with, shared.next(), Await.result(board.renewKey(with, shared.next())));
+        noteGiven(with, new HeldKeys(shared.key().check(), shared.next().check(), null));
         done("next key for " + with + ", check value " + shared.next().check() + ", accepted");
+    }
+
+    /** At once, as this may end before all is done: what the board has lost by then it is not given again. */
+    private void noteGiven(Address with, HeldKeys now) throws IOException, JavinoException, InterruptedException {
+        if (file != null) {
+            Keyring.change(file, latest -> latest.note(id, latest.note(id).withGiven(with, now)));
+        }
     }
 
     private void expect(Address with, Key key, Bytes found) throws JavinoException {

@@ -125,6 +125,17 @@ class ProvisionCommandTest {
     }
 
     @Test
+    void provision_thatEndedHalfWayAndErased_putsNoKeyBack() throws Exception {
+        boards.get("SUPO").refuse("key //SU", Status.STORE_FULL, 1);
+        fail(provisionOf("SUPO"));
+        assertEquals("[ROMA, SUPP]", keyring().note(Address.parse("SUPO")).keys().keySet().toString());
+        boards.get("SUPO").eraseEeprom();
+        boards.get("SUPO").reset();
+        String refused = fail(provisionOf("SUPO"));
+        assertTrue(refused.contains("the board has lost keys that SUPO was given (for ROMA, SUPP)"), refused);
+    }
+
+    @Test
     void provision_boardWithSessionKeys_takesThemForNoKeys() throws Exception {
         provision("SUPO");
         boards.get("SUPO").keys.setSession("CAFE", Bytes.of(4, 5, 6));
