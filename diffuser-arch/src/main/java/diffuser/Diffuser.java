@@ -189,7 +189,8 @@ public class Diffuser extends AgArch {
      */
     protected Duration patience() {
         Intention intention = getTS().getC().getSelectedIntention();
-        PlanBody next = intention == null ? null : intention.peek().getCurrentStep().getBodyNext();
+        boolean none = intention == null || intention.isFinished();
+        PlanBody next = none ? null : intention.peek().getCurrentStep().getBodyNext();
         return next != null && next.getBodyType() == PlanBody.BodyType.test ? LONGEST : SHORT;
     }
 

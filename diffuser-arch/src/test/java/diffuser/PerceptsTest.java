@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -97,6 +98,14 @@ class PerceptsTest {
         agent.notes("went");
         board.resume();
         agent.notes("p 1");
+    }
+
+    /** Jason has the intention selected still that has ended in the cycle before. */
+    @Test
+    void openPort_betweenTwoCycles_opensIt() throws Exception {
+        openLater.opened = new CompletableFuture<>();
+        RunningAgent.run("!start. +!start <- diffuser.openLater.", new FakeBoard("board"));
+        openLater.opened.get();
     }
 
     /** Where readings are rare, a plan does not wait for the next one. */
