@@ -17,6 +17,10 @@ record Deadline(long nanos) {
         return nanos - other.nanos < 0 ? this : other;
     }
 
+    Deadline later(long byNanos) {
+        return new Deadline(nanos + byNanos);
+    }
+
     boolean passed() {
         return nanosLeft() <= 0;
     }

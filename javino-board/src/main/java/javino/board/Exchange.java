@@ -111,7 +111,10 @@ final class Exchange {
             }
             // Every other time, as to a sketch that runs it is damage.
             boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1;
+            long began = System.nanoTime();
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
+            // A line can stop its host, as that of an emulated board does in a pause: the board is not late by that.
+            bound = bound.later(System.nanoTime() - began);
             // A board that still performs a poll that was left can take no other request.
             attempts = left.isEmpty() ? attempts + 1 : 1;
             Optional<SerialPacket> reply =

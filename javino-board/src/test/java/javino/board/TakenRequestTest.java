@@ -7,10 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.link.LinkOpener;
 import javino.protocol.Bytes;
 import javino.protocol.Capability;
 import org.junit.jupiter.api.Test;
@@ -63,6 +68,61 @@ class TakenRequestTest extends BoardFixture {
         assertEquals(List.of("act wait"), List.copyOf(fake.requests));
         fake.resume();
         listener.until("online");
+    }
+
+    /** A line that stops its host's next write, until it is free again. */
+    private record StoppedLink(Link link, AtomicReference<CountDownLatch> stop) implements Link {
+
+        @Override
+        public void write(byte[] bytes) throws LinkException {
+            CountDownLatch free = stop.get();
+            if (free != null) {
+                BoardFixture.await(free);
+            }
+            link.write(bytes);
+        }
+
+        @Override
+        public int read(byte[] into, Duration timeout) throws LinkException {
+            return link.read(into, timeout);
+        }
+
+        @Override
+        public void wake() {
+            link.wake();
+        }
+
+        @Override
+        public void close() {
+            link.close();
+        }
+    }
+
+    @Test
+    void poll_lineStopsTheHost_isNotLateByThat() throws Exception {
+        AtomicReference<CountDownLatch> stop = new AtomicReference<>();
+        LinkOpener opener = new LinkOpener() {
+
+            @Override
+            public Link open() throws LinkException {
+                return new StoppedLink(port.open(), stop);
+            }
+
+            @Override
+            public String name() {
+                return port.name();
+            }
+        };
+        board = Board.open(opener, quick(config -> {}), listener);
+        listener.until("online");
+        CountDownLatch free = new CountDownLatch(1);
+        stop.set(free);
+        // Longer than the time of an action and all attempts.
+        Thread.sleep(2000);
+        stop.set(null);
+        free.countDown();
+        board.act("go").get();
+        assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
     }
 
     /** How often the poll was repeated before the board counted as lost. */
