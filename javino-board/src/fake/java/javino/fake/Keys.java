@@ -173,7 +173,9 @@ public final class Keys {
             Bytes address = Bytes.ofText(entry.getKey());
             StoredKey key = entry.getValue();
             int doubtful = doubted.contains(entry.getKey()) ? 4 : 0;
-            list = Bytes.join(list, address, Bytes.of(key.isSession ? 3 : doubtful), key.current);
+            if (key.current != null) {
+                list = Bytes.join(list, address, Bytes.of(key.isSession ? 3 : doubtful), key.current);
+            }
             if (key.other != null) {
                 list = Bytes.join(list, address, Bytes.of(key.isNext ? 2 : 1), key.other);
             }
@@ -257,6 +259,11 @@ public final class Keys {
     /** Stores a key by its check value, 3 bytes. */
     public synchronized void set(String address, Bytes check) {
         keys.put(address, StoredKey.of(check));
+    }
+
+    /** Lists a next key without a current one, as no board should. */
+    public synchronized void setNextAlone(String address, Bytes check) {
+        keys.put(address, new StoredKey(null, check, true, false));
     }
 
     /** Stores a session key by its check value, 3 bytes. */

@@ -105,7 +105,10 @@ final class KnownState {
                 boolean isShown = note.isShownBy(told) || each.keepsTold() && note.keys().isEmpty();
                 boolean counts = wasRaised || isShown && board.bootEpoch() <= clock.most();
                 BoardNote noted = counts && !beginsAnew(note, told) ? note.withEpoch(board.bootEpoch()) : note;
-                return isShown && each.keepsTold() ? noted.withTold(told) : noted;
+                if (!each.keepsTold()) {
+                    return noted;
+                }
+                return isShown ? noted.withTold(told) : noted.withSeen(told);
             });
         }
     }
@@ -131,7 +134,8 @@ final class KnownState {
         for (BoardNotes each : notes) {
             change(each, board.rfId().orElseThrow(), note -> {
                 BoardNote noted = beginsAnew(note, before) ? note.withNewEpoch(board.bootEpoch()) : note;
-                return each.keepsTold() ? noted.withGiven(with, after) : noted;
+                HeldKeys had = before.getOrDefault(with, HeldKeys.NONE);
+                return each.keepsTold() ? noted.withGiven(with, had).withGiven(with, after) : noted;
             });
         }
     }

@@ -1,5 +1,6 @@
 package javino.keyring;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,15 +18,18 @@ import javino.protocol.Bytes;
  * @param lost  whether the board has lost what it was given, and has no new keys yet.
  * @param epoch the highest that it is known to have had.
  * @param keys  that it had when it was last provisioned, by whom it shares them with.
+ * @param former check values of the last 16 keys for each address that it had beside these, the latest last.
  */
-public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
+public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Map<Address, List<Bytes>> former) {
 
     /** Of a board that was never provisioned. */
-    public static final BoardNote NONE = new BoardNote(false, 0, Map.of());
+    public static final BoardNote NONE = new BoardNote(false, 0, Map.of(), Map.of());
 
     private static final String FORM = "what a board has is written as SUPO: epoch 470012, ROMA 3640e0, and so on";
     private static final String LOST = "lost";
     private static final String EPOCH = "epoch ";
+    private static final String FORMER = "former ";
+    private static final int MOST_FORMER = 16;
 
     /** What it had for an address. */
     public HeldKeys held(Address address) {
@@ -33,12 +37,12 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
     }
 
     public BoardNote withEpoch(int higher) {
-        return new BoardNote(lost, Math.max(epoch, higher), keys);
+        return new BoardNote(lost, Math.max(epoch, higher), keys, former);
     }
 
     /** After it was given new keys only, with which it may begin anew. */
     public BoardNote withNewEpoch(int lower) {
-        return new BoardNote(lost, lower, keys);
+        return new BoardNote(lost, lower, keys, former);
     }
 
     /** With what it has told of its keys. A key that it does not tell any more stays noted: it has lost that. */
@@ -46,14 +50,42 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
         Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
         told.forEach((with, each) -> known.merge(with, each,
                 (noted, now) -> now.follows(noted) ? now : noted));
-        return new BoardNote(lost, epoch, known);
+        return with(known).withSeen(told);
+    }
+
+    /** With keys that it has told beside those that are noted: once it has lost these, it does not get them again. */
+    public BoardNote withSeen(Map<Address, HeldKeys> told) {
+        return new BoardNote(lost, epoch, keys, formerAnd(told, keys));
     }
 
     /** After it was given a key. */
     public BoardNote withGiven(Address with, HeldKeys now) {
         Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
         known.put(with, now);
-        return new BoardNote(lost, epoch, known);
+        return with(known);
+    }
+
+    /** The one way in which keys are replaced: those that it has no longer are former ones. */
+    private BoardNote with(Map<Address, HeldKeys> known) {
+        Map<Address, HeldKeys> sealing = new LinkedHashMap<>(known);
+        sealing.values().removeIf(held -> held.current() == null);
+        return new BoardNote(lost, epoch, sealing, formerAnd(keys, sealing)).withSeen(known);
+    }
+
+    /** The former keys, and those of {@code had} that are not among {@code present} ones. */
+    private Map<Address, List<Bytes>> formerAnd(Map<Address, HeldKeys> had, Map<Address, HeldKeys> present) {
+        Map<Address, List<Bytes>> all = new LinkedHashMap<>(former);
+        had.forEach((with, held) -> {
+            List<Bytes> checks = new ArrayList<>(all.getOrDefault(with, List.of()));
+            held.checks().filter(check -> !present.getOrDefault(with, HeldKeys.NONE).accepts(check)).forEach(check -> {
+                checks.remove(check);
+                checks.add(check);
+            });
+            if (!checks.isEmpty()) {
+                all.put(with, List.copyOf(checks.subList(Math.max(0, checks.size() - MOST_FORMER), checks.size())));
+            }
+        });
+        return all;
     }
 
     /** Whether what a board tells shows that it is the one that is noted. */
@@ -64,11 +96,12 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
 
     /** Whether a board had a key for an address that it has no longer: it is not given it again. */
     public boolean isLost(Address with, Bytes check, Map<Address, HeldKeys> told) {
-        return held(with).accepts(check) && !told.getOrDefault(with, HeldKeys.NONE).accepts(check);
+        boolean had = held(with).accepts(check) || former.getOrDefault(with, List.of()).contains(check);
+        return had && !told.getOrDefault(with, HeldKeys.NONE).accepts(check);
     }
 
     public BoardNote withLost() {
-        return new BoardNote(true, epoch, keys);
+        return new BoardNote(true, epoch, keys, former);
     }
 
     /**
@@ -81,14 +114,17 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
         Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
         known.putAll(found);
         known.keySet().retainAll(wanted);
-        return new BoardNote(lost && !found.keySet().containsAll(wanted), epoch, known);
+        BoardNote noted = with(known);
+        return new BoardNote(lost && !found.keySet().containsAll(wanted), epoch, noted.keys, noted.former);
     }
 
     /** As the keyring has it. */
     public String format() {
         Stream<String> held = keys.entrySet().stream().map(entry -> entry.getKey() + " " + entry.getValue());
-        return Stream.of(Stream.of(LOST).filter(word -> lost), Stream.of(EPOCH + epoch), held).flatMap(parts -> parts)
-                .collect(Collectors.joining(", "));
+        Stream<String> had = former.entrySet().stream().map(entry -> FORMER + entry.getKey() + " "
+                + entry.getValue().stream().map(Bytes::hex).collect(Collectors.joining(" ")));
+        return Stream.of(Stream.of(LOST).filter(word -> lost), Stream.of(EPOCH + epoch), held, had)
+                .flatMap(parts -> parts).collect(Collectors.joining(", "));
     }
 
     /** @throws IllegalArgumentException if it is none. */
@@ -102,16 +138,28 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
             throw new IllegalArgumentException(FORM);
         }
         Map<Address, HeldKeys> keys = new LinkedHashMap<>();
+        Map<Address, List<Bytes>> former = new LinkedHashMap<>();
         for (String part : rest.subList(1, rest.size())) {
-            List<String> words = List.of(part.split("\\s+"));
+            boolean had = part.startsWith(FORMER);
+            List<String> words = List.of(part.substring(had ? FORMER.length() : 0).strip().split("\\s+"));
             Address with = words.get(0).length() == Address.LENGTH ? Address.parse(words.get(0)) : Address.BROADCAST;
-            HeldKeys held = HeldKeys.parse(words.subList(1, words.size()))
-                    .orElseThrow(() -> new IllegalArgumentException(FORM));
             if (with.kind() != Address.Kind.DEVICE && with.kind() != Address.Kind.MULTICAST) {
                 throw new IllegalArgumentException(FORM);
             }
-            keys.put(with, held);
+            List<String> checks = words.subList(1, words.size());
+            if (had) {
+                former.put(with, checksOf(checks));
+            } else {
+                keys.put(with, HeldKeys.parse(checks).orElseThrow(() -> new IllegalArgumentException(FORM)));
+            }
         }
-        return new BoardNote(lost, epoch, keys);
+        return new BoardNote(lost, epoch, keys, former);
+    }
+
+    private static List<Bytes> checksOf(List<String> words) {
+        if (words.isEmpty() || !words.stream().allMatch(word -> word.matches("[0-9A-Fa-f]{6}"))) {
+            throw new IllegalArgumentException(FORM);
+        }
+        return words.stream().map(Bytes::ofHex).toList();
     }
 }

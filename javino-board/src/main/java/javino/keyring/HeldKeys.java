@@ -3,6 +3,7 @@ package javino.keyring;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javino.protocol.Address;
@@ -39,14 +40,20 @@ public record HeldKeys(Bytes current, Bytes next, Bytes previous) {
         };
     }
 
+    /** Those that there are, the oldest first. */
+    Stream<Bytes> checks() {
+        return Stream.of(previous, current, next).filter(Objects::nonNull);
+    }
+
     /** Whether what is sealed with a key is accepted. */
     public boolean accepts(Bytes check) {
-        return Stream.of(current, next, previous).anyMatch(check::equals);
+        return checks().anyMatch(each -> each.equals(check));
     }
 
     /** Whether a board that had others can have these without the loss of one that it has not deleted. */
     boolean follows(HeldKeys before) {
-        return current.equals(before.next) || accepts(before.current) && (before.next == null || accepts(before.next));
+        return current != null && (current.equals(before.next)
+                || accepts(before.current) && (before.next == null || accepts(before.next)));
     }
 
     /** Whether the key seals. */
@@ -70,7 +77,7 @@ public record HeldKeys(Bytes current, Bytes next, Bytes previous) {
 
     @Override
     public String toString() {
-        return current.hex() + (next == null ? "" : " next " + next.hex())
+        return (current == null ? "none" : current.hex()) + (next == null ? "" : " next " + next.hex())
                 + (previous == null ? "" : " previous " + previous.hex());
     }
 }

@@ -22,7 +22,8 @@ import javino.protocol.Key;
  * The keys of a set of devices, as a text of lines {@code ROMA SUPO = <32 hex digits>} for a pair of devices and
  * {@code //SU = <32 hex digits>} for a group, with {@code , next <32 hex digits>} while a key is being renewed; and of
  * lines {@code SUPO: epoch 470012, ROMA 3640e0, //SU 148bda}, which note what a board was given: the highest epoch, and
- * the check values of its keys. Empty lines and what follows a {@code #} count for nothing, and stay.
+ * the check values of its keys; with {@code , former ROMA 0a0b0c} of those that it had before. Empty lines and what
+ * follows a {@code #} count for nothing, and stay.
  */
 public final class Keyring {
 

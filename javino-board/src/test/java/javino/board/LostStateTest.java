@@ -249,6 +249,81 @@ class LostStateTest extends BoardFixture {
                 .contains("cannot be known: keys, line 3: wrong"));
     }
 
+    @Test
+    void key_thatWasReplaced_isNotPutBack() throws Exception {
+        openWith(BoardNote.NONE);
+        listener.until("online");
+        board.setKey(GROUP, KEY).get();
+        board.setKey(GROUP, OTHER).get();
+        failure(LostKeyException.class, board.setKey(GROUP, KEY));
+        failure(LostKeyException.class, board.renewKey(GROUP, KEY));
+    }
+
+    @Test
+    void key_thatARenewalReplaced_isNotPutBack() throws Exception {
+        openWith(BoardNote.NONE);
+        listener.until("online");
+        board.setKey(GROUP, KEY).get();
+        board.renewKey(GROUP, OTHER).get();
+        board.useKey(GROUP).get();
+        board.finishRenewal(GROUP).get();
+        fake.reset();
+        listener.until("offline");
+        listener.until("online");
+        failure(LostKeyException.class, board.setKey(GROUP, KEY));
+        board.setKey(GROUP, OTHER).get();
+    }
+
+    @Test
+    void renewal_thatIsBrokenOff_keepsEitherKeyAndDoesNotGetTheOtherAgain() throws Exception {
+        openWith(BoardNote.NONE);
+        listener.until("online");
+        board.setKey(GROUP, KEY).get();
+        board.renewKey(GROUP, OTHER).get();
+        board.setKey(GROUP, OTHER).get();
+        failure(LostKeyException.class, board.renewKey(GROUP, KEY));
+        Key third = Key.of(Bytes.ofText("a third test key"));
+        board.renewKey(GROUP, third).get();
+        board.setKey(GROUP, OTHER).get();
+        failure(LostKeyException.class, board.renewKey(GROUP, third));
+    }
+
+    @Test
+    void keys_besideThoseThatAreNoted_areNotPutBackOnceTheyAreLost() throws Exception {
+        fake.keys.setEpoch(600_000);
+        fake.keys.set("//SU", OTHER.check());
+        openWith(note(500_000, "//SU " + KEY.check().hex()));
+        listener.until("online");
+        assertEquals(KEY.check(), notes.get(SUPO).held(GROUP).current());
+        board.setKey(GROUP, OTHER).get();
+        board.deleteKey(GROUP).get();
+        failure(LostKeyException.class, board.setKey(GROUP, OTHER));
+        failure(LostKeyException.class, board.setKey(GROUP, KEY));
+    }
+
+    @Test
+    void keys_ofABoardThatShowsOneOfTheNoted_areNotPutBackOnceTheyAreLost() throws Exception {
+        fake.keys.setEpoch(600_000);
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
+        fake.keys.set("//SU", OTHER.check());
+        openWith(note(500_000, "ROMA 010203", "//SU " + KEY.check().hex()));
+        listener.until("online");
+        board.deleteKey(GROUP).get();
+        failure(LostKeyException.class, board.setKey(GROUP, OTHER));
+    }
+
+    @Test
+    void keyList_withANextKeyAlone_endsNoSession() throws Exception {
+        fake.keys.setEpoch(600_000);
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
+        fake.keys.setNextAlone("//SU", OTHER.check());
+        openWith(note(500_000, "ROMA 010203", "//SU " + KEY.check().hex()));
+        assertEquals("online 600000", listener.next());
+        assertEquals(KEY.check(), notes.get(SUPO).held(GROUP).current());
+        board.deleteKey(GROUP).get();
+        failure(LostKeyException.class, board.setKey(GROUP, OTHER));
+    }
+
     // ---- Nonces that are used up.
 
     @Test
@@ -271,7 +346,8 @@ class LostStateTest extends BoardFixture {
         failure(LostKeyException.class, board.setKey(GROUP, KEY));
         assertEquals(BoardInfo.LAST_EPOCH, notes.get(SUPO).epoch());
         board.setKey(GROUP, OTHER).get();
-        assertEquals(note(OF_AUTUMN, "//SU " + OTHER.check().hex()), notes.get(SUPO));
+        assertEquals(note(OF_AUTUMN, "//SU " + OTHER.check().hex(), "former //SU " + KEY.check().hex()),
+                notes.get(SUPO));
     }
 
     @Test

@@ -12,10 +12,12 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.IntStream;
 import javino.JavinoException;
 import javino.TextFile;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.Key;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -78,8 +80,23 @@ class KeyringTest {
     void format_read_isTheSame() throws IOException, JavinoException {
         String text = "# the highway\nROMA SUPO = " + HEX + "  # bus\n\n//SU = " + OTHER + ", next " + HEX
                 + "\nSUPO: epoch 470012, ROMA 3640e0, //SU 148bda next 0a0b0c # police\n"
-                + "ROMA: lost, epoch 9, SUPO 3640e0 previous 010203\n";
+                + "ROMA: lost, epoch 9, SUPO 3640e0 previous 010203, former SUPO 040506 070809, former //RO 0a0b0c\n";
         assertEquals(text, read(text).format());
+    }
+
+    @Test
+    void note_keysThatWereReplaced_keepsTheLast16() {
+        Address roma = Address.parse("ROMA");
+        BoardNote note = BoardNote.NONE;
+        for (int i = 0; i <= 17; i++) {
+            note = BoardNote.parse(note.withGiven(roma, new HeldKeys(Bytes.of(1, 2, i), null, null)).format());
+        }
+        BoardNote last = note.withKeys(Map.of(), Set.of());
+        assertEquals(Map.of(), last.keys());
+        for (int i = 0; i <= 17; i++) {
+            assertEquals(i > 0, note.isLost(roma, Bytes.of(1, 2, i), Map.of()), "" + i);
+            assertEquals(i > 1, last.isLost(roma, Bytes.of(1, 2, i), Map.of()), "" + i);
+        }
     }
 
     @Test
@@ -145,7 +162,9 @@ class KeyringTest {
             "SUPO ROMA = " + HEX, "SUHO ROMA = " + HEX + ", " + HEX, "SUHO ROMA = " + HEX + ", next 00",
             "SUHO ROMA = " + HEX + ", next " + HEX + ", next " + HEX, "SUPO: " + HEX, "SUPO: epoch 16777216",
             "SUPO: epoch x",
-            "SUPO: epoch 1, ROMA " + HEX, "SUPO: epoch 1, ROMA 010203 then 010203", "SUPO: epoch 1, //// 010203",
+            "SUPO: epoch 1, ROMA " + HEX, "SUPO: epoch 1, former ROMA", "SUPO: epoch 1, former ROMA 0102",
+            "SUPO: epoch 1, former //// 010203",
+            "SUPO: epoch 1, ROMA 010203 then 010203", "SUPO: epoch 1, //// 010203",
             "//SU: epoch 1", "SUPO: epoch 1, " + HEX + " 010203", HEX + ": epoch 1", HEX + " = " + OTHER,
             "ROMA " + HEX + " = " + OTHER
     })

@@ -18,6 +18,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.List;
@@ -280,6 +281,29 @@ class ProvisionCommandTest {
                 assertTrue(session.greeted().get().bootEpoch() >= OF_AUTUMN + 400_000);
             }
             assertEquals(board.keys.epoch(), noted("SUPO"));
+        } finally {
+            System.clearProperty(KeyringNotes.PROPERTY);
+        }
+    }
+
+    @Test
+    void keyThatWasReplaced_isNotPutBackByAnOlderKeyring() throws Exception {
+        Path older = folder.resolve("older");
+        Files.copy(keys, older, StandardCopyOption.COPY_ATTRIBUTES);
+        provisionAll();
+        succeed("keygen", "--renew", keys.toString());
+        for (int i = 0; i < 3; i++) {
+            provisionAll();
+        }
+        System.setProperty(KeyringNotes.PROPERTY, keys.toString());
+        try {
+            BoardConfig config = BoardConfig.create(each -> each.setNotes(BoardNotes.ofHost()));
+            CommandLine line = Main.commandLine(PortOption.factory(name -> boards.get(name).port, config, clock));
+            line.setOut(new PrintWriter(out, true));
+            line.setErr(new PrintWriter(err, true));
+            assertEquals(1, line.execute("provision", "--port", "SUPO", "--id", "SUPO", "--keyring",
+                    older.toString()));
+            assertTrue(err.toString().contains("the board has lost the key for "), err.toString());
         } finally {
             System.clearProperty(KeyringNotes.PROPERTY);
         }
