@@ -171,7 +171,8 @@ public final class Board implements AutoCloseable {
      *
      * @param address the device or group that the key is shared with.
      * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}. Fails with a
-     *         {@link LostKeyException} if the board had this key and has lost it.
+     *         {@link LostKeyException} if the board had this key and has lost it, and with a
+     *         {@link javino.JavinoException} if it has no RF id.
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
     public CompletableFuture<Bytes> setKey(Address address, Key key) {
@@ -183,7 +184,8 @@ public final class Board implements AutoCloseable {
      * acknowledged; the current key seals until {@link #useKey}. Fails with NO_KEY if there is no current key, and with
      * BAD_ARGUMENT if another renewal is not finished.
      *
-     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
+     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}. Fails as that
+     *         of {@link #setKey}.
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
     public CompletableFuture<Bytes> renewKey(Address address, Key key) {

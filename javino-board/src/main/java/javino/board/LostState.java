@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import javino.protocol.Reply.StoredKey;
+import javino.protocol.Status;
 
 /** For people: what a board may have lost of the state on which security rests (SPEC 5.1). */
 public final class LostState {
@@ -29,6 +30,11 @@ public final class LostState {
     public static String ofUsedUp() {
         return "the board's nonces are used up, and it seals nothing: clear its EEPROM (the Arduino IDE's example "
                 + "eeprom_clear), flash its sketch again, and give it new keys";
+    }
+
+    /** For people: that a board did not take the epoch that it needs. */
+    static String ofRefused(int epoch, Status why) {
+        return "the board's epoch could not be raised to " + epoch + " (" + why + "), and it seals nothing: reset it";
     }
 
     /** For people: what is to be done about a board's epoch. */

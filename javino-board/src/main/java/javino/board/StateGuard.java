@@ -71,33 +71,38 @@ final class StateGuard {
                     : OptionalInt.empty();
         }
         boolean waits = renamed || board.hasLostEpoch() || isOlder;
-        boolean raised = epoch.isPresent() && raise(service, epoch.getAsInt(), waits);
+        Status status = epoch.isPresent() ? raise(service, epoch.getAsInt(), waits) : null;
+        boolean raised = status == Status.OK;
         blocked = isUsedUp || epoch.isPresent() && !raised && (renamed || isOlder);
         BoardInfo now = raised ? board.withBootEpoch(epoch.getAsInt()) : board;
-        tell(board, raised, isOlder && !told.isEmpty(), epoch.orElse(0), why);
+        tell(board, status, isOlder && !told.isEmpty(), isUsedUp, epoch.orElse(0), why);
         note(now, told, raised);
         return now;
     }
 
-    private boolean raise(Service service, int epoch, boolean waits)
+    private Status raise(Service service, int epoch, boolean waits)
             throws LinkException, LostException, ProtocolException {
         Status status = service.raiseEpoch(epoch);
         while (waits && status == Status.BUSY && !context.queue().isClosed()) {
             service.poll();
             status = service.raiseEpoch(epoch);
         }
-        return status == Status.OK;
+        return status;
     }
 
-    private void tell(BoardInfo board, boolean raised, boolean isOlder, int epoch, String why) {
+    /** @param status of what raised the epoch; null if nothing did. */
+    private void tell(BoardInfo board, Status status, boolean isOlder, boolean isUsedUp, int epoch, String why) {
+        boolean raised = status == Status.OK;
         if (board.hasLostEpoch()) {
             warn(raised ? LostState.raised(epoch) : LostState.notRaised() + why);
         } else if (!why.isEmpty()) {
             warn("what is noted of the board cannot be read, and its epoch was raised by the clock only" + why);
         } else if (isOlder && raised) {
             warn(LostState.ofOlderImage(epoch));
-        } else if (blocked) {
+        } else if (isUsedUp) {
             warn(LostState.ofUsedUp());
+        } else if (blocked) {
+            warn(LostState.ofRefused(epoch, status));
         }
     }
 
@@ -130,9 +135,6 @@ final class StateGuard {
 
         /** The board has taken it. */
         void done(Service service) throws LinkException, LostException, ProtocolException {
-            if (board.rfId().isEmpty()) {
-                return;
-            }
             try {
                 known.given(board, with, before, HeldKeys.of(service.keys()).getOrDefault(with, HeldKeys.NONE));
             } catch (IOException | JavinoException | IllegalArgumentException e) {
@@ -147,16 +149,19 @@ final class StateGuard {
      * The one door for stored keys: all requests that put one on a board pass here.
      *
      * @throws LostKeyException if the board had this key and has lost it.
-     * @throws JavinoException  if that cannot be known.
+     * @throws JavinoException  if that cannot be known, or if the board has no RF id, under which that is noted.
      */
     StoredKeyRequest admit(Service service, BoardInfo board, Request request)
             throws LinkException, LostException, ProtocolException, JavinoException {
+        if (board.rfId().isEmpty()) {
+            throw new JavinoException("a board without an RF id gets no key: set its RF id first");
+        }
         Bytes message = request.frame().message();
         Address with = Address.decode(message, 1);
         Bytes check = Key.of(message.from(1 + Address.LENGTH)).check();
         Map<Address, HeldKeys> before = HeldKeys.of(service.keys());
         try {
-            if (board.rfId().isPresent() && known.isLost(board.rfId().get(), with, check, before)) {
+            if (known.isLost(board.rfId().get(), with, check, before)) {
                 throw new LostKeyException(with);
             }
         } catch (IOException | IllegalArgumentException e) {

@@ -263,6 +263,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void requests_eachKind_bringTheirAnswers() throws Exception {
+        fake.setRfId("ROMA");
         fake.setCounter(Counter.SERIAL_REQUESTS, 9);
         openAndAwaitOnline();
         Key key = Key.ofHex("00".repeat(16));

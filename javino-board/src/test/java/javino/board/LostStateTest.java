@@ -313,6 +313,18 @@ class LostStateTest extends BoardFixture {
     }
 
     @Test
+    void key_forABoardWithoutRfId_isRefused() throws Exception {
+        open(listener, config -> config.setNotes(List.of(noted)));
+        listener.until("online");
+        assertEquals("a board without an RF id gets no key: set its RF id first",
+                failure(JavinoException.class, board.setKey(GROUP, KEY)).getMessage());
+        failure(JavinoException.class, board.renewKey(GROUP, KEY));
+        assertEquals(List.of(), fake.requests.stream().filter(each -> each.startsWith("key")).toList());
+        board.setRfId(SUPO).get();
+        board.setKey(GROUP, KEY).get();
+    }
+
+    @Test
     void keyList_withANextKeyAlone_endsNoSession() throws Exception {
         fake.keys.setEpoch(600_000);
         fake.keys.set("ROMA", Bytes.of(1, 2, 3));
@@ -322,6 +334,19 @@ class LostStateTest extends BoardFixture {
         assertEquals(KEY.check(), notes.get(SUPO).held(GROUP).current());
         board.deleteKey(GROUP).get();
         failure(LostKeyException.class, board.setKey(GROUP, OTHER));
+    }
+
+    // ---- Epochs that cannot be raised.
+
+    @Test
+    void epoch_thatTheBoardDoesNotRaise_isNamedWithTheCause() throws Exception {
+        fake.keys.setEpoch(7);
+        fake.keys.set("ROMA", Bytes.of(1, 2, 3));
+        fake.refuse("epoch", Status.MEMORY_DAMAGED);
+        openWith(note(600_000, "ROMA 010203"));
+        String warning = warning();
+        assertTrue(warning.contains("epoch could not be raised to 600001 (MEMORY_DAMAGED)"), warning);
+        listener.until("online");
     }
 
     // ---- Nonces that are used up.
