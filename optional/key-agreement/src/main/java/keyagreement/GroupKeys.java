@@ -21,12 +21,21 @@ final class GroupKeys {
     private static final long AGAIN_MILLIS = 10_000;
     /** Between two keys for members that have lost theirs. */
     static final long RENEWAL_MILLIS = 3_600_000;
+    /** Between two members that are owed the key: a handshake takes some seconds. Then before all that still are. */
+    private static final long OWED_MILLIS = 15_000;
+    private static final long ROUND_MILLIS = 600_000;
+    private static final long AT_ONCE = Long.MIN_VALUE / 2;
 
     private final Context context;
     private final Address group;
     private final Deque<Waiting> waiting = new ArrayDeque<>();
     /** Who has had it. */
     private final Set<Address> had = new HashSet<>();
+    /** Who has had an earlier one, and keeps that until it is met: it asks for nothing. */
+    private final Set<Address> owed = new HashSet<>();
+    /** Who of them has still to be met in this round. */
+    private final Deque<Address> round = new ArrayDeque<>();
+    private long meetAt = AT_ONCE;
     /** Who has had it and says, without a proof, that its board lacks it. */
     private final Set<Address> asked = new HashSet<>();
     /** The server's. */
@@ -40,15 +49,18 @@ final class GroupKeys {
     private record Waiting(Object ticket, long end) {
     }
 
-    /** What a server keeps: the key, and who has had it. */
-    record Kept(Key key, Set<Address> had) {
+    /** What a server keeps: the key, who has had it, and who has had only an earlier one. */
+    record Kept(Key key, Set<Address> had, Set<Address> owed) {
     }
 
     /** @param kept of a server, what it kept last. */
     GroupKeys(Context context, Optional<Kept> kept) {
         this.context = context;
         key = kept.map(Kept::key);
-        kept.ifPresent(each -> had.addAll(each.had()));
+        kept.ifPresent(each -> {
+            had.addAll(each.had());
+            owed.addAll(each.owed());
+        });
         group = Address.multicast(context.self().group());
         if (isServer() && key.isEmpty()) {
             make();
@@ -59,9 +71,13 @@ final class GroupKeys {
         return context.identity().certificate().groupKeyServer();
     }
 
-    /** Makes another key. */
+    /** Makes another key: whoever had the one before is owed it. */
     private void make() {
         key = Optional.of(Key.random(context.random()));
+        owed.addAll(had);
+        owed.remove(context.self());
+        round.clear();
+        meetAt = AT_ONCE;
         had.clear();
         asked.clear();
         isLost = false;
@@ -70,7 +86,7 @@ final class GroupKeys {
     }
 
     private void keep() {
-        context.effects().add(new Effect.KeepGroupKey(new Kept(key.get(), Set.copyOf(had))));
+        context.effects().add(new Effect.KeepGroupKey(new Kept(key.get(), Set.copyOf(had), Set.copyOf(owed))));
     }
 
     /** Makes another key, if this host is the server: whoever a new revocation list names has the last one. */
@@ -84,16 +100,36 @@ final class GroupKeys {
      * Makes another key if a member has lost the one that it had: with the same again, its nonces and what others have
      * said could come again. Once an hour at most, so that no member wears out the others' EEPROM.
      *
-     * @return who had the one before; nobody if there is no other one.
+     * @return whether there is another one.
      */
-    Set<Address> renewLost(long now) {
-        if (!isLost || now < mayRenew) {
-            return Set.of();
+    boolean renewLost(long now) {
+        boolean renews = isLost && now >= mayRenew;
+        if (renews) {
+            mayRenew = now + RENEWAL_MILLIS;
+            make();
         }
-        Set<Address> before = Set.copyOf(had);
-        mayRenew = now + RENEWAL_MILLIS;
-        make();
-        return before;
+        return renews;
+    }
+
+    /** A member that is owed the key and is to be met now: one at a time, all in a round, then all that still are. */
+    Optional<Address> due(long now) {
+        if (owed.isEmpty() || now < meetAt) {
+            return Optional.empty();
+        }
+        round.retainAll(owed);
+        if (round.isEmpty()) {
+            round.addAll(owed);
+        }
+        Address member = round.poll();
+        meetAt = now + (round.isEmpty() ? ROUND_MILLIS : OWED_MILLIS);
+        return Optional.of(member);
+    }
+
+    /** A device's certificate is not valid any more. */
+    void owesNothing(Address device) {
+        if (owed.remove(device)) {
+            keep();
+        }
     }
 
     /** The board lacks the key: a server gives it, a member asks for it, unless it has done so lately. */
@@ -193,7 +229,7 @@ final class GroupKeys {
     }
 
     private void had(Address member) {
-        if (had.add(member)) {
+        if (had.add(member) | owed.remove(member)) {
             keep();
         }
     }
@@ -202,7 +238,7 @@ final class GroupKeys {
         return device.group().equals(context.self().group());
     }
 
-    /** What a device is to be sent, if this host is the server: the key until it has had it, then whether it lacks it. */
+    /** What a device is to be sent, if this host is the server: the key until it has had it, then if it lacks it. */
     Optional<HostMessage> give(Address to) {
         if (key.isEmpty() || !isMember(to)) {
             return Optional.empty();
@@ -214,7 +250,7 @@ final class GroupKeys {
     }
 
     long next() {
-        return Math.min(isLost ? mayRenew : Context.NEVER, end());
+        return Math.min(end(), Math.min(isLost ? mayRenew : Context.NEVER, owed.isEmpty() ? Context.NEVER : meetAt));
     }
 
     private long end() {

@@ -7,6 +7,7 @@ import java.security.interfaces.ECPrivateKey;
 import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -33,6 +34,9 @@ public final class Identity {
     static final String AUTHORITY = "authority";
     static final String REVOCATION_LIST = "revocation-list";
     static final String CONTRIBUTION = "contribution";
+
+    /** Before a member in the group's file that is owed the key: no digit of an address. */
+    private static final String OWED = "-";
 
     private static final int KEY_LABEL = 32768;
 
@@ -201,19 +205,24 @@ public final class Identity {
         return file.resolveSibling(file.getFileName().toString().replace(".identity", ".group"));
     }
 
-    /** The key of the group that this device gives, and who has had it, as it was kept last. */
+    /** The key of the group that this device gives, who has had it, and, after a mark, who is owed it. */
     Optional<GroupKeys.Kept> groupKey() throws IOException {
         if (!certificate.groupKeyServer() || !Files.exists(groupFile())) {
             return Optional.empty();
         }
         List<String> words = List.of(PrivateFile.read(groupFile()).strip().split("\\s+"));
-        Set<Address> had = words.stream().skip(1).map(Address::parse).collect(Collectors.toSet());
-        return Optional.of(new GroupKeys.Kept(Key.of(Bytes.ofHex(words.get(0))), had));
+        Map<Boolean, Set<Address>> isOwed = words.stream().skip(1).collect(Collectors.partitioningBy(
+                word -> word.startsWith(OWED), Collectors.mapping(
+                        word -> Address.parse(word.startsWith(OWED) ? word.substring(OWED.length()) : word),
+                        Collectors.toSet())));
+        return Optional.of(new GroupKeys.Kept(Key.of(Bytes.ofHex(words.get(0))), isOwed.get(false), isOwed.get(true)));
     }
 
     void keepGroupKey(GroupKeys.Kept kept) throws IOException, JavinoException, InterruptedException {
-        String text = Stream.concat(Stream.of(kept.key().bytes().hex()), kept.had().stream()
-                .map(Address::toString).sorted()).collect(Collectors.joining("\n"));
+        Stream<String> members = Stream.concat(kept.had().stream().map(Address::toString),
+                kept.owed().stream().map(member -> OWED + member));
+        String text = Stream.concat(Stream.of(kept.key().bytes().hex()), members.sorted())
+                .collect(Collectors.joining("\n"));
         if (Files.exists(groupFile())) {
             PrivateFile.change(groupFile(), before -> text);
         } else {

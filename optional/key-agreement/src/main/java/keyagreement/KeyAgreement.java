@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
 import javino.protocol.Address;
@@ -156,11 +155,15 @@ final class KeyAgreement {
         Optional<Peer> member = context.permits(context.hints(), now) ? peer(from) : Optional.empty();
         member.ifPresent(peer -> {
             groupKeys.asks(from);
-            peer.giveGroupKey(now);
-            if (!peer.isSecure()) {
-                peer.meet(now);
-            }
+            giveGroupKeyOrMeet(peer, now);
         });
+    }
+
+    private static void giveGroupKeyOrMeet(Peer peer, long now) {
+        peer.giveGroupKey(now);
+        if (!peer.isSecure()) {
+            peer.meet(now);
+        }
     }
 
     private void opened(Address from, HostMessage message, long now) {
@@ -180,8 +183,8 @@ final class KeyAgreement {
                 context.count(Event.REVOCATION_LISTS);
                 context.effects().add(new Effect.KeepRevocationLists());
                 List<Peer> all = List.copyOf(peers.values());
-                all.forEach(Peer::check);
                 groupKeys.renew();
+                all.forEach(Peer::check);
                 all.forEach(peer -> peer.giveGroupKey(now));
             }
         } catch (HandshakeException e) {
@@ -189,13 +192,10 @@ final class KeyAgreement {
         }
     }
 
-    /** Those that are met get another key at once; the server meets the others that had the one before. */
+    /** Those that are met get another key at once, and {@link #tick} meets the others that had the one before. */
     private void renewLostGroupKey(long now) {
-        Set<Address> before = groupKeys.renewLost(now);
-        if (!before.isEmpty()) {
+        if (groupKeys.renewLost(now)) {
             List.copyOf(peers.values()).forEach(peer -> peer.giveGroupKey(now));
-            before.stream().filter(member -> !member.equals(context.self()) && !isSecure(member))
-                    .forEach(member -> peer(member).ifPresent(peer -> peer.meet(now)));
         }
     }
 
@@ -250,6 +250,7 @@ final class KeyAgreement {
         List.copyOf(peers.values()).forEach(peer -> peer.tick(now));
         groupKeys.tick(now);
         renewLostGroupKey(now);
+        groupKeys.due(now).flatMap(this::peer).ifPresent(peer -> giveGroupKeyOrMeet(peer, now));
     }
 
     /** How often each has happened; what has not is absent. */

@@ -147,6 +147,9 @@ final class Peer {
             return;
         }
         context.count(left.run().isInitiator() ? Event.FAILED : Event.EXPIRED);
+        if (left.run().failure() != Ending.NO_ANSWER) {
+            groupKeys.owesNothing(address);
+        }
         if (!left.run().isInitiator() || handshakes.isHalfOpen()) {
             advance(now);
         } else {
@@ -327,7 +330,10 @@ final class Peer {
     /** A revocation list has come: a device that is not valid any more is forgotten. */
     void check() {
         if (isMet()) {
-            context.identity().refusal(certificate).ifPresent(why -> forget(Ending.valueOf(why.name())));
+            context.identity().refusal(certificate).ifPresent(why -> {
+                groupKeys.owesNothing(address);
+                forget(Ending.valueOf(why.name()));
+            });
         }
     }
 

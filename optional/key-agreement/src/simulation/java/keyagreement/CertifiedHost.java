@@ -73,6 +73,7 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
                 network.random.nextBytes(bytes);
             }
         });
+        after(0, () -> {});
     }
 
     @Override

@@ -207,9 +207,13 @@ class IdentityTest {
         Identity server = new TestAuthority(servers).groupKeyServer("BUKE");
         assertEquals(Optional.empty(), server.groupKey());
         for (Set<Address> had : List.of(Set.<Address>of(), Set.of(Address.parse("BUSA"), Address.parse("BU/+")))) {
-            GroupKeys.Kept kept = new GroupKeys.Kept(Key.ofHex("0f".repeat(16)), had);
+            GroupKeys.Kept kept = new GroupKeys.Kept(Key.ofHex("0f".repeat(16)), had,
+                    had.isEmpty() ? had : Set.of(Address.parse("BUSC"), Address.parse("BU++")));
             server.keepGroupKey(kept);
             assertEquals(Optional.of(kept), server.groupKey());
         }
+        Files.writeString(servers.resolve("BUKE.group"), "0f".repeat(16) + "\nBUSA\nBUSB");
+        assertEquals(Optional.of(new GroupKeys.Kept(Key.ofHex("0f".repeat(16)),
+                Set.of(Address.parse("BUSA"), Address.parse("BUSB")), Set.of())), server.groupKey(), "an older file");
     }
 }

@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import javino.JavinoException;
 import javino.protocol.Address;
@@ -328,10 +329,13 @@ class KeyAgreementTest {
 
     /** A group key server and two members, who have its key. */
     private List<CertifiedHost> group() throws Exception {
-        TestAuthority authority = new TestAuthority(elsewhere);
+        return group(new TestAuthority(elsewhere), "BUSA", "BUSB");
+    }
+
+    private List<CertifiedHost> group(TestAuthority authority, String... members) throws Exception {
         CertifiedHost buke = simulation.add(authority.groupKeyServer("BUKE"));
         List<CertifiedHost> group = new ArrayList<>(List.of(buke));
-        for (String id : List.of("BUSA", "BUSB")) {
+        for (String id : members) {
             CertifiedHost member = simulation.add(authority.certified(id));
             member.within(() -> member.agreement.lacksGroupKey(simulation.millis()));
             simulation.run(MINUTE);
@@ -411,6 +415,73 @@ class KeyAgreementTest {
         assertEquals(Optional.of(Ending.DELIVERED), end(group.get(2), group.get(0)));
         simulation.run(MINUTE);
         assertEquals(group.get(0).groupKey, group.get(2).groupKey);
+    }
+
+    private static void assertAllHaveTheServers(List<CertifiedHost> group) {
+        assertEquals(List.of(), group.stream().filter(host -> !host.groupKey.equals(group.get(0).groupKey))
+                .map(host -> host.address).toList());
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void groupKey_memberWasOffWhenAnotherOneWasDrawn_hasItSoonAfterItsReturn(boolean serverStartsAgain)
+            throws Exception {
+        List<CertifiedHost> group = group();
+        group.get(2).kill();
+        group.get(1).erase();
+        simulation.run(125 * MINUTE);
+        assertNotEquals(group.get(0).groupKey, group.get(2).groupKey);
+        if (serverStartsAgain) {
+            group.get(0).crash();
+            simulation.run(MINUTE);
+        }
+        group.get(2).start();
+        simulation.run(15 * MINUTE);
+        assertAllHaveTheServers(group);
+        int had = group.get(2).groupKeys.size();
+        long met = count(group.get(0), Event.BEGUN) + count(group.get(0), Event.RENEWALS_BEGUN);
+        simulation.run(60 * MINUTE);
+        assertEquals(had, group.get(2).groupKeys.size());
+        assertEquals(met, count(group.get(0), Event.BEGUN) + count(group.get(0), Event.RENEWALS_BEGUN),
+                "nobody is owed it any more");
+    }
+
+    @Test
+    void groupKey_serverStartsAgainAndOneOf30HasLostIt_isAnotherOneForAllWithinAnHour() throws Exception {
+        List<CertifiedHost> group = group(new TestAuthority(elsewhere), IntStream.range(0, 30)
+                .mapToObj(i -> "BU" + (char) ('A' + i / 10) + i % 10).toArray(String[]::new));
+        Optional<Key> first = group.get(0).groupKey;
+        group.get(0).crash();
+        simulation.run(MINUTE);
+        group.get(1).erase();
+        simulation.run(2 * MINUTE);
+        group.get(0).crash();
+        simulation.run(58 * MINUTE);
+        assertNotEquals(first, group.get(0).groupKey);
+        assertAllHaveTheServers(group);
+    }
+
+    @Test
+    void groupKey_anotherOneByARevocationList_isOwedToAMemberThatWasOffAndToNoneThatIsRevoked() throws Exception {
+        TestAuthority authority = new TestAuthority(elsewhere);
+        List<CertifiedHost> group = group(authority, "BUSA", "BUSB", "BUSC");
+        Optional<Key> first = group.get(0).groupKey;
+        List<CertifiedHost> off = group.subList(2, 4);
+        off.forEach(CertifiedHost::kill);
+        group.get(0).crash();
+        group.get(1).board.reset();
+        simulation.run(MINUTE);
+        group.get(1).identity.take(authority.revoke(group.get(3).identity).toBytes());
+        assertEquals(Optional.of(Ending.DELIVERED), end(group.get(1), group.get(0)));
+        simulation.run(30 * MINUTE);
+        assertNotEquals(first, group.get(0).groupKey);
+        off.forEach(CertifiedHost::start);
+        simulation.run(15 * MINUTE);
+        assertEquals(first, group.get(3).groupKey);
+        assertAllHaveTheServers(group.subList(0, 3));
+        long met = count(group.get(0), Event.BEGUN);
+        simulation.run(60 * MINUTE);
+        assertEquals(met, count(group.get(0), Event.BEGUN), "nobody is owed it any more");
     }
 
     @Test
