@@ -25,6 +25,7 @@ import javino.cli.ProvisioningHost;
 import javino.fake.FakeAir;
 import javino.fake.FakeBoard;
 import javino.keyring.BoundedClock;
+import javino.keyring.DeviceNotes;
 import javino.keyring.Keyring;
 import javino.keyring.KeyringNotes;
 import javino.keyring.PrivateFile;
@@ -73,6 +74,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
     private final Path folder;
     private final Path keyring;
     private final Path copy;
+    private final Path folderBefore = DeviceNotes.named().folder();
     private final VirtualClock clock = new VirtualClock();
     private final FakeAir air = new FakeAir(this);
     private final Map<Address, FakeBoard> boards = new HashMap<>();
@@ -312,6 +314,6 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
     public void close() {
         List.copyOf(hosts.keySet()).forEach(this::stop);
         System.clearProperty(KeyringNotes.PROPERTY);
-        System.clearProperty(BoardKeyAgreement.FOLDER_PROPERTY);
+        System.setProperty(BoardKeyAgreement.FOLDER_PROPERTY, folderBefore.toString());
     }
 }

@@ -32,7 +32,8 @@ final class LiveRun implements AutoCloseable {
     private LiveRun(Path folder, List<String> arguments) throws IOException {
         this.folder = folder;
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin/java").toString(),
-                "-Djava.awt.headless=true", "--enable-native-access=ALL-UNNAMED", "-cp",
+                "-Djava.awt.headless=true", "-Djavino.identities=" + System.getProperty("javino.identities"),
+                "--enable-native-access=ALL-UNNAMED", "-cp",
                 System.getProperty("java.class.path")));
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);

@@ -9,8 +9,10 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.board.Transitions;
+import javino.keyring.DeviceNotes;
 import trace.TransitionHandler;
 
 /** A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. */
@@ -60,22 +62,28 @@ public final class AgentProcess implements AutoCloseable {
     /** The same on another platform, which takes the program of that name. */
     public static AgentProcess run(Platform platform, String name, Path folder, Consumer<String> listener)
             throws IOException {
-        ProcessBuilder command =
-                new ProcessBuilder(platform.command(name, logging(name, folder))).directory(folder.toFile());
-        return new AgentProcess(command.redirectErrorStream(true).start(), listener);
+        return start(new ProcessBuilder(platform.command(name, logging(name, folder))).directory(folder.toFile()),
+                List.of(), listener);
     }
 
     /** The same, with options of Java. */
     public static AgentProcess run(String name, Path folder, List<String> options) throws IOException {
-        ProcessBuilder command =
-                new ProcessBuilder(Platform.USUAL.command(name, logging(name, folder))).directory(folder.toFile());
-        command.environment().put("JAVA_TOOL_OPTIONS", String.join(" ", options));
-        return start(command);
+        return start(new ProcessBuilder(Platform.USUAL.command(name, logging(name, folder)))
+                .directory(folder.toFile()), options, line -> {});
     }
 
     /** Starts it by a command of its own. */
     public static AgentProcess start(ProcessBuilder command) throws IOException {
-        return new AgentProcess(command.redirectErrorStream(true).start(), line -> {});
+        return start(command, List.of(), line -> {});
+    }
+
+    /** It has the folder of identities of this program, not its user's, unless an option names another. */
+    private static AgentProcess start(ProcessBuilder command, List<String> options, Consumer<String> listener)
+            throws IOException {
+        String identities = "\"-D" + DeviceNotes.FOLDER_PROPERTY + "=" + DeviceNotes.named().folder() + '"';
+        command.environment().put("JAVA_TOOL_OPTIONS",
+                Stream.concat(Stream.of(identities), options.stream()).collect(Collectors.joining(" ")));
+        return new AgentProcess(command.redirectErrorStream(true).start(), listener);
     }
 
     /** Below an emulator's folder a host tells that emulator of its state machines, too. */

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import javino.keyring.DeviceNotes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -43,7 +44,8 @@ class DriveCommandsTest {
     /** Starts the command on a board's port. */
     private Process start(String command, String board, String... more) throws IOException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        ProcessBuilder builder = new ProcessBuilder(Stream.concat(Stream.of(java, "-cp",
+        ProcessBuilder builder = new ProcessBuilder(Stream.concat(Stream.of(java,
+                "-D" + DeviceNotes.FOLDER_PROPERTY + "=" + DeviceNotes.named().folder(), "-cp",
                 System.getProperty("java.class.path"), "javino.cli.Main", command, "--port", emulator.port(board)),
                 Stream.of(more)).toList());
         return builder.redirectError(ProcessBuilder.Redirect.DISCARD).start();

@@ -1,12 +1,15 @@
 package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import harness.AgentProcess;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import javino.keyring.DeviceNotes;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -50,6 +53,18 @@ class StartScriptTest {
         String version = Files.readAllLines(Path.of(System.getProperty("javino.root"), "gradle.properties")).stream()
                 .filter(line -> line.startsWith("version=")).findFirst().orElseThrow().substring("version=".length());
         assertEquals(List.of("javino " + version), end(new ProcessBuilder(SCRIPT.toString(), "--version")));
+    }
+
+    /** As a test starts agents: they note nothing of emulated boards in their user's folder. */
+    @Test
+    void agentProcess_ofATest_hasNotTheUsersIdentities() throws Exception {
+        try (AgentProcess process = AgentProcess.start(new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin/java").toString(), "-XshowSettings:properties",
+                "-version"))) {
+            process.await(DeviceNotes.FOLDER_PROPERTY + " = " + DeviceNotes.named().folder());
+            process.awaitEnd();
+        }
+        assertNotEquals(DeviceNotes.defaultFolder(), DeviceNotes.named().folder());
     }
 
     private static List<String> end(ProcessBuilder command) throws Exception {
