@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import javino.board.BoardConfig;
 import javino.fake.FakeBoard;
 
 class PerceptsTest {
@@ -83,6 +85,17 @@ class PerceptsTest {
         RunningAgent.run("!start. +!start <- " + plan + ".", new FakeBoard("board")).notes("went");
     }
 
+    /** No stalled board counts as lost. */
+    public static final class PatientDiffuser extends ScriptedDiffuser {
+
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected BoardConfig boardConfig() {
+            return quick(Duration.ofHours(1));
+        }
+    }
+
     /** As {@code delay} in a sketch's function of percepts does. */
     @ParameterizedTest
     @ValueSource(strings = {".port(board); .percepts(open)", ".percepts(open); .port(board)"})
@@ -94,7 +107,7 @@ class PerceptsTest {
                 +!start <- %s; diffuser.note(went).
                 +port(_,off) <- diffuser.note(off).
                 +p(X) <- diffuser.note(p,X).
-                """.formatted(plan), board);
+                """.formatted(plan), null, List.of(PatientDiffuser.class.getName()), board);
         agent.notes("went");
         board.resume();
         agent.notes("p 1");

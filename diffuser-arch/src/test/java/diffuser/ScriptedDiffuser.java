@@ -89,10 +89,15 @@ public class ScriptedDiffuser extends Diffuser {
 
     /** Settings with which little is waited for. */
     static BoardConfig quick() {
+        return quick(Duration.ofSeconds(1));
+    }
+
+    /** The same, with another time for a request that the board has taken. */
+    static BoardConfig quick(Duration actionTime) {
         return BoardConfig.create(config -> config
                 .setHold(Duration.ofMillis(50))
                 .setReplyTimeout(Duration.ofMillis(50))
-                .setActionTime(Duration.ofSeconds(1))
+                .setActionTime(actionTime)
                 .setHelloInterval(Duration.ofMillis(10))
                 .setReopenInterval(Duration.ofMillis(10))
                 .setPatience(Duration.ofSeconds(5)).setAttempts(20));
