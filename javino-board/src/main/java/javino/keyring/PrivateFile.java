@@ -3,34 +3,42 @@ package javino.keyring;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.EnumSet;
+import java.util.Objects;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import javino.JavinoException;
 import javino.TextFile;
 
 /**
  * Files with secrets, which only their owner can read. All that Java writes of keys, secrets and agents' minds goes
- * through here: nothing that lies there already is followed or written to, and where permissions cannot be kept, as on
- * a stick, no file is left. Without POSIX permissions, as on Windows, files have those of their folder.
+ * through here: nothing that lies there already is followed or written to, but for its own file that a dead program has
+ * left, and where permissions cannot be kept, as on a stick, no file is left. Without POSIX permissions, as on Windows,
+ * files have those of their folder.
  */
 public final class PrivateFile {
 
     private static final Set<PosixFilePermission> OWNERS = PosixFilePermissions.fromString("rwx------");
     private static final Set<PosixFilePermission> OF_A_FILE = PosixFilePermissions.fromString("rw-------");
     private static final String NEW = ".new";
+    /** What this program changes: the system would give a lock up if its file was opened and closed once more. */
+    private static final Set<Path> CLAIMED = ConcurrentHashMap.newKeySet();
     private static final int TRIES = 200;
     private static final int PAUSE_MILLIS = 50;
 
@@ -124,9 +132,19 @@ public final class PrivateFile {
     public static String change(Path file, Change change) throws IOException, JavinoException, InterruptedException {
         Path real = file.toRealPath();
         Path part = real.resolveSibling(real.getFileName() + ".part");
-        try (FileChannel created = claim(file, part)) {
-            return replace(real, part, created, change);
+        for (int tries = 0; tries < TRIES; tries++) {
+            if (CLAIMED.add(part)) {
+                try (FileChannel claimed = claim(file, real, part)) {
+                    if (claimed != null) {
+                        return replace(real, part, claimed, change);
+                    }
+                } finally {
+                    CLAIMED.remove(part);
+                }
+            }
+            Thread.sleep(PAUSE_MILLIS);
         }
+        throw new JavinoException(file + " is being changed by another program; if none runs, delete " + part);
     }
 
     private static String replace(Path real, Path part, FileChannel created, Change change)
@@ -142,20 +160,60 @@ public final class PrivateFile {
         }
     }
 
-    private static FileChannel claim(Path file, Path part) throws IOException, JavinoException, InterruptedException {
-        for (int tries = 0; tries < TRIES; tries++) {
-            try {
-                return open(part, true);
-            } catch (FileAlreadyExistsException e) {
-                Thread.sleep(PAUSE_MILLIS);
-            } catch (AccessDeniedException e) {
-                throw new JavinoException(
-                        file + " cannot be changed, but what boards and devices have must be noted in it; "
-                                + "make its folder writable for you",
-                        e);
+    /** Makes the file that is to be the new one, or takes over a left one; null while another program has it. */
+    private static FileChannel claim(Path file, Path real, Path part) throws IOException, JavinoException {
+        try {
+            FileChannel created = open(part, true);
+            // One that another has taken over and put in place meanwhile has a text.
+            return lock(created, part, key(part), 0);
+        } catch (FileAlreadyExistsException e) {
+            return takeOver(real, part);
+        } catch (AccessDeniedException e) {
+            throw new JavinoException(
+                    file + " cannot be changed, but what boards and devices have must be noted in it; "
+                            + "make its folder writable for you",
+                    e);
+        }
+    }
+
+    /** One that nobody has locked was left by a program that has died, as at a loss of power. */
+    private static FileChannel takeOver(Path real, Path part) throws IOException {
+        try {
+            if (!isPosix(part) || !Files.isRegularFile(part, LinkOption.NOFOLLOW_LINKS)
+                    || !isPrivate(part, LinkOption.NOFOLLOW_LINKS)
+                    || !Files.getOwner(part, LinkOption.NOFOLLOW_LINKS).equals(Files.getOwner(real))) {
+                return null;
+            }
+            Object key = key(part);
+            return lock(FileChannel.open(part, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS), part, key,
+                    Long.MAX_VALUE);
+        } catch (NoSuchFileException e) {
+            return null;
+        }
+    }
+
+    /** Locks and empties a file; closes it if another program has it, or had it when it was opened. */
+    private static FileChannel lock(FileChannel opened, Path part, Object key, long mostBytes) throws IOException {
+        boolean isLocked = false;
+        try {
+            isLocked = opened.tryLock() != null && opened.size() <= mostBytes && Objects.equals(key, key(part));
+            return isLocked ? opened.truncate(0) : null;
+        } catch (OverlappingFileLockException e) {
+            return null;
+        } finally {
+            if (!isLocked) {
+                opened.close();
             }
         }
-        throw new JavinoException(file + " is being changed by another program; if none runs, delete " + part);
+    }
+
+    /** What tells a file from others that have had its name; equal to no other if there is none. */
+    private static Object key(Path file) throws IOException {
+        try {
+            return Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS).fileKey();
+        } catch (NoSuchFileException e) {
+            return new Object();
+        }
     }
 
     /** Makes an empty file for its owner, or none where others could read what is a secret. */

@@ -6,13 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import javino.JavinoException;
 import javino.fake.NoPermissionsFileSystem;
@@ -121,5 +127,61 @@ class PrivateFileTest {
         }));
         assertEquals(List.of("keys"), files());
         assertEquals("0", PrivateFile.read(folder.resolve("keys")));
+    }
+
+    private Path part(String permissions) throws IOException {
+        Path part = Files.writeString(folder.resolve("keys.part"), "half of a long text");
+        return Files.setPosixFilePermissions(part, PosixFilePermissions.fromString(permissions));
+    }
+
+    @Test
+    void change_ofAFileThatADeadProgramChanged_takesItsPartOver() throws Exception {
+        PrivateFile.create(folder.resolve("keys"), "0");
+        Path left = part("rw-------");
+        Object key = Files.readAttributes(left, BasicFileAttributes.class).fileKey();
+        assertEquals("1", PrivateFile.change(folder.resolve("keys"), text -> text.replace('0', '1')));
+        assertEquals(List.of("keys"), files());
+        assertEquals("1", Files.readString(folder.resolve("keys")));
+        assertEquals(key, Files.readAttributes(folder.resolve("keys"), BasicFileAttributes.class).fileKey());
+    }
+
+    @Test
+    void change_ofAFileThatAnotherProgramChanges_waitsForIt() throws Exception {
+        PrivateFile.create(folder.resolve("keys"), "0");
+        Path part = part("rw-------");
+        CompletableFuture<String> changed;
+        try (FileChannel held = FileChannel.open(part, StandardOpenOption.WRITE)) {
+            held.lock();
+            changed = CompletableFuture.supplyAsync(() -> {
+                try {
+                    return PrivateFile.change(folder.resolve("keys"), text -> text + "2");
+                } catch (IOException | JavinoException | InterruptedException e) {
+                    throw new IllegalStateException(e);
+                }
+            });
+            Thread.sleep(200);
+            assertFalse(changed.isDone());
+            held.truncate(0).write(ByteBuffer.wrap(bytes("1")));
+            Files.move(part, folder.resolve("keys"), StandardCopyOption.ATOMIC_MOVE);
+        }
+        assertEquals("12", changed.get());
+    }
+
+    @Test
+    void change_ofOneFileByManyThreads_losesNone() throws Exception {
+        PrivateFile.create(folder.resolve("keys"), "");
+        part("rw-------");
+        List<CompletableFuture<Void>> all = Stream.generate(() -> CompletableFuture.runAsync(() -> {
+            try {
+                PrivateFile.change(folder.resolve("keys"), text -> text + "1");
+            } catch (IOException | JavinoException | InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        })).limit(8).toList();
+        for (CompletableFuture<Void> each : all) {
+            each.get();
+        }
+        assertEquals("1".repeat(8), PrivateFile.read(folder.resolve("keys")));
+        assertEquals(List.of("keys"), files());
     }
 }

@@ -16,9 +16,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.List;
@@ -557,8 +559,11 @@ class ProvisionCommandTest {
 
     @Test
     void provision_keyringThatCannotBeChanged_failsBeforeTheBoardGetsAKey() throws Exception {
-        Files.writeString(folder.resolve("keys.part"), "");
-        assertTrue(fail(provisionOf("SUPO")).contains("is being changed by another program; if none runs, delete"));
+        try (FileChannel held = FileChannel.open(folder.resolve("keys.part"), StandardOpenOption.CREATE_NEW,
+                StandardOpenOption.WRITE)) {
+            held.lock();
+            assertTrue(fail(provisionOf("SUPO")).contains("is being changed by another program; if none runs, delete"));
+        }
         assertEquals(0, performed("SUPO", "key"));
     }
 }
