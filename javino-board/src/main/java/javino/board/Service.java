@@ -236,9 +236,10 @@ final class Service {
         // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
         Thread.interrupted();
         Duration timeout = context.config().replyTimeout();
+        // Until the time of an action is over: a board may be slow, and what follows may reset it.
         Optional<Reply> reply = exchange.ask(request,
                 request.command().writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout, this::hasMore,
-                attempts -> attempts < context.config().attempts() && !context.queue().isClosed());
+                attempts -> !context.queue().isClosed());
         if (reply.isPresent() && reply.get().status() == Status.NOT_GREETED) {
             context.counters().count(SessionCounter.RESETS);
             polling.reset();

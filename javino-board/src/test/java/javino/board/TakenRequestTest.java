@@ -172,6 +172,23 @@ class TakenRequestTest extends BoardFixture {
     }
 
     @Test
+    void act_notTakenForLongerThanAllAttempts_isRepeatedAndPortStaysOpen() throws Exception {
+        openAndAwaitOnline(config -> config.setAttempts(2).setActionTime(HOUR));
+        fake.stallAt("act first");
+        CompletableFuture<Void> first = board.act("first").thenRun(() -> fake.line.setSilent(true));
+        CompletableFuture<Void> action = board.act("go");
+        fake.resume();
+        first.get();
+        // Longer than all attempts.
+        Thread.sleep(200);
+        assertFalse(action.isDone());
+        fake.line.setSilent(false);
+        action.get();
+        assertEquals(1, fake.port.awaitOpens(1));
+        assertEquals(1, board.counters().get(SessionCounter.GREETINGS));
+    }
+
+    @Test
     void board_wasReset_portStaysOpen() throws Exception {
         openAndAwaitOnline(config -> {});
         fake.reset();
