@@ -1,6 +1,7 @@
 package javino.board;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.Map;
 import java.util.OptionalInt;
 import javino.JavinoException;
@@ -22,6 +23,8 @@ import javino.protocol.Status;
  */
 final class StateGuard {
 
+    private static final Duration PAUSE = Duration.ofMillis(50);
+
     private final SessionContext context;
     private final BoundedClock clock;
     private final KnownState known;
@@ -41,7 +44,8 @@ final class StateGuard {
     /**
      * Raises a board's epoch, and notes it, before anybody may send. While messages are under way the board refuses it.
      * A program before has sent them in this boot, and has raised it: so nothing changes, unless the epoch is known to
-     * be too low; then they are waited for.
+     * be too low; then they are waited for, but no longer than a request
+     * waits for its board: then nothing is sealed until the next greeting.
      *
      * @param board   greeted for the first time since its boot, or after it has got another address.
      * @param renamed whether it has got another address.
@@ -83,8 +87,12 @@ final class StateGuard {
     private Status raise(Service service, int epoch, boolean waits)
             throws LinkException, LostException, ProtocolException {
         Status status = service.raiseEpoch(epoch);
-        while (waits && status == Status.BUSY && !context.queue().isClosed()) {
+        // With a carrier that does not end no message ends.
+        Deadline end = Deadline.in(context.config().patience());
+        while (waits && status == Status.BUSY && !end.passed() && !context.queue().isClosed()) {
             service.poll();
+            // While requests wait, the board does not hold the poll.
+            context.queue().pause(PAUSE);
             status = service.raiseEpoch(epoch);
         }
         return status;

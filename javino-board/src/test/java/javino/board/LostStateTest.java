@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
@@ -209,6 +210,20 @@ class LostStateTest extends BoardFixture {
         board.setRfId(Address.parse("ROMA")).get();
         assertEquals(800_001, fake.keys.epoch());
         assertEquals(800_001, board.info().orElseThrow().bootEpoch());
+    }
+
+    @Test
+    void address_thatIsSetWhileAMessageDoesNotEnd_isNotWaitedForWithoutEnd() throws Exception {
+        notes.put(Address.parse("ROMA"), note(800_000));
+        fake.keys.setEpoch(600_000);
+        fake.setRfId("SUPO");
+        open(listener, config -> config.setNotes(List.of(noted)).setClock(BoundedClock.at(AUTUMN))
+                .setPatience(Duration.ofSeconds(2)));
+        listener.until("online");
+        board.transmit(Address.parse("ROMA"), HELP).taken().get();
+        board.setRfId(Address.parse("ROMA")).get();
+        assertEquals(600_000, fake.keys.epoch());
+        failure(RequestFailedException.class, board.transmit(SUPO, HELP).taken());
     }
 
     // ---- Stored keys.
