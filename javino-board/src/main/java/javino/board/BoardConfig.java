@@ -14,8 +14,9 @@ import javino.protocol.Request;
  *                       65 535 ms; 2 s by default.
  * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more if
  *                       the board writes to its EEPROM (SPEC 4.2).
- * @param attempts       for how many times {@code replyTimeout} an overdue request is repeated before the board counts as
- *                       lost, at least 1; 15 by default, which is 3 s: a busy machine may take a second over a reply.
+ * @param attempts       for how many times {@code replyTimeout} an overdue request is repeated before the board counts
+ *                       as lost, at least 1; 15 by default, which is 3 s: a busy machine may take a second over a
+ *                       reply.
  * @param actionTime     how long a board may take to reply to a request that it has taken, and to take a poll: the
  *                       sketch's function of an action or of percepts may take its time; 10 s by default (SPEC 4.2). A
  *                       board that hangs in one is lost after this time and that of all attempts.
