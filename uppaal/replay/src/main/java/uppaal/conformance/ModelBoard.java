@@ -231,6 +231,7 @@ final class ModelBoard {
         unacknowledged.clear();
         answers.reset();
         nextMessage = 0;
+        idleSince = Double.POSITIVE_INFINITY;
         air.reset();
     }
 }

@@ -121,6 +121,12 @@ class ModelReplayTest {
                 + "0.824 ANSWER key=1\n0.825 BUSY\n0.900 QUIET\n"));
     }
 
+    @Test
+    void reset_whileAMessageWaits_leavesNoneThatWaits() {
+        assertEquals(Optional.empty(), refusal("0.010 QUIET\n0.500 host-transmit number=0 destination=SUPP asked=0.499\n"
+                + "0.501 BUSY\n0.502 b reset\n0.900 QUIET\n"));
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "0.501 TAKE_UP |                                     | expected TAKE_UP first",
