@@ -123,7 +123,7 @@ class ModelReplayTest {
 
     @Test
     void reset_whileAMessageWaits_leavesNoneThatWaits() {
-        assertEquals(Optional.empty(), refusal("0.010 QUIET\n0.500 host-transmit number=0 destination=SUPP asked=0.499\n"
+        assertEquals(Optional.empty(), refusal("0.500 host-transmit number=0 destination=SUPP asked=0.499\n"
                 + "0.501 BUSY\n0.502 b reset\n0.900 QUIET\n"));
     }
 
