@@ -17,7 +17,7 @@ import javino.protocol.Request;
  * @param attempts       for how many times {@code replyTimeout} an overdue request is repeated before the board counts
  *                       as lost, at least 1; 15 by default, which is 3 s: a busy machine may take a second over a
  *                       reply.
- * @param actionTime     how long a board may take to reply to a request that it has taken, and to take a poll: the
+ * @param actionTime     how long a board may take to reply to a request that it has taken, and to take one: the
  *                       sketch's function of an action or of percepts may take its time; 10 s by default (SPEC 4.2). A
  *                       board that hangs in one is lost after this time and that of all attempts.
  * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.

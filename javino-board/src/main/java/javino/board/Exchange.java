@@ -115,8 +115,7 @@ final class Exchange {
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
             // A line can stop its host, as that of an emulated board does in a pause: the board is not late by that.
             bound = bound.later(System.nanoTime() - began);
-            // A board that still performs a poll that was left can take no other request.
-            attempts = left.isEmpty() ? attempts + 1 : 1;
+            attempts++;
             Optional<SerialPacket> reply =
                     new Attempt(request, timeout.plus(link.timeFor(bytes.length)).plus(lag), bytes).await(leaves);
             if (reply.isPresent()) {

@@ -44,8 +44,8 @@ final class StateGuard {
     /**
      * Raises a board's epoch, and notes it, before anybody may send. While messages are under way the board refuses it.
      * A program before has sent them in this boot, and has raised it: so nothing changes, unless the epoch is known to
-     * be too low; then they are waited for, but no longer than a request
-     * waits for its board: then nothing is sealed until the next greeting.
+     * be too low; then they are waited for, but no longer than a request waits for its
+     * board: then nothing is sealed until the next greeting.
      *
      * @param board   greeted for the first time since its boot, or after it has got another address.
      * @param renamed whether it has got another address.
