@@ -6,12 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import java.util.logging.StreamHandler;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 import jason.asSemantics.Agent;
@@ -108,12 +109,12 @@ class GateTest {
         assertEquals(1, refused(agent));
     }
 
+    /** A copy is read, as the agent's thread may add a plan meanwhile. */
     private static String plansOf(RunningAgent agent) {
         try {
             Object library = Agent.class.getMethod("getPL").invoke(agent.body().getTS().getAg());
-            List<String> plans = new ArrayList<>();
-            ((Iterable<?>) library).forEach(plan -> plans.add(plan.toString()));
-            return String.join("\n", plans);
+            List<?> plans = (List<?>) library.getClass().getMethod("getPlans").invoke(library);
+            return Arrays.stream(plans.toArray()).map(String::valueOf).collect(Collectors.joining("\n"));
         } catch (ReflectiveOperationException e) {
             throw new AssertionError(e);
         }
