@@ -34,7 +34,8 @@ def headers(path, found):
 def names():
     """@return the names that a macro of a sketch may have, in order: all but the library's own, which have a prefix."""
     found = {}
-    headers(SOURCES / 'JavinoBDI.h', found)
+    for header in ('JavinoBDI.h', 'Javino.h'):
+        headers(SOURCES / header, found)
     words = set()
     for text in found.values():
         for noise in (r'/\*.*?\*/', r'//[^\n]*', r'#include[^\n]*', r'"(?:\\.|[^"\\])*"', r"'(?:\\.|[^'\\])*'"):
@@ -58,7 +59,7 @@ def rows():
 def text():
     return '\n'.join([
         '// The names in the headers that a sketch includes, written by names.py. A macro of a sketch that has one of them is set',
-        '// aside here, for Javino.h to bring it back at its end.',
+        '// aside here, for the header to bring it back at its end.',
         '',
         '#define JAVINO_EACH_NAME(DO) \\',
         ' \\\n'.join(rows()),

@@ -1,5 +1,42 @@
 #pragma once
 
-/// Javino.h, under a name that the published library of the same name does not have: for sketchbooks that hold both.
+/// JavinoBDI: connects a BDI agent to this board's sensors, actuators and radio. See the README.
 
-#include "Javino.h"
+#include <Arduino.h>
+
+#include "support/SketchMacros.inc"
+
+#include "arduino/ArduinoBoard.h"
+#include "delivery/Broadcaster.h"
+#include "delivery/Relay.h"
+#include "radio/AskHardware.h"
+#include "serialradio/SerialRadio.h"
+
+#ifdef JAVINO_HAS_ASK_HARDWARE
+#include "radio/AskRadio.h"
+
+// For a radio on another timer than 1, write this in one file of the sketch, before this header is included:
+// #define JAVINO_RADIO_TIMER 3
+#ifdef JAVINO_RADIO_TIMER
+#include "radio/AskHardwareAvrTimer.h"
+#endif
+
+#else
+#include "radio/NoAskRadio.h"
+#endif
+
+// Beside JavinoBoard and JavinoRadioBoard, the names for sketches.
+using JavinoPercepts = javinolib::Percepts;
+using JavinoArguments = javinolib::Arguments;
+using JavinoBroadcaster = javinolib::Broadcaster;
+using JavinoRelay = javinolib::Relay;
+using JavinoAskRadio = javinolib::AskRadio;
+using JavinoSerialRadio = javinolib::SerialRadio;
+using JavinoSerialModule = javinolib::SerialModule;
+
+// And for a driver of another radio.
+using JavinoRadio = javinolib::Radio;
+using JavinoReceived = javinolib::Received;
+using JavinoRadioCounters = javinolib::RadioCounters;
+
+JAVINO_EACH_NAME(JAVINO_BRING_BACK)

@@ -1,5 +1,5 @@
 # The folders of the firmware, from the lowest floor to the highest: a file includes files of its own folder and of those
-# below, and of none above. What stands in src itself is below all (Config.h) or above all (Javino.h).
+# below, and of none above. What stands in src itself is below all (Config.h) or above all (JavinoBDI.h, Javino.h).
 # cmake -P floors.cmake
 set(FLOORS Config.h support radio framing crypto storage secure delivery board radioboard serialradio arduino Javino.h JavinoBDI.h)
 

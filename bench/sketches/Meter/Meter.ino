@@ -1,15 +1,15 @@
 // Has 40 percepts that change at each reading, at 115200 baud, or with a high level on pin 40 at 1000000.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 const uint8_t FAST_PIN = 40;
 const uint8_t PERCEPTS = 40;
 
-javinolib::Javino board(Serial, "meter 1.0");
+JavinoBoard board(Serial, "meter 1.0");
 
 int reading = 0;
 
-void perceive(javinolib::Percepts &percepts) {
+void perceive(JavinoPercepts &percepts) {
   reading = reading % 999 + 1;
   for (uint8_t i = 0; i < PERCEPTS; i++) percepts.add(F("m"), i * 1000L + reading);
 }

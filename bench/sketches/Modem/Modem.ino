@@ -3,7 +3,7 @@
 //
 // The bit rate is the last word of the EEPROM; 2000 where that is empty.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 #include <avr/eeprom.h>
 #include <avr/sleep.h>
 
@@ -16,7 +16,7 @@ uint16_t bitRate() {
   return stored == 0xFFFF ? 2000 : stored;
 }
 
-javinolib::AskRadio radio(11, 12, bitRate());
+JavinoAskRadio radio(11, 12, bitRate());
 uint8_t payload[LENGTH];
 uint32_t state = 1;
 uint16_t received = 0;
@@ -31,7 +31,7 @@ void sendNext() {
 }
 
 void receiveNext() {
-  javinolib::Received with;
+  JavinoReceived with;
   if (!radio.receive(with)) return;
   radio.release();
   if (with.length == LENGTH) Serial.println(++received);

@@ -73,24 +73,24 @@ class ArduinoBoard {
   Board board_;
 };
 
+}  // namespace javinolib
+
 /// A board with percepts and actions.
-class Javino : public ArduinoBoard<Board> {
+class JavinoBoard : public javinolib::ArduinoBoard<javinolib::Board> {
  public:
   // The host is at Serial or another port, as Serial1. The name tells it which sketch this is; it is a plain "lamp 1.0", as F("…")
   // is not possible outside of functions.
   template <typename Port>
-  Javino(Port &port, const char *firmwareName) : ArduinoBoard(hostPort(port), firmwareName) {}
+  JavinoBoard(Port &port, const char *firmwareName) : ArduinoBoard(javinolib::hostPort(port), firmwareName) {}
 };
 
 /// A board with percepts, actions and a radio.
-class JavinoWithRadio : public ArduinoBoard<RadioBoard> {
+class JavinoRadioBoard : public javinolib::ArduinoBoard<javinolib::RadioBoard> {
  public:
   // The radio outlives it.
   template <typename Port>
-  JavinoWithRadio(Port &port, const char *firmwareName, Radio &radio)
-      : ArduinoBoard(hostPort(port), firmwareName, radio) {
-    static_assert(EEPROM_SUFFICES || sizeof(Port) == 0, "this chip's EEPROM has no room for keys");
+  JavinoRadioBoard(Port &port, const char *firmwareName, javinolib::Radio &radio)
+      : ArduinoBoard(javinolib::hostPort(port), firmwareName, radio) {
+    static_assert(javinolib::EEPROM_SUFFICES || sizeof(Port) == 0, "this chip's EEPROM has no room for keys");
   }
 };
-
-}  // namespace javinolib

@@ -11,7 +11,7 @@
 namespace javinolib {
 
 /// A whole board without its hardware that has percepts and actions, but no radio: what the protocol asks of it, behind the
-/// seams serial port and clock. The class Javino puts it on an Arduino.
+/// seams serial port and clock. The class JavinoBoard puts it on an Arduino.
 class Board {
  public:
   /// The UART and the name outlive the board.

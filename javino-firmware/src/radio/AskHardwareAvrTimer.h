@@ -1,7 +1,7 @@
 #pragma once
 
 /// The timer half of AskHardware.h on an AVR. One source file of a program includes it: AskHardwareAvrTimer.cpp, or, by way
-/// of Javino.h, a sketch that names another timer. Then the linker has no need of AskHardwareAvrTimer.cpp's and leaves it in
+/// of JavinoBDI.h, a sketch that names another timer. Then the linker has no need of AskHardwareAvrTimer.cpp's and leaves it in
 /// the library's archive, so that no timer is taken, and no interrupt defined, but the one that is named.
 ///
 /// Of each timer it takes compare unit B: the core's tone() and the library Servo have their interrupts on unit A.

@@ -9,7 +9,7 @@ class AskRadio {
  public:
   template <typename... Pins>
   explicit AskRadio(Pins...) {
-    static_assert(sizeof...(Pins) > 3, "AskRadio: this chip has no timer and pins for it; take another Radio");
+    static_assert(sizeof...(Pins) > 3, "JavinoAskRadio: this chip has no timer and pins for it; take another radio");
   }
   operator Radio &();
 };

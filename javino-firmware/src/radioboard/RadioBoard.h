@@ -14,7 +14,7 @@
 namespace javinolib {
 
 /// A whole board without its hardware that has percepts, actions, a radio and keys: what the protocol asks of it, behind the
-/// seams serial port, EEPROM, radio, clock and retained RAM. The class JavinoWithRadio puts it on an Arduino.
+/// seams serial port, EEPROM, radio, clock and retained RAM. The class JavinoRadioBoard puts it on an Arduino.
 class RadioBoard {
  public:
   /// The UART, the radio and the name outlive the board.

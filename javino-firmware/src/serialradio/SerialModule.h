@@ -16,13 +16,13 @@ struct SerialModule {
   uint16_t airtimeMicros;  ///< of each byte given to it
 };
 
+}  // namespace javinolib
+
 /// HC-12 in its mode FU3: it sends 16 bytes at a time, while the next ones come.
-extern const SerialModule HC_12;
+extern const javinolib::SerialModule JAVINO_HC_12;
 
 /// EBYTE E32, LoRa at 2400 bit/s: it sends 58 bytes at a time, when all have come.
-extern const SerialModule E32;
+extern const javinolib::SerialModule JAVINO_E32;
 
 /// EBYTE E22, LoRa at 2400 bit/s: the same with 240 bytes.
-extern const SerialModule E22;
-
-}  // namespace javinolib
+extern const javinolib::SerialModule JAVINO_E22;

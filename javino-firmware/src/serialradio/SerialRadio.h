@@ -17,7 +17,7 @@ class SerialRadio : public Radio {
   static const uint8_t NO_PIN = 0xFF;
 
   /// @param port a UART, as Serial1; begin() opens it
-  /// @param module HC_12, E32, E22, or one of your own, in flash
+  /// @param module JAVINO_HC_12, JAVINO_E32, JAVINO_E22, or one of your own, in flash
   /// @param auxPin digital pin at the AUX of a module that has one, low while it is busy
   template <typename Port>
   SerialRadio(Port &port, const SerialModule &module, uint8_t auxPin = NO_PIN)

@@ -64,7 +64,7 @@ class ArduinoBoard : public testing::Test {
   SerialMock &serial = line.serial;
   Bytes &out = line.out;
   FakeRadio radio;
-  javinolib::JavinoWithRadio board;
+  JavinoRadioBoard board;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The example driver holds the seam Radio: messages get through a radio whose packets are shorter than those of ASK.
 #include <ArduinoMock.h>
-#include <OwnRadio/LoopbackRadio.h>
+#include <11_OwnRadio/LoopbackRadio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -137,6 +137,6 @@ TEST_P(SerialRadioDelivery, sends_again_what_was_lost) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SerialRadioDelivery,
-                         testing::Values(Module{"HC_12", &javinolib::HC_12, 77}, Module{"E32", &javinolib::E32, 52},
-                                         Module{"E22", &javinolib::E22, 77}, Module{"MINE", &MINE, 26}),
+                         testing::Values(Module{"HC_12", &JAVINO_HC_12, 77}, Module{"E32", &JAVINO_E32, 52},
+                                         Module{"E22", &JAVINO_E22, 77}, Module{"MINE", &MINE, 26}),
                          [](const testing::TestParamInfo<Module> &module) { return module.param.name; });

@@ -51,7 +51,7 @@ class SerialRadioPackets : public testing::Test {
   FakeClock clock;
   FakeUart uart;
   javinolib::Received with;
-  javinolib::SerialRadio radio{uart, javinolib::HC_12};
+  javinolib::SerialRadio radio{uart, JAVINO_HC_12};
 };
 
 const Bytes FRAME = reference::frame("////", "CAFE", bytesOf("tell;help"));
@@ -88,7 +88,7 @@ TEST_F(SerialRadioPackets, refuses_and_counts_all_invalid_vectors) {
 }
 
 TEST_F(SerialRadioPackets, takes_no_more_than_its_module_sends_at_once) {
-  javinolib::SerialRadio e32(uart, javinolib::E32);
+  javinolib::SerialRadio e32(uart, JAVINO_E32);
   const Bytes longest = reference::frame("CAFE", "ROMA", Bytes(42, 1));
   EXPECT_EQ(52, e32.longestPayload());
   EXPECT_FALSE(e32.send(longest.data(), 53));

@@ -37,7 +37,7 @@ class SerialRadioTiming : public testing::Test {
   NiceMock<ArduinoMock> arduino;
   FakeClock clock;
   FakeUart uart;
-  javinolib::SerialRadio radio{uart, javinolib::HC_12, AUX};
+  javinolib::SerialRadio radio{uart, JAVINO_HC_12, AUX};
 };
 
 }  // namespace
@@ -48,12 +48,12 @@ TEST_F(SerialRadioTiming, does_not_start_where_the_port_cannot_tell_its_room) {
   struct SilentUart : FakeUart {
     int availableForWrite() override { return 0; }
   } silent;
-  EXPECT_FALSE(javinolib::SerialRadio(silent, javinolib::HC_12).begin());
+  EXPECT_FALSE(javinolib::SerialRadio(silent, JAVINO_HC_12).begin());
 }
 
 TEST_F(SerialRadioTiming, has_the_times_of_the_specification) {
-  javinolib::SerialRadio e32(uart, javinolib::E32);
-  javinolib::SerialRadio e22(uart, javinolib::E22);
+  javinolib::SerialRadio e32(uart, JAVINO_E32);
+  javinolib::SerialRadio e22(uart, JAVINO_E22);
   EXPECT_EQ(35 + 86, radio.airtimeMillis(77));
   EXPECT_EQ(35, radio.slotMillis());
   EXPECT_EQ(65 + 314, e32.airtimeMillis(52));
@@ -127,7 +127,7 @@ TEST_F(SerialRadioTiming, hears_the_carrier_while_its_module_is_busy_and_does_no
 }
 
 TEST_F(SerialRadioTiming, reads_no_pin_if_it_was_given_none) {
-  javinolib::SerialRadio plain(uart, javinolib::HC_12);
+  javinolib::SerialRadio plain(uart, JAVINO_HC_12);
   EXPECT_CALL(arduino, pinMode).Times(0);
   EXPECT_CALL(arduino, digitalRead).Times(0);
   EXPECT_TRUE(plain.begin());

@@ -1,13 +1,13 @@
 // A board with a radio and keys on a chip other than an AVR: by the radio of the example OwnRadio, whose other end greets.
 
 #include <EEPROM.h>
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-#include "OwnRadio/LoopbackRadio.h"
+#include "11_OwnRadio/LoopbackRadio.h"
 
 LoopbackRadio radios[2];
-javinolib::JavinoWithRadio board(Serial, "loopback 1.0", radios[0]);
-javinolib::Broadcaster other(radios[1]);
+JavinoRadioBoard board(Serial, "loopback 1.0", radios[0]);
+JavinoBroadcaster other(radios[1]);
 unsigned long greetedAt;
 
 void setup() {

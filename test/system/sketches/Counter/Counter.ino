@@ -1,15 +1,15 @@
 // A board that can tell whether any of its actions was performed twice: note(K) must come with rising K.
 // It perceives how many came, how many did not rise, and the last.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-javinolib::Javino board(Serial, "counter 1.0");
+JavinoBoard board(Serial, "counter 1.0");
 
 long performed;
 long repeated;
 long last;
 
-bool note(const javinolib::Arguments &arguments) {
+bool note(const JavinoArguments &arguments) {
   long number;
   if (!arguments.integer(0, number)) return false;
   ++performed;
@@ -18,7 +18,7 @@ bool note(const javinolib::Arguments &arguments) {
   return true;
 }
 
-void percepts(javinolib::Percepts &p) {
+void percepts(JavinoPercepts &p) {
   p.add(F("performed"), performed);
   p.add(F("repeated"), repeated);
   p.add(F("last"), last);

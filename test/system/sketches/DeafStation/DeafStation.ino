@@ -2,10 +2,10 @@
 // hears a carrier only for a third of a second after it has sent: it still waits for an acknowledgement that is on its
 // way, or it would talk over the answer to itself. Wiring and all else as in the library's example Station.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 #include <radio/AskRadio.h>
 
-class DeafRadio : public javinolib::AskRadio {
+class DeafRadio : public JavinoAskRadio {
  public:
   bool send(const uint8_t *payload, uint8_t length) override {
     const bool begun = AskRadio::send(payload, length);
@@ -21,7 +21,7 @@ class DeafRadio : public javinolib::AskRadio {
 };
 
 DeafRadio radio;
-javinolib::JavinoWithRadio board(Serial, "deaf station 1.0", radio);
+JavinoRadioBoard board(Serial, "deaf station 1.0", radio);
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

@@ -1,13 +1,13 @@
 // A Station whose sketch has left the stack next to nothing: it runs over the memory of nonces.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 const uint8_t LEFT_BYTES = 60;
 
 extern uint8_t __heap_start;  // behind all static memory
 
-javinolib::AskRadio radio;
-javinolib::JavinoWithRadio board(Serial, "full RAM 1.0", radio);
+JavinoAskRadio radio;
+JavinoRadioBoard board(Serial, "full RAM 1.0", radio);
 
 void setup() { board.begin(115200); }
 

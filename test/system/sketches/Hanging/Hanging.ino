@@ -1,19 +1,19 @@
 // Hangs when it is told to: in an action, or in its percepts.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-javinolib::Javino board(Serial, "hanging 1.0");
+JavinoBoard board(Serial, "hanging 1.0");
 
 volatile bool hangs;
 
-bool hang(const javinolib::Arguments &) {
+bool hang(const JavinoArguments &) {
   for (;;) {
   }
 }
 
-bool hangInPercepts(const javinolib::Arguments &) { return hangs = true; }
+bool hangInPercepts(const JavinoArguments &) { return hangs = true; }
 
-void percepts(javinolib::Percepts &p) {
+void percepts(JavinoPercepts &p) {
   while (hangs) {
   }
   p.add(F("works"));

@@ -4,7 +4,7 @@
 // slowLoop(Millis), slowPercepts(Millis), what each call takes more.
 
 #include <EEPROM.h>
-#include <Javino.h>
+#include <JavinoBDI.h>
 #include <SoftwareSerial.h>
 #include <Wire.h>
 
@@ -13,28 +13,28 @@ const uint8_t LAMP_PIN = 13;  // says that percepts were asked for
 const double STEP = 0.25;
 
 SoftwareSerial other(8, 9);
-javinolib::Javino board(Serial, "neighbour 1.0");
+JavinoBoard board(Serial, "neighbour 1.0");
 long printMillis, loopMillis, perceptsMillis, kept;
 unsigned long printedAt;
 
-bool print(const javinolib::Arguments &arguments) { return arguments.integer(0, printMillis); }
-bool slowLoop(const javinolib::Arguments &arguments) { return arguments.integer(0, loopMillis); }
-bool slowPercepts(const javinolib::Arguments &arguments) { return arguments.integer(0, perceptsMillis); }
+bool print(const JavinoArguments &arguments) { return arguments.integer(0, printMillis); }
+bool slowLoop(const JavinoArguments &arguments) { return arguments.integer(0, loopMillis); }
+bool slowPercepts(const JavinoArguments &arguments) { return arguments.integer(0, perceptsMillis); }
 
-bool wait(const javinolib::Arguments &arguments) {
+bool wait(const JavinoArguments &arguments) {
   long millis;
   if (!arguments.integer(0, millis)) return false;
   delay(millis);
   return true;
 }
 
-bool keep(const javinolib::Arguments &arguments) {
+bool keep(const JavinoArguments &arguments) {
   if (!arguments.integer(0, kept)) return false;
   EEPROM.put(0, kept);
   return true;
 }
 
-void perceive(javinolib::Percepts &percepts) {
+void perceive(JavinoPercepts &percepts) {
   digitalWrite(LAMP_PIN, HIGH);
   if (perceptsMillis != 0) delay(perceptsMillis);
   percepts.event(F("pressed"), digitalRead(BUTTON_PIN));

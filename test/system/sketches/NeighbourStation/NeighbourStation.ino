@@ -4,14 +4,14 @@
 // a strip of lamps has them.
 
 #include <EEPROM.h>
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-javinolib::AskRadio radio;
-javinolib::JavinoWithRadio board(Serial, "neighbour station 1.0", radio);
+JavinoAskRadio radio;
+JavinoRadioBoard board(Serial, "neighbour station 1.0", radio);
 long stripMicros;
 int waited = 0;
 
-bool wait(const javinolib::Arguments &arguments) {
+bool wait(const JavinoArguments &arguments) {
   long millis;
   if (!arguments.integer(0, millis)) return false;
   delay(millis);
@@ -19,16 +19,16 @@ bool wait(const javinolib::Arguments &arguments) {
   return true;
 }
 
-bool keep(const javinolib::Arguments &arguments) {
+bool keep(const JavinoArguments &arguments) {
   long number;
   if (!arguments.integer(0, number)) return false;
   EEPROM.put(0, number);
   return true;
 }
 
-bool strip(const javinolib::Arguments &arguments) { return arguments.integer(0, stripMicros); }
+bool strip(const JavinoArguments &arguments) { return arguments.integer(0, stripMicros); }
 
-void perceive(javinolib::Percepts &percepts) { percepts.add(F("waited"), waited); }
+void perceive(JavinoPercepts &percepts) { percepts.add(F("waited"), waited); }
 
 void setup() {
   board.onPercepts(perceive);

@@ -1,6 +1,6 @@
 // A board whose host is at another port than Serial: one that never tells how much room it has, as SoftwareSerial and others.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 class SilentPort : public Stream {
  public:
@@ -13,11 +13,11 @@ class SilentPort : public Stream {
 };
 
 SilentPort port;
-javinolib::Javino board(port, "other 1.0");
+JavinoBoard board(port, "other 1.0");
 
-void percepts(javinolib::Percepts &p) { p.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)")); }
+void percepts(JavinoPercepts &p) { p.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)")); }
 
-bool ledOn(const javinolib::Arguments &) {
+bool ledOn(const JavinoArguments &) {
   digitalWrite(LED_BUILTIN, HIGH);
   return true;
 }

@@ -4,7 +4,7 @@
 // Actions: turn(Micros), the length of the servo's pulse; beep(Hertz); quiet.
 
 #define JAVINO_RADIO_TIMER 0
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 const uint8_t BUZZER_PIN = 8;
 const uint8_t SERVO_PIN = 9;
@@ -13,8 +13,8 @@ const uint16_t PERIOD_MICROS = 20000;
 
 volatile uint16_t pulseMicros = 1500;
 
-javinolib::AskRadio radio;
-javinolib::JavinoWithRadio board(Serial, "servo and tone 1.0", radio);
+JavinoAskRadio radio;
+JavinoRadioBoard board(Serial, "servo and tone 1.0", radio);
 
 ISR(TIMER1_COMPA_vect) {
   if (digitalRead(SERVO_PIN)) {
@@ -27,7 +27,7 @@ ISR(TIMER1_COMPA_vect) {
   }
 }
 
-bool turn(const javinolib::Arguments &arguments) {
+bool turn(const JavinoArguments &arguments) {
   long micros;
   if (!arguments.integer(0, micros) || micros < 544 || micros > 2400) return false;
   noInterrupts();
@@ -36,14 +36,14 @@ bool turn(const javinolib::Arguments &arguments) {
   return true;
 }
 
-bool beep(const javinolib::Arguments &arguments) {
+bool beep(const JavinoArguments &arguments) {
   long hertz;
   if (!arguments.integer(0, hertz) || hertz < 31 || hertz > 20000) return false;
   tone(BUZZER_PIN, hertz);
   return true;
 }
 
-bool quiet(const javinolib::Arguments &) {
+bool quiet(const JavinoArguments &) {
   noTone(BUZZER_PIN);
   return true;
 }

@@ -1,10 +1,10 @@
 // A sketch that waits in loop(), as examples of slow sensors do.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-javinolib::Javino board(Serial, "slow 1.0");
+JavinoBoard board(Serial, "slow 1.0");
 
-void percepts(javinolib::Percepts &percepts) { percepts.add(F("celsius"), 21); }
+void percepts(JavinoPercepts &percepts) { percepts.add(F("celsius"), 21); }
 
 void setup() {
   board.onPercepts(percepts);

@@ -24,7 +24,7 @@ class WithoutRadioTest {
             +dark <- diffuser.note(dark).
             """;
     private static final String MESSAGE = "failed: NO_RADIO, the board has no radio; for one, its sketch makes a "
-            + "javinolib::JavinoWithRadio";
+            + "JavinoRadioBoard";
 
     private static FakeBoard board() {
         return new FakeBoard("plain").setCapabilities(Capability.SAYS_TAKEN);
@@ -68,7 +68,7 @@ class WithoutRadioTest {
         FakeBoard board = board();
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
-        agent.warns("plain: the board has no radio; for one, its sketch makes a javinolib::JavinoWithRadio");
+        agent.warns("plain: the board has no radio; for one, its sketch makes a JavinoRadioBoard");
         assertEquals(List.of(), List.copyOf(board.requests));
     }
 }

@@ -47,7 +47,7 @@ class WithoutRadioTest extends BoardFixture {
             RequestFailedException refused = failure(RequestFailedException.class, request.get());
             assertEquals(Status.NO_RADIO, refused.status(), name);
             assertTrue(refused.getMessage().endsWith("failed: NO_RADIO, the board has no radio; for one, its sketch "
-                    + "makes a javinolib::JavinoWithRadio"), refused.getMessage());
+                    + "makes a JavinoRadioBoard"), refused.getMessage());
         });
         assertEquals(List.of(), List.copyOf(fake.requests));
         assertEquals(List.of(), listener.rest());

@@ -264,7 +264,7 @@ class DriveCommandsTest extends CommandFixture {
     void boardWithoutRadio_commandOfTheRadio_saysSo(String arguments) {
         fake.setCapabilities(Capability.SAYS_TAKEN);
         assertFails(1, "failed: NO_RADIO, the board has no radio; for one, its sketch makes a "
-                + "javinolib::JavinoWithRadio", (arguments + " --port fake").split(" "));
+                + "JavinoRadioBoard", (arguments + " --port fake").split(" "));
         assertEquals(List.of(), List.copyOf(fake.requests));
     }
 

@@ -21,7 +21,7 @@ class OverhearingTest {
         try (Board board = Board.open(fake.port, BoardConfig.create(), new BoardListener() {})) {
             Await.result(board.greeted());
             assertEquals("overhear failed: NO_RADIO, the board has no radio; for one, its sketch makes a "
-                    + "javinolib::JavinoWithRadio",
+                    + "JavinoRadioBoard",
                     assertThrows(RequestFailedException.class,
                             () -> Overhearing.begin(board, "fake")).getMessage());
         }

@@ -46,7 +46,7 @@ public enum Status {
             "the sketch's stack, or a wild pointer, has written over the board's memory of nonces, and the board "
                     + "seals and opens nothing until it is reset; make the sketch's variables smaller"),
     /** The board has no radio. */
-    NO_RADIO("the board has no radio; for one, its sketch makes a javinolib::JavinoWithRadio");
+    NO_RADIO("the board has no radio; for one, its sketch makes a JavinoRadioBoard");
 
     private static final Status[] VALUES = values();
 

@@ -72,6 +72,7 @@ class ArduinoLibraryTest {
         assertMatches(LIBRARY_NAME, PROPERTIES.get("name"));                                    // LP009 … LP011, LP015
         assertFalse(PROPERTIES.get("name").matches("(?i).*(arduino|library).*"));               // LP012, LP014, LP016
         assertMatches(SEMANTIC_VERSION, PROPERTIES.get("version"));                             // LP021, LP022
+        assertMatches(Pattern.compile("[^<>]+ <[^@<> ]+@[^@<> ]+>"), PROPERTIES.get("maintainer"));
         assertFalse(PROPERTIES.get("maintainer").toLowerCase(Locale.ROOT).contains("arduino")); // LP027, LP057
         assertFalse(PROPERTIES.get("paragraph").startsWith(PROPERTIES.get("sentence")));        // LP036
         assertTrue(CATEGORIES.contains(PROPERTIES.get("category")));                            // LP039, LP040
@@ -103,6 +104,23 @@ class ArduinoLibraryTest {
         }
     }
 
+    /** The published library has a Javino.h too: a sketch with JavinoBDI.h needs none of that name. */
+    @Test
+    void sources_doNotIncludeTheHeaderThatThePublishedLibraryHasToo() {
+        assertEquals(List.of(), FILES.stream().filter(file -> file.startsWith(LIBRARY.resolve("src")))
+                .filter(file -> Repository.text(file).matches("(?s).*#\\s*include\\s*[\"<](.*/)?Javino\\.h[\">].*"))
+                .toList());
+    }
+
+    @Test
+    void namesForSketches_areGlobal() {
+        Pattern code = Pattern.compile("(?s)```cpp\n(.*?)```");
+        Stream<String> sketches = Repository.files("", ".ino").stream().map(Repository::text);
+        Stream<String> pages = Repository.files("", ".md").stream().map(Repository::text)
+                .flatMap(page -> code.matcher(page).results().map(block -> block.group(1)));
+        assertEquals(List.of(), Stream.concat(sketches, pages).filter(text -> text.contains("javinolib")).toList());
+    }
+
     @Test
     void includes_writeArduinoAsItIsWritten() {
         Pattern include = Pattern.compile("(?im)^\\s*#\\s*include\\s*[\"<](arduino\\.h)[\">]");
@@ -128,12 +146,20 @@ class ArduinoLibraryTest {
         assertEquals(List.of(), lines.stream().filter(line -> !KEYWORD.matcher(line).matches()).toList());
         String readme = Repository.text(FOLDER + "/README.md");
         String api = readme.substring(readme.indexOf("\n## API"), readme.indexOf("\n## Size"));
-        assertEquals(found("(?m)\\w+\\.(\\w+)\\(", firstColumn(api)), words(lines, "KEYWORD2"));
-        Set<String> types =
-                found("javinolib::([A-Z]\\w*[a-z]\\w*)", FILES.stream().filter(named(".*\\.ino")).map(Repository::text)
-                        .collect(Collectors.joining()) + api);
-        assertEquals(types, words(lines, "KEYWORD1"));
-        assertEquals(Set.of("JAVINO_RADIO_TIMER", "HC_12", "E32", "E22"), words(lines, "LITERAL1"));
+        String published = source("arduino/PublishedJavino.h");
+        published = published.substring(0, published.indexOf("\n private:"));
+        Set<String> functions = found("(?m)^  (?:\\w+ )+(\\w+)[(;]", published);
+        functions.addAll(found("(?m)\\w+\\.(\\w+)\\(", firstColumn(api)));
+        assertEquals(functions, words(lines, "KEYWORD2"));
+        assertEquals(found("(?m)^(?:class|using) (Javino\\w*) ",
+                source("JavinoBDI.h") + source("arduino/ArduinoBoard.h") + published), words(lines, "KEYWORD1"));
+        assertEquals(found("(?m)^(?:#ifndef|#if defined\\(|extern const javinolib::SerialModule) ?(JAVINO_\\w+)",
+                source("Config.h") + source("radio/AskHardwareAvrTimer.h") + source("serialradio/SerialModule.h")),
+                words(lines, "LITERAL1"));
+    }
+
+    private static String source(String file) {
+        return Repository.text(FOLDER + "/src/" + file);
     }
 
     private static Map<String, String> properties() {

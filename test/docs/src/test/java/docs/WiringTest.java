@@ -17,7 +17,7 @@ class WiringTest {
     private static final Pattern PIN = Pattern.compile("data-source=\"([^\"]+)\">([^<]+)<");
     private static final List<Path> PICTURES = Repository.files("docs/wiring", ".svg");
     private static final String SOURCES = Stream.concat(
-            Repository.files("javino-firmware/examples/Vehicle", "").stream(),
+            Repository.files("javino-firmware/examples/10_Vehicle", "").stream(),
             Stream.of(Repository.ROOT.resolve("javino-firmware/src/radio/AskRadio.h")))
             .map(Repository::text).collect(Collectors.joining());
 

@@ -30,12 +30,12 @@ final class FirmwareBuild {
     FirmwareBuild(Path root, Path place, List<String> command) throws IOException {
         this.place = place;
         this.command = command.stream().map(part -> part.replace(PLACE, place.toString())).toList();
-        Path library = place.resolve("libraries/Javino");
+        Path library = place.resolve("libraries/JavinoBDI");
         Path original = root.resolve("javino-firmware");
         copy(original.resolve("src"), library.resolve("src"));
         Files.copy(original.resolve("library.properties"), library.resolve("library.properties"),
                 StandardCopyOption.REPLACE_EXISTING);
-        copy(original.resolve("examples/Station"), place.resolve("Station"));
+        copy(original.resolve("examples/09_Station"), place.resolve("09_Station"));
         for (String folder : List.of("build", "core")) {
             Files.createDirectories(place.resolve(folder));
         }
@@ -62,7 +62,7 @@ final class FirmwareBuild {
 
     /** The program with one source changed; empty where it does not build. The source is then as it was. */
     Optional<Path> with(String file, String source) throws IOException, InterruptedException {
-        Path changed = place.resolve("libraries/Javino/src").resolve(file);
+        Path changed = place.resolve("libraries/JavinoBDI/src").resolve(file);
         String right = Files.readString(changed);
         try {
             write(changed, source);
@@ -74,7 +74,7 @@ final class FirmwareBuild {
 
     /** The program; empty where it does not build. */
     Optional<Path> build() throws IOException, InterruptedException {
-        Path built = place.resolve("build/Station.ino.elf");
+        Path built = place.resolve("build/09_Station.ino.elf");
         Files.deleteIfExists(built);
         int status = new ProcessBuilder(command).redirectErrorStream(true)
                 .redirectOutput(place.resolve("build.log").toFile()).start().waitFor();

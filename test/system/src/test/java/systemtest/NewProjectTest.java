@@ -1,6 +1,7 @@
 package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.AgentProcess;
@@ -83,15 +84,16 @@ class NewProjectTest {
     void sketch_forAnUno_takesLibrariesOfProjectAndSketchbookAndTellsItsSize(@TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, "--board", "uno").waitFor());
-        // That of the project goes before the other of its name; the published library does not go before ours.
+        // That of the project goes before the other of its name; the published library does not go before ours, from which
+        // Javino.h comes too if JavinoBDI.h is included first.
         Path sketchbook = folder.resolve("Arduino/libraries");
         write(project.resolve("libraries/Lamp/Lamp.h"), "#define LAMP 13");
         write(sketchbook.resolve("Lamp/Lamp.h"), "#error not that of the project");
         write(sketchbook.resolve("Dark/Dark.h"), "#define DARK 300");
         write(sketchbook.resolve("Javino/Javino.h"), "#error not ours");
         Path sketch = project.resolve("sketch/Robot/Robot.ino");
-        Files.writeString(sketch, "#include <Lamp.h>\n#include <Dark.h>\nstatic_assert(LAMP + DARK == 313, \"\");\n"
-                + Files.readString(sketch));
+        Files.writeString(sketch, "#include <JavinoBDI.h>\n#include <Javino.h>\n#include <Lamp.h>\n#include <Dark.h>\n"
+                + "static_assert(LAMP + DARK == 313, \"\");\n" + Files.readString(sketch));
 
         Path said = folder.resolve("said");
         int status = gradle("sketch", "-Duser.home=" + folder).directory(project.toFile()).redirectErrorStream(true)
@@ -99,6 +101,7 @@ class NewProjectTest {
 
         String text = Files.readString(said);
         assertEquals(0, status, text);
+        assertFalse(text.contains("Multiple libraries were found for \"Javino"), text);
         assertTrue(text.contains("Maximum is 32256 bytes.") && text.contains("Maximum is 2048 bytes."), text);
         assertTrue(Files.size(project.resolve("build/sketch/Robot.ino.hex")) > 0);
     }

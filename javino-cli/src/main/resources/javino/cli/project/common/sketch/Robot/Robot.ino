@@ -6,21 +6,21 @@
 //           lamp(on) or lamp(off)
 // Actions:  lampOn, lampOff
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-javinolib::Javino board(Serial, "robot 1.0");
+JavinoBoard board(Serial, "robot 1.0");
 
-void perceive(javinolib::Percepts &percepts) {
+void perceive(JavinoPercepts &percepts) {
   percepts.add(F("light"), analogRead(A0), 4);  // a change of less than 4 is none: the sensor trembles
   percepts.literal(digitalRead(LED_BUILTIN) ? F("lamp(on)") : F("lamp(off)"));
 }
 
-bool lampOn(const javinolib::Arguments &) {
+bool lampOn(const JavinoArguments &) {
   digitalWrite(LED_BUILTIN, HIGH);
   return true;
 }
 
-bool lampOff(const javinolib::Arguments &) {
+bool lampOff(const JavinoArguments &) {
   digitalWrite(LED_BUILTIN, LOW);
   return true;
 }

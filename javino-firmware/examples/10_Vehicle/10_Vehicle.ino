@@ -15,7 +15,7 @@
 //           light(L)        0 (dark) … 1023 (bright)
 //           moving          while the motors run
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 #include "Siren.h"
 #include "Sonar.h"
@@ -32,12 +32,12 @@ const uint8_t HEADLIGHTS_PIN = 30;
 const uint8_t PROXIMITY_DEAD_BAND = 2;  // cm
 const uint8_t LIGHT_DEAD_BAND = 4;
 
-#ifdef SERIAL_MODULE  // HC_12, E32 or E22: TX1 at 18, RX1 at 19
-javinolib::SerialRadio radio(Serial1, javinolib::SERIAL_MODULE);
+#ifdef SERIAL_MODULE  // JAVINO_HC_12, JAVINO_E32 or JAVINO_E22: TX1 at 18, RX1 at 19
+JavinoSerialRadio radio(Serial1, SERIAL_MODULE);
 #else
-javinolib::AskRadio radio;
+JavinoAskRadio radio;
 #endif
-javinolib::JavinoWithRadio board(Serial, "vehicle 1.0", radio);
+JavinoRadioBoard board(Serial, "vehicle 1.0", radio);
 Sonar sonar(22);
 Siren siren(31, 32);
 
@@ -55,51 +55,51 @@ void drive(bool forward) {
 // The alert and the siren share the buzzer.
 void updateBuzzer() { digitalWrite(BUZZER_PIN, alerting || siren.on()); }
 
-bool startDriving(const javinolib::Arguments &) {
+bool startDriving(const JavinoArguments &) {
   drive(true);
   return true;
 }
 
-bool stopDriving(const javinolib::Arguments &) {
+bool stopDriving(const JavinoArguments &) {
   drive(false);
   return true;
 }
 
-bool accidentAlert(const javinolib::Arguments &) {
+bool accidentAlert(const JavinoArguments &) {
   alerting = true;
   updateBuzzer();
   return true;
 }
 
-bool alertOff(const javinolib::Arguments &) {
+bool alertOff(const JavinoArguments &) {
   alerting = false;
   updateBuzzer();
   return true;
 }
 
-bool sirenOn(const javinolib::Arguments &) {
+bool sirenOn(const JavinoArguments &) {
   siren.start();
   updateBuzzer();
   return true;
 }
 
-bool sirenOff(const javinolib::Arguments &) {
+bool sirenOff(const JavinoArguments &) {
   siren.stop();
   updateBuzzer();
   return true;
 }
 
-bool headlightsOn(const javinolib::Arguments &) {
+bool headlightsOn(const JavinoArguments &) {
   digitalWrite(HEADLIGHTS_PIN, HIGH);
   return true;
 }
 
-bool headlightsOff(const javinolib::Arguments &) {
+bool headlightsOff(const JavinoArguments &) {
   digitalWrite(HEADLIGHTS_PIN, LOW);
   return true;
 }
 
-void perceive(javinolib::Percepts &percepts) {
+void perceive(JavinoPercepts &percepts) {
   if (sonar.inRange()) percepts.add(F("proximity"), sonar.centimetres(), PROXIMITY_DEAD_BAND);
   percepts.add(F("light"), analogRead(LIGHT_PIN), LIGHT_DEAD_BAND);
   if (moving) percepts.add(F("moving"));

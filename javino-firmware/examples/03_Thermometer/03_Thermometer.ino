@@ -6,7 +6,7 @@
 // No actions.
 // Percepts: celsius(T)   in °C, -40…125, such as celsius(24.71)
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 const uint8_t SENSOR_PIN = A0;
 
@@ -25,7 +25,7 @@ const float DEAD_BAND = 0.5;
 
 const uint16_t SAMPLE_MILLIS = 1000;
 
-javinolib::Javino board(Serial, "thermometer 1.0");
+JavinoBoard board(Serial, "thermometer 1.0");
 
 float celsius() {
   unsigned int sum = 0;
@@ -34,7 +34,7 @@ float celsius() {
   return (millivolts - MILLIVOLTS_AT_ZERO) / MILLIVOLTS_A_DEGREE;
 }
 
-void perceive(javinolib::Percepts &percepts) { percepts.add(F("celsius"), celsius(), DEAD_BAND); }
+void perceive(JavinoPercepts &percepts) { percepts.add(F("celsius"), celsius(), DEAD_BAND); }
 
 void setup() {
   board.onPercepts(perceive);

@@ -6,13 +6,13 @@
 //
 // If two relays hear each other, give each another number.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 const uint16_t NUMBER = 1;
 const uint16_t LIT_MILLIS = 100;
 
-javinolib::AskRadio radio;
-javinolib::Relay relay(radio);
+JavinoAskRadio radio;
+JavinoRelay relay(radio);
 
 uint32_t shown = 0;
 uint32_t shownAt = 0;

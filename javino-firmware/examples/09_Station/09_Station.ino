@@ -4,14 +4,14 @@
 //
 // No actions, no percepts. The lamp on the board (pin 13) stays dark unless the radio or the EEPROM fails.
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-#ifdef SERIAL_MODULE  // HC_12, E32 or E22: TX1 at 18, RX1 at 19
-javinolib::SerialRadio radio(Serial1, javinolib::SERIAL_MODULE);
+#ifdef SERIAL_MODULE  // JAVINO_HC_12, JAVINO_E32 or JAVINO_E22: TX1 at 18, RX1 at 19
+JavinoSerialRadio radio(Serial1, SERIAL_MODULE);
 #else
-javinolib::AskRadio radio;
+JavinoAskRadio radio;
 #endif
-javinolib::JavinoWithRadio board(Serial, "station 1.0", radio);
+JavinoRadioBoard board(Serial, "station 1.0", radio);
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

@@ -5,23 +5,21 @@
 // Actions:  ledOn, ledOff
 // Percepts: led(on) or led(off)
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
-javinolib::Javino board(Serial, "blink 1.0");
+JavinoBoard board(Serial, "blink 1.0");
 
-bool ledOn(const javinolib::Arguments &) {
+bool ledOn(const JavinoArguments &) {
   digitalWrite(LED_BUILTIN, HIGH);
   return true;
 }
 
-bool ledOff(const javinolib::Arguments &) {
+bool ledOff(const JavinoArguments &) {
   digitalWrite(LED_BUILTIN, LOW);
   return true;
 }
 
-void perceive(javinolib::Percepts &percepts) {
-  percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)"));
-}
+void perceive(JavinoPercepts &percepts) { percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)")); }
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

@@ -6,13 +6,13 @@
 //
 // Anybody can read and forge these messages. Agents in range understand lines in their form: tell;hello
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 const uint8_t ADDRESS_PIN = 2;
-const uint8_t MAX_TEXT = javinolib::Broadcaster::MAX_TEXT;
+const uint8_t MAX_TEXT = JavinoBroadcaster::MAX_TEXT;
 
-javinolib::AskRadio radio;
-javinolib::Broadcaster broadcaster(radio);
+JavinoAskRadio radio;
+JavinoBroadcaster broadcaster(radio);
 
 char line[MAX_TEXT + 1];
 uint8_t length = 0;  // MAX_TEXT + 1 if more came

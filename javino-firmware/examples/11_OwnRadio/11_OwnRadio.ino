@@ -1,15 +1,15 @@
 // Shows how to write a driver for another radio: begin with LoopbackRadio.h. Here two such drivers are joined on one board,
 // without wiring: ALFA sends a greeting each second, and BETA prints it at the serial monitor (115200 baud).
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 
 #include "LoopbackRadio.h"
 
 const uint16_t INTERVAL_MILLIS = 1000;
 
 LoopbackRadio radios[2];
-javinolib::Broadcaster alfa(radios[0]);
-javinolib::Broadcaster beta(radios[1]);
+JavinoBroadcaster alfa(radios[0]);
+JavinoBroadcaster beta(radios[1]);
 uint32_t greetedAt = 0;
 
 void print(const char *from, const char *text) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Javino.h>
+#include <JavinoBDI.h>
 #include <string.h>
 
 /// An example of a driver for another radio than the ASK pair. Its air is the board's memory: two joined drivers receive
 /// each other's packets. These are like those of a small module: 32 bytes, 8 of them a millisecond.
-class LoopbackRadio : public javinolib::Radio {
+class LoopbackRadio : public JavinoRadio {
  public:
   static const uint8_t LONGEST = 32;
 
@@ -32,7 +32,7 @@ class LoopbackRadio : public javinolib::Radio {
   uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(1 + length / 8); }
   uint8_t slotMillis() const override { return 2; }
 
-  uint8_t *receive(javinolib::Received &with) override {
+  uint8_t *receive(JavinoReceived &with) override {
     if (length_ != 0 && !sending()) finish();
     with.length = receivedLength_;
     with.path = 0;
@@ -40,7 +40,7 @@ class LoopbackRadio : public javinolib::Radio {
   }
 
   void release() override { receivedLength_ = 0; }
-  void counters(javinolib::RadioCounters &into) const override { into = counters_; }
+  void counters(JavinoRadioCounters &into) const override { into = counters_; }
   bool idle() const override { return length_ == 0 && receivedLength_ == 0; }
 
  private:
@@ -68,5 +68,5 @@ class LoopbackRadio : public javinolib::Radio {
   uint32_t sentAt_ = 0;
   uint8_t received_[LONGEST];
   uint8_t receivedLength_ = 0;  // 0 where nothing waits
-  javinolib::RadioCounters counters_ = {0, 0, 0, 0, 0, 0};
+  JavinoRadioCounters counters_ = {0, 0, 0, 0, 0, 0};
 };
