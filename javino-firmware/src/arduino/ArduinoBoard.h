@@ -28,6 +28,12 @@ class ArduinoBoard {
   // name is taken or empty, or if there are JAVINO_ACTIONS (Config.h) already.
   bool action(const FlashText *name, Action action) { return board_.actions().add(name, action); }
 
+  template <typename Function>
+  bool action(const char *, Function) {
+    static_assert(sizeof(Function) == 0, "write the name as in board.action(F(\"ledOn\"), ledOn)");
+    return false;
+  }
+
   // Sets what performs all actions without a name, after those with one.
   bool otherActions(Action action) { return board_.actions().addOthers(action); }
 

@@ -62,6 +62,16 @@ class Percepts {
     add(name, text.c_str());
   }
 
+  // A name without F("…") would lie in RAM: the compiler says what to write.
+  template <typename... Rest>
+  void add(const char *, Rest...) {
+    static_assert(sizeof...(Rest) > 3, "write the name as in percepts.add(F(\"light\"), 5)");
+  }
+  template <typename Happens>
+  void event(const char *, Happens) {
+    static_assert(sizeof(Happens) == 0, "write the name as in percepts.event(F(\"pressed\"), happens)");
+  }
+
   // A whole literal, written unchanged: `position(3,"km")`
   void literal(const char *text) { write(Text(text)); }
   void literal(const FlashText *text) { write(Text(text)); }
