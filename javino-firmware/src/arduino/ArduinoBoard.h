@@ -34,8 +34,8 @@ class ArduinoBoard {
     return false;
   }
 
-  // Sets what performs all actions without a name, after those with one.
-  bool otherActions(Action action) { return board_.actions().addOthers(action); }
+  // Has all actions performed by another than those with a name.
+  void performBy(Actions::Performer performer) { board_.actions().performBy(performer); }
 
   // Does all work that is due.
   void serve() {

@@ -20,10 +20,17 @@ Javino::Function &Javino::Actions::operator[](const char *name) {
   return entries_[i].function;
 }
 
+Javino::Function Javino::Actions::find(const String &name) const {
+  for (uint8_t i = 0; i != count_; i++) {
+    if (name == entries_[i].name) return entries_[i].function;
+  }
+  return nullptr;
+}
+
 void Javino::start(unsigned long) {
   isOpen_ = true;
   board_.onPercepts(perceive);
-  board_.otherActions(perform);
+  board_.performBy(perform);
   board_.begin(115200);
 }
 
@@ -32,13 +39,15 @@ void Javino::readSerial() { board_.serve(); }
 bool Javino::availableMsg() {
   if (!isOpen_) start(0);
   board_.serve();
-  message_ = wanted_;
-  wanted_ = String();
-  if (message_.length() == 0 && perceive_ == nullptr && board_.wantsPercepts() && millis() - askedAt_ >= 20) {
-    askedAt_ = millis();
-    message_ = F("getPercepts");
+  if (wanted_.length() != 0) {
+    message_ = wanted_;
+    wanted_ = String();
+    return true;
   }
-  return message_.length() != 0;
+  if (perceive_ != nullptr || !board_.wantsPercepts() || millis() - askedAt_ < 20) return false;
+  askedAt_ = millis();
+  message_ = F("getPercepts");
+  return true;
 }
 
 bool Javino::requestPercepts() const { return message_ == F("getPercepts"); }
@@ -46,12 +55,6 @@ bool Javino::requestPercepts() const { return message_ == F("getPercepts"); }
 void Javino::sendPercepts() {
   reading_ = percepts_;
   clearPercepts();
-}
-
-void Javino::sendMsg(const String &literals) {
-  percepts_ = literals + '\n';
-  percepts_.replace(';', '\n');
-  sendPercepts();
 }
 
 // The sketch's function is called when the agent is to be told: it may forget what it adds.
@@ -63,24 +66,35 @@ void Javino::perceive(javinolib::Percepts &percepts) {
     all += theOne->percepts_;
     theOne->clearPercepts();
   }
-  int begin = 0;
-  for (int end; (end = all.indexOf('\n', begin)) >= 0; begin = end + 1) {
-    if (end != begin) percepts.literal(all.substring(begin, end));
+  // Semicolons within a string part nothing.
+  bool isQuoted = false;
+  unsigned int begin = 0;
+  for (unsigned int i = 0; i <= all.length(); i++) {
+    const char next = i == all.length() ? '\0' : all[i];
+    if (next == '"' && (i == 0 || all[i - 1] != '\\')) isQuoted = !isQuoted;
+    if (next != '\0' && (next != ';' || isQuoted)) continue;
+    if (i != begin) percepts.literal(all.substring(begin, i));
+    begin = i + 1;
   }
 }
 
 // The agent gets an error for what a sketch does not know; one without functions is asked by availableMsg().
-bool Javino::perform(const javinolib::Arguments &arguments) {
-  String action;
-  for (uint16_t i = 0; i != arguments.nameLength(); i++) action += arguments.name()[i];
-  for (uint8_t i = 0; i != theOne->act.count_; i++) {
-    const Actions::Entry &entry = theOne->act.entries_[i];
-    if (action == entry.name && entry.function != nullptr) {
-      entry.function();
-      return true;
-    }
+javinolib::Status Javino::perform(const javinolib::Actions &, const uint8_t *action, uint16_t length) {
+  using javinolib::Status;
+  if (length == 0) return Status::BAD_ARGUMENT;
+  String text;
+  for (uint16_t i = 0; i != length; i++) text += static_cast<char>(action[i]);
+  if (theOne->act.count_ == 0) {
+    if (theOne->wanted_.length() != 0) return Status::ACTION_FAILED;
+    theOne->wanted_ = text;
+    return Status::OK;
   }
-  if (theOne->act.count_ != 0 || theOne->wanted_.length() != 0) return false;
-  theOne->wanted_ = action;
-  return true;
+  // The published library knows whole texts only.
+  Function function = theOne->act.find(text);
+  const int bracket = text.indexOf('(');
+  if (function == nullptr && bracket > 0) function = theOne->act.find(text.substring(0, bracket));
+  if (function == nullptr) return Status::ACTION_FAILED;
+  theOne->message_ = text;
+  function();
+  return Status::OK;
 }

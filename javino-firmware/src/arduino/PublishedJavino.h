@@ -16,6 +16,8 @@ class Javino {
    private:
     friend class Javino;
 
+    Function find(const String &name) const;
+
     struct Entry {
       const char *name;
       Function function;
@@ -33,8 +35,8 @@ class Javino {
   // Sets the function that calls addPercept().
   void perceive(Function function) { perceive_ = function; }
 
-  // Adds a literal to the next reading.
-  void addPercept(const String &literal) { percepts_ += literal + '\n'; }
+  // Adds literals, with semicolons between them, to the next reading.
+  void addPercept(const String &literals) { percepts_ += literals + ';'; }
 
   // Does all work that is due. Call it from loop().
   void run() { readSerial(); }
@@ -50,7 +52,7 @@ class Javino {
   // Opens the line if start() has not: sketches for the first Javino call Serial.begin() themselves.
   bool availableMsg();
 
-  // What the last availableMsg() was about.
+  // What the last message was: of an action its whole text, as it came.
   bool requestPercepts() const;
   bool requestAction(const String &action) const { return message_ == action; }
   String getMsg() const { return message_; }
@@ -60,7 +62,7 @@ class Javino {
   void clearPercepts() { percepts_ = String(); }
 
   // The literals, with semicolons between them, are the board's percepts from now on (SPEC 4.6).
-  void sendMsg(const String &literals);
+  void sendMsg(const String &literals) { reading_ = literals; }
 
   // The same in the words of the first Javino.
   bool availablemsg() { return availableMsg(); }
@@ -74,11 +76,11 @@ class Javino {
   };
 
   static void perceive(javinolib::Percepts &percepts);
-  static bool perform(const javinolib::Arguments &arguments);
+  static javinolib::Status perform(const javinolib::Actions &, const uint8_t *action, uint16_t length);
 
   Board board_;
   Function perceive_;
-  String percepts_;  // each with a line feed
+  String percepts_;  // each with a semicolon
   String reading_;   // those that hold
   String wanted_;    // an action that availableMsg() has not told of
   String message_;

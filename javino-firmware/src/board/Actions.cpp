@@ -22,22 +22,13 @@ bool equal(const FlashText *known, const FlashText *name) {
 }  // namespace
 
 bool Actions::add(const FlashText *name, Action action) {
-  if (name == nullptr || action == nullptr || flashChar(name, 0) == 0 || hasOthers_ || count_ == config::ACTIONS)
-    return false;
+  if (name == nullptr || action == nullptr || flashChar(name, 0) == 0 || count_ == config::ACTIONS) return false;
   for (uint8_t i = 0; i < count_; i++) {
     if (equal(entries_[i].name, name)) return false;
   }
   entries_[count_].name = name;
   entries_[count_].action = action;
   count_++;
-  performer_ = performNamed;
-  return true;
-}
-
-bool Actions::addOthers(Action action) {
-  if (hasOthers_ || count_ == config::ACTIONS) return false;
-  entries_[count_] = {nullptr, action};
-  hasOthers_ = true;
   performer_ = performNamed;
   return true;
 }
@@ -73,7 +64,7 @@ Action Actions::find(const char *name, uint16_t length) const {
   for (uint8_t i = 0; i < count_; i++) {
     if (equal(entries_[i].name, name, length)) return entries_[i].action;
   }
-  return hasOthers_ ? entries_[count_].action : nullptr;
+  return nullptr;
 }
 
 }  // namespace javinolib

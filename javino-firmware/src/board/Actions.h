@@ -19,14 +19,17 @@ typedef bool (*Action)(const Arguments &arguments);
 /// The actions that a sketch has named.
 class Actions {
  public:
+  /// Performs what a request asks for, of which it gets the bytes as they came, in UTF-8.
+  /// @return OK, BAD_ARGUMENT, UNKNOWN_ACTION or ACTION_FAILED
+  typedef Status (*Performer)(const Actions &actions, const uint8_t *action, uint16_t length);
+
   /// @return false, and nothing changes, where name or function is missing, the name is taken or the table is full.
   bool add(const FlashText *name, Action action);
 
-  /// Sets what performs all others, after those that have a name.
-  bool addOthers(Action action);
+  /// Has all performed by another than those that have a name here.
+  void performBy(Performer performer) { performer_ = performer; }
 
-  /// Performs what a request asks for.
-  /// @return OK, BAD_ARGUMENT, UNKNOWN_ACTION or ACTION_FAILED
+  /// Performs what a request asks for (Performer).
   Status perform(const uint8_t *action, uint16_t length) const {
     return performer_ == nullptr ? Status::UNKNOWN_ACTION : performer_(*this, action, length);
   }
@@ -46,9 +49,8 @@ class Actions {
   Action find(const char *name, uint16_t length) const;
 
   // Null until there is an action: a sketch without any has no code for them.
-  Status (*performer_)(const Actions &actions, const uint8_t *action, uint16_t length) JAVINO_ZEROED;
+  Performer performer_ JAVINO_ZEROED;
   uint8_t count_ JAVINO_ZEROED;
-  bool hasOthers_ JAVINO_ZEROED;  // behind those with a name
   Entry entries_[config::ACTIONS];
 };
 

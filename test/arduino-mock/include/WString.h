@@ -18,7 +18,8 @@ class String {
 
   const char *c_str() const { return text_.c_str(); }
   unsigned int length() const { return static_cast<unsigned int>(text_.size()); }
-  int indexOf(char character, unsigned int from) const { return static_cast<int>(text_.find(character, from)); }
+  char operator[](unsigned int at) const { return text_[at]; }
+  int indexOf(char character, unsigned int from = 0) const { return static_cast<int>(text_.find(character, from)); }
   String substring(unsigned int from, unsigned int to) const { return text_.substr(from, to - from).c_str(); }
   void replace(char what, char by);
 

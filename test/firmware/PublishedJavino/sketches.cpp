@@ -195,6 +195,114 @@ TEST_F(PublishedJavino, a_sketch_without_functions_gets_each_action_once) {
   EXPECT_TRUE(javino.requestAction("lampOff"));
 }
 
+// Its getMsg() gives the bytes behind preamble and length, whatever they are; it compares them whole.
+TEST_F(PublishedJavino, a_sketch_gets_each_text_as_the_published_library_gives_it) {
+  const struct {
+    std::string text;
+    bool isLampOn;
+    bool asksPercepts;
+  } rows[] = {
+      {"lampOn", true, false},
+      {"getPercepts", false, true},
+      {"speed(80)", false, false},
+      {"speed( 80 )", false, false},
+      {"drive(10,-20)", false, false},
+      {"\"ARGO online!\"", false, false},
+      {"ARGO online!", false, false},
+      {"\"lampOn\"", false, false},
+      {"lampOn()", false, false},
+      {"lampOn(now)", false, false},
+      {"lampOn ", false, false},
+      {" lampOn", false, false},
+      {"LampOn", false, false},
+      {"getPercepts()", false, false},
+      {"say(\"hello, world\")", false, false},
+      {"say(\"a \\\"b\\\"\")", false, false},
+      {"say(hello)[source(bob)]", false, false},
+      {"lampOn;lampOff", false, false},
+      {"open(", false, false},
+      {"open)", false, false},
+      {"\"open", false, false},
+      {"\"", false, false},
+      {"-3.5", false, false},
+      {"[a,b,[c]]", false, false},
+      {"{ +!go <- run }", false, false},
+      {"X", false, false},
+      {"_", false, false},
+      {"temperatura da água: 20 °C", false, false},
+      {"fffe05hello", false, false},
+      {"line 1\nline 2\t", false, false},
+      {"%$#@!?", false, false},
+      {std::string(javinolib::config::BOARD_MESSAGE - 1, 'x'), false, false},
+  };
+  for (const auto &row : rows) {
+    EXPECT_EQ(Status::OK, act(row.text)) << row.text;
+    EXPECT_TRUE(javino.availableMsg()) << row.text;
+    EXPECT_EQ(row.text, javino.getMsg().c_str());
+    EXPECT_EQ(row.isLampOn, javino.requestAction("lampOn")) << row.text;
+    EXPECT_EQ(row.asksPercepts, javino.requestPercepts()) << row.text;
+    EXPECT_FALSE(javino.availableMsg()) << row.text;
+    EXPECT_EQ(row.text, javino.getMsg().c_str()) << "until the next one";
+  }
+}
+
+TEST_F(PublishedJavino, a_function_is_called_for_a_whole_text_and_may_ask_for_it) {
+  static Javino *sketch;
+  static std::string called;
+  sketch = &javino;
+  javino.act["speed(80)"] = [] { called = "80 of "; };
+  javino.act["speed"] = [] { called = "any of "; };
+  javino.act["\"hi\""] = [] { called = "hi of "; };
+  for (const auto &name : {"speed(80)", "speed", "\"hi\""}) {
+    const Javino::Function function = javino.act[name];
+    called.clear();
+    EXPECT_EQ(Status::OK, act(name));
+    const std::string by = called;
+    called.clear();
+    function();
+    EXPECT_EQ(called, by) << name;
+    EXPECT_STREQ(name, javino.getMsg().c_str());
+  }
+  EXPECT_EQ(Status::OK, act("speed(81)")) << "what the published library would crash at";
+  EXPECT_EQ("any of ", called);
+  EXPECT_STREQ("speed(81)", sketch->getMsg().c_str());
+  EXPECT_EQ(Status::ACTION_FAILED, act("\"ho\""));
+  EXPECT_EQ(Status::BAD_ARGUMENT, act(""));
+}
+
+// Its host parts them at each semicolon.
+TEST_F(PublishedJavino, percepts_are_those_that_the_published_host_finds) {
+  const struct {
+    void (*tell)(Javino &);
+    Texts percepts;
+  } rows[] = {
+      {[](Javino &j) { j.addPercept("led(on)"), j.addPercept("device(lamp)"), j.sendPercepts(); },
+       {"led(on)", "device(lamp)"}},
+      {[](Javino &j) { j.addPercept("led(on);device(lamp)"), j.sendPercepts(); }, {"led(on)", "device(lamp)"}},
+      {[](Javino &j) { j.addPercept("led(on);"), j.sendPercepts(); }, {"led(on)"}},
+      {[](Javino &j) { j.sendMsg("led(on);device(lamp);"); }, {"led(on)", "device(lamp)"}},
+      {[](Javino &j) { j.sendMsg("led(on);device(lamp)"); }, {"led(on)", "device(lamp)"}},
+      {[](Javino &j) { j.sendMsg("led(on)"); }, {"led(on)"}},
+      {[](Javino &j) { j.sendMsg("says(\"a, b\");at(3,[x,y])"); }, {"says(\"a, b\")", "at(3,[x,y])"}},
+      {[](Javino &j) { j.addPercept("old"), j.clearPercepts(), j.addPercept("new"), j.sendPercepts(); }, {"new"}},
+      {[](Javino &j) { j.addPercept("kept"), j.sendMsg("now"); }, {"now"}},
+      {[](Javino &j) { j.addPercept("and"), j.sendPercepts(); }, {"kept", "and"}},
+      {[](Javino &j) { j.sendPercepts(); }, {}},
+  };
+  for (const auto &row : rows) {
+    row.tell(javino);
+    ask({'H', 1});  // which it is told in any case after a hello
+    poll();
+    EXPECT_EQ(row.percepts, told());
+  }
+}
+
+TEST_F(PublishedJavino, a_semicolon_within_a_string_parts_nothing) {
+  javino.sendMsg("says(\"a;b\");says(\"c\\\";d\");led(on)");
+  poll();
+  EXPECT_EQ((Texts{"says(\"a;b\")", "says(\"c\\\";d\")", "led(on)"}), told());
+}
+
 TEST_F(PublishedJavino, what_a_sketch_sends_outside_of_a_request_are_its_percepts_from_then_on) {
   javino.sendMsg("led(on);door(shut);");
   poll();

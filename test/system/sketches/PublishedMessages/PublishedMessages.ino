@@ -3,8 +3,13 @@
 #include <Javino.h>
 
 Javino javino;
+String said;
 
-String percepts() { return "device(lamp);level(" + String(digitalRead(13)) + ");"; }
+String percepts() {
+  String all = "device(lamp);level(" + String(digitalRead(13)) + ");";
+  if (said.length() != 0) all += "said(" + said + ");";
+  return all;
+}
 
 void setup() {
   pinMode(13, OUTPUT);
@@ -19,6 +24,8 @@ void loop() {
     digitalWrite(13, HIGH);
   } else if (javino.getMsg() == "lampOff") {
     digitalWrite(13, LOW);
+  } else {
+    said = javino.getMsg();
   }
 }
 

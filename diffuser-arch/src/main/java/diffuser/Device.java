@@ -141,6 +141,11 @@ final class Device implements BoardListener {
         return info.map(board -> board.actions().contains(name)).orElse(false);
     }
 
+    /** Whether the sketch of the board that is here, or was here last, has named no action: it may know any text. */
+    boolean readsActions() {
+        return info.map(board -> board.actions().isEmpty()).orElse(false);
+    }
+
     /** Has the board do as wished, now and whenever it comes back; {@link #setRfId} and {@link #radio} add when. */
     void apply(BoardSettings wanted) {
         settings = wanted;

@@ -28,6 +28,7 @@ import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
@@ -271,6 +272,19 @@ public class Diffuser extends AgArch {
     }
 
     /**
+     * An action as the board reads it: what a string holds, or a literal.
+     *
+     * @return nothing if the term is no action.
+     * @throws JasonException wrong_arguments if a variable in it has no value.
+     */
+    public Optional<String> action(Term term) throws JasonException {
+        if (term instanceof StringTerm string) {
+            return Optional.of(string.getString()).filter(text -> !text.isEmpty());
+        }
+        return term.isLiteral() ? Optional.of(Texts.action((Literal) term)) : Optional.empty();
+    }
+
+    /**
      * Makes the board perform an action.
      *
      * @param action {@code name} or {@code name(arguments)}.
@@ -378,6 +392,11 @@ public class Diffuser extends AgArch {
      */
     protected boolean performs(String action) {
         return device().map(board -> board.performs(action)).orElse(false);
+    }
+
+    /** Whether the board is one whose sketch reads what it is to do by itself, and names no actions, as far as is known. */
+    protected boolean readsActions() {
+        return device().map(Device::readsActions).orElse(false);
     }
 
     /** Whether the board, if one was opened, has a radio, as far as is known. */

@@ -1,6 +1,7 @@
 package jason;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
 
@@ -20,6 +21,8 @@ import diffuser.SensorMode;
  * <li>{@code .port(none)} leaves the port.
  * <li>After an action, too, the plan goes on when the sensors were read anew and are believed; but where {@code .limit}
  * lets that come later it goes on at once, unless its next step asks for a belief.
+ * <li>A board that names no actions, as those with the published library, gets any term as it is written: a string with
+ * its quotes.
  * </ul>
  */
 public class Argo extends Diffuser {
@@ -48,6 +51,12 @@ public class Argo extends Diffuser {
     @Override
     public CompletableFuture<Void> sense(SensorMode wanted) {
         return super.sense(wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
+    }
+
+    @Override
+    public Optional<String> action(Term term) throws JasonException {
+        boolean asWritten = readsActions() && !term.isLiteral() && term.isGround();
+        return asWritten ? Optional.of(term.toString()) : super.action(term);
     }
 
     @Override

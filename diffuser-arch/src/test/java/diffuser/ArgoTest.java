@@ -1,5 +1,6 @@
 package diffuser;
 
+import static diffuser.RunningAgent.asked;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
@@ -177,6 +178,36 @@ class ArgoTest {
             agent.notes("ledOff off");
         }
         agent.notes("done");
+    }
+
+    /** As the public Argo writes it; a sketch that names its actions gets what is in the string. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\'', value = {
+            "'' | \"ARGO online!\" | \"ARGO online!\"",
+            "'' | \"ledOn\" | \"ledOn\"",
+            "'' | 42 | 42",
+            "'' | [a,\"b\"] | [a,\"b\"]",
+            "'' | speed(80) | speed(80)",
+            "'' | say(\"hi\") | say(\"hi\")",
+            "ledOn | \"ledOn\" | ledOn",
+            "ledOn | ledOn | ledOn",
+    })
+    void act_termForABoardThatNamesNoActions_isSentAsItIsWritten(String named, String term, String sent) {
+        FakeBoard board = new FakeBoard("ttyACM0");
+        if (!named.isEmpty()) {
+            board.setActions(named);
+        }
+        RunningAgent agent =
+                argo("!start. +!start <- .port(ttyACM0); .argo.act(%s); diffuser.note(acted).".formatted(term), board);
+        agent.notes("acted");
+        asked(board, "act " + sent);
+    }
+
+    @Test
+    void act_variableForABoardThatNamesNoActions_isRefused() {
+        RunningAgent agent = argo("!start. +!start <- .port(ttyACM0); .act(X). -!start[error(E)] <- diffuser.note(E).",
+                new FakeBoard("ttyACM0"));
+        agent.notes("wrong_arguments");
     }
 
     @Test

@@ -3,13 +3,10 @@ package jason.stdlib;
 import java.util.concurrent.CompletableFuture;
 
 import jason.JasonException;
-import jason.asSyntax.Literal;
-import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 
 import diffuser.BoardAction;
 import diffuser.Diffuser;
-import diffuser.Texts;
 
 /**
  * <p>Internal action: <b><code>.act(<i>A</i>)</code></b>.
@@ -21,7 +18,8 @@ import diffuser.Texts;
  * when the action has left, and nothing is sent to it without <code>.act</code>.
  *
  * <p>Parameters:<ul>
- * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some.
+ * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some. An agent for
+ * Argo may send any term to a board that names no actions.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -35,17 +33,7 @@ public class act extends BoardAction {
 
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        return diffuser.perform(text(args[0]));
-    }
-
-    private String text(Term action) throws JasonException {
-        if (action instanceof StringTerm string && !string.getString().isEmpty()) {
-            return string.getString();
-        }
-        if (action.isLiteral()) {
-            return Texts.action((Literal) action);
-        }
-        throw JasonException.createWrongArgument(this,
-                "an action such as stop or speed(80) was expected, not '" + action + "'.");
+        return diffuser.perform(diffuser.action(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
+                "an action such as stop or speed(80) was expected, not '" + args[0] + "'.")));
     }
 }

@@ -86,6 +86,10 @@ class PublishedSketchesTest {
             perceives(host, "device(lamp)", "level(1)");
             get(host.board.act("lampOff"));
             perceives(host, "device(lamp)", "level(0)");
+            for (String text : List.of("\"ARGO online; 20 °C!\"", "speed(80)", "-3.5")) {
+                get(host.board.act(text));
+                perceives(host, "device(lamp)", "level(0)", "said(" + text + ")");
+            }
         });
     }
 
