@@ -1,6 +1,6 @@
 #include "Aes128Core.h"
 
-#if JAVINO_AES_IN_ASSEMBLY
+#if JAVINO_AES_IN_ASSEMBLY && JAVINO_LARGE
 
 ; AES-128 for AVR: the functions of Aes128Core.h.
 ;
@@ -18,9 +18,8 @@
 ; selects. LPM reads the lowest 64 KiB, whatever RAMPZ holds. The linker places .progmem.gcc, which is meant for such
 ; tables, right behind the vectors, where aligning costs least. test/cycles looks whether it did.
 ;
-; Round keys. Where JAVINO_ROUND_KEYS (Config.h) is 1 all of them are computed ahead. Those of even rounds lie in the order of
-; their bytes; those of odd rounds in the order in which bytes follow each other from register to register, see in_turn.
-; Where it is 0 there is room for one, and behind it for the key that each block begins with; each round computes the next.
+; Round keys. All of them are computed ahead. Those of even rounds lie in the order of their bytes; those of odd rounds in the
+; order in which bytes follow each other from register to register, see in_turn.
 
 #define XL r26
 #define XH r27
@@ -28,21 +27,6 @@
 #define YH r29
 #define ZL r30
 #define ZH r31
-
-; OUT, the pointer to what is written, and KEYS, that to the round keys. Only Y reaches any byte behind it.
-#if JAVINO_LARGE
-#define KEYSL XL
-#define KEYSH XH
-#define OUT Y
-#define OUTL YL
-#define OUTH YH
-#else
-#define KEYSL YL
-#define KEYSH YH
-#define OUT X
-#define OUTL XL
-#define OUTH XH
-#endif
 
   .section .progmem.gcc_javino_aes128, "a", @progbits
   .balign 256
@@ -62,26 +46,15 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
   .irp register, 10, 11, 12, 13, 14, 15, 16, 17
   push r\register
   .endr
-#if !JAVINO_LARGE
-  .irp register, 2, 3, 4, 5
-  push r\register
-  .endr
-#endif
   .endm
 
   .macro pop_saved
-#if !JAVINO_LARGE
-  .irp register, 5, 4, 3, 2
-  pop r\register
-  .endr
-#endif
   .irp register, 17, 16, 15, 14, 13, 12, 11, 10
   pop r\register
   .endr
   .endm
 
-; byte0 to byte15 are the numbers of the registers of a state or round key: at first r1, and r10 to r24. While a macro is
-; done for each of them, key_byte is the number of the round key's byte that is added to it.
+; byte0 to byte15 are the numbers of the registers of a state or round key: at first r1, and r10 to r24.
 
   .macro place_bytes
   .set byte0, 1
@@ -98,23 +71,19 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
 
   .macro in_order do
   .irp index, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
-  .set key_byte, \index
   \do byte\index
   .endr
   .endm
 
   .macro in_turn do
   .irp index, 1, 5, 9, 13, 11, 15, 3, 7, 8, 6, 10, 14, 2, 12, 0, 4
-  .set key_byte, \index
   \do byte\index, new\index
   .endr
   .endm
 
   .macro in_order_shifted do            ; what ShiftRows brings to byte 0, 1, ...
-  .set key_byte, 0
   .irp index, 0, 5, 10, 15, 4, 9, 14, 3, 8, 13, 2, 7, 12, 1, 6, 11
   \do byte\index
-  .set key_byte, key_byte + 1
   .endr
   .endm
 
@@ -123,40 +92,32 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
 ; void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back)
 ;                          r25:r24                   r23:r22            r21:r20        r19:r18              r16
 ;
-; KEYS: next byte of the round keys, or the round key of the present round. OUT: out or onto. T: whether it is a chain; then
-; r9:r8: stop. r7: back. r25: pairs of rounds left, or the round constant of the next round key.
+; X: next byte of the round keys. Y: out or onto. T: whether it is a chain; then r9:r8: stop, r7: back. r25: pairs of rounds
+; left.
 
   .macro load_byte byte
   ld \byte, Z+
   .endm
 
-  .macro load_key_byte
-#if JAVINO_LARGE
-  ld ZL, X+
-#else
-  ldd ZL, Y + key_byte
-#endif
-  .endm
-
   .macro add_key_and_substitute byte, new
-  load_key_byte
+  ld ZL, X+
   eor ZL, \byte
   lpm \byte, Z
   .endm
 
   .macro add_key byte
-  load_key_byte
+  ld ZL, X+
   eor \byte, ZL
   .endm
 
   .macro store_byte byte
-  st OUT+, \byte
+  st Y+, \byte
   .endm
 
   .macro add_stored_byte byte
-  ld ZL, OUT
+  ld ZL, Y
   eor \byte, ZL
-  st OUT+, \byte
+  st Y+, \byte
   .endm
 
 ; With a b c d the column, and 2 the doubling:
@@ -244,7 +205,7 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
   .endm
 
   .macro add_key_substitute_and_move byte, new
-  load_key_byte
+  ld ZL, X+
   eor ZL, \byte
   lpm scratch, Z
   .set \new, scratch
@@ -294,27 +255,14 @@ encrypt:
   push_saved
   push YL
   push YH
-  movw KEYSL, r24
+  movw XL, r24
   movw ZL, r22
-  movw OUTL, r20
+  movw YL, r20
 load:
-#if !JAVINO_LARGE
-  ldi r25, 16
-copy_key:
-  ldd r0, Y + 16
-  st Y+, r0
-  dec r25
-  brne copy_key
-  sbiw YL, 16
-#endif
   .set scratch, 0
   place_bytes
   in_order load_byte
-#if JAVINO_LARGE
   ldi r25, 5
-#else
-  ldi r25, 0x01
-#endif
   rjmp even_part
 
 ; The assembler goes through the rounds in the order in which they run, to know where the bytes are. In the program, the
@@ -323,21 +271,12 @@ copy_key:
   .subsection 1
 even_part:
   even_round
-#if JAVINO_LARGE
   dec r25
-#else
-  rcall next_round_key
-  cpi r25, 0x36                         ; the constant of the last one
-#endif
   breq last_round
   rjmp odd_part
 last_round:
   ldi ZH, hi8(s_box)
   in_turn add_key_and_substitute
-#if !JAVINO_LARGE
-  rcall next_round_key
-  clr r25
-#endif
   in_order_shifted add_key
   brts add_stored
   in_order_shifted store_byte
@@ -349,52 +288,24 @@ restore:
   ret
 add_stored:
   in_order_shifted add_stored_byte
-  sub OUTL, r7
-  sbc OUTH, r25                         ; 0 by now
-  cp OUTL, r8
-  cpc OUTH, r9
+  sub YL, r7
+  sbc YH, r25                         ; 0 by now
+  cp YL, r8
+  cpc YH, r9
   brne next_of_chain
   rjmp restore
 next_of_chain:
-  movw ZL, OUTL
+  movw ZL, YL
   sbiw ZL, 16
-#if JAVINO_LARGE
   subi XL, 11 * 16                      ; back to the first round key
   sbci XH, 0
-#endif
   rjmp load
 
-#if !JAVINO_LARGE
-; Computes the next round key in place of the present one. r5 to r2: the word before the one that is computed.
-
-next_round_key:
-  ldi ZH, hi8(s_box)
-  .irp index, 0, 1, 2, 3
-  ldd ZL, Y + 12 + ((\index + 1) & 3)
-  .set word_byte, 2 + \index
-  lpm word_byte, Z
-  .endr
-  eor r2, r25
-  lsl r25
-  brcc add_words
-  ldi r25, 0x1b
-add_words:
-  .irp index, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
-  .set word_byte, 2 + (\index & 3)
-  ldd ZL, Y + \index
-  eor word_byte, ZL
-  std Y + \index, word_byte
-  .endr
-  ret
-#endif
 
   .subsection 0
 odd_part:
   odd_round
   check_places
-#if !JAVINO_LARGE
-  rcall next_round_key
-#endif
 
 ; ---------------------------------------------------------------------------------------------------------------------
 ; void javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key)
@@ -403,22 +314,6 @@ odd_part:
   .section .text.javino_aes128_expand, "ax", @progbits
   .global javino_aes128_expand
   .type javino_aes128_expand, @function
-
-#if !JAVINO_LARGE
-
-javino_aes128_expand:
-  movw XL, r24
-  adiw XL, 16
-  movw ZL, r22
-  ldi r25, 16
-copy_byte_of_key:
-  ld r0, Z+
-  st X+, r0
-  dec r25
-  brne copy_byte_of_key
-  ret
-
-#else
 
 ; The latest round key stays in registers. X: next byte of the round keys. Z: key, then table. r25: round constant.
 
@@ -480,7 +375,6 @@ expanded:
   clr r1
   ret
 
-#endif
   .size javino_aes128_expand, . - javino_aes128_expand
 
 #endif

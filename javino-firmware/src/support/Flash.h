@@ -7,7 +7,7 @@
 /// Constants that stay in flash on AVR, and are plain constants elsewhere.
 #ifdef __AVR__
 #include <avr/pgmspace.h>
-// Before those of others, in the room that the S-box of AES leaves before it (Aes128Avr.S).
+// Before those of others, in the room that the S-box of AES leaves before it (Aes128Avr.S, Aes128AvrSmall.S).
 #define JAVINO_FLASH __attribute__((section(".progmem.gcc_javino")))
 #else
 #define JAVINO_FLASH
