@@ -31,6 +31,7 @@ class Aes128 {
   /// Encrypts the 16 bytes at `in` to the 16 bytes at `out`: another place, or the same.
   void encrypt(const uint8_t *in, uint8_t *out) const { javino_aes128_encrypt(roundKeys_, in, out); }
 
+#if JAVINO_LARGE
   /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `bytes`, then encrypts these and adds the
   /// result to the 16 behind, and so on up to `end`.
   /// @param end a multiple of 16 bytes behind `bytes`, at least 16
@@ -44,6 +45,7 @@ class Aes128 {
   void chainDown(const uint8_t *bytes, uint8_t *end) const {
     javino_aes128_chain(roundKeys_, end - 2 * BLOCK_LENGTH, end - BLOCK_LENGTH, bytes, 2 * BLOCK_LENGTH);
   }
+#endif
 
  private:
   Aes128(const Aes128 &);

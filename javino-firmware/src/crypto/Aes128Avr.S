@@ -18,8 +18,8 @@
 ; selects. LPM reads the lowest 64 KiB, whatever RAMPZ holds. The linker places .progmem.gcc, which is meant for such
 ; tables, right behind the vectors, where aligning costs least. test/cycles looks whether it did.
 ;
-; Round keys. All of them are computed ahead. Those of even rounds lie in the order of their bytes; those of odd rounds in the
-; order in which bytes follow each other from register to register, see in_turn.
+; Round keys. All of them are computed ahead. Those of even rounds lie in the order of their bytes; those of odd rounds in
+; the order in which bytes follow each other from register to register, see in_turn.
 
 #define XL r26
 #define XH r27
@@ -92,8 +92,8 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
 ; void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back)
 ;                          r25:r24                   r23:r22            r21:r20        r19:r18              r16
 ;
-; X: next byte of the round keys. Y: out or onto. T: whether it is a chain; then r9:r8: stop, r7: back. r25: pairs of rounds
-; left.
+; X: next byte of the round keys. Y: out or onto. T: whether it is a chain; then r9:r8: stop, r7: back.
+; r25: pairs of rounds left.
 
   .macro load_byte byte
   ld \byte, Z+

@@ -2,12 +2,12 @@
 
 #if JAVINO_AES_IN_ASSEMBLY && !JAVINO_LARGE
 
-; AES-128 for small AVRs: the functions of Aes128Core.h in 860 bytes of flash less than in Aes128Avr.S, of which the notes on
-; time and tables hold here too. A block takes two thirds more cycles.
+; AES-128 for small AVRs: the functions of Aes128Core.h in 900 bytes of flash less than in Aes128Avr.S, whose notes on time
+; and tables hold here too. A block takes two thirds more cycles.
 ;
-; Method. The columns of the state lie in pairs of registers. What is done for each of them is done for the first one, four
-; times, and each time all columns move up by one. Of the round keys there is room for one, and behind it for the key that each
-; block begins with; each round computes the next.
+; Method. The columns of the state lie in pairs of registers. What is done for each of them is done for the first one,
+; four times, and each time all columns move up by one. Of the round keys there is room for one, and behind it for the
+; key that each block begins with; each round computes the next.
 
 #define XL r26
 #define XH r27
@@ -23,11 +23,9 @@ s_box:
 #include "Aes128SBox.inc"
 
 ; void javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out)
-; void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back)
-;                          r25:r24                   r23:r22            r21:r20        r19:r18              r16
+;                            r25:r24                   r23:r22            r21:r20
 ;
-; r8 to r23: the state. Y: the round key. X: out or onto. T: whether it is a chain; then r7:r6: stop, r4: back. r24: columns
-; left. r25: constant of the next round key. r0 to r3, Z: scratch.
+; r8 to r23: the state. X: out. Y: the round key. r24: columns left. r25: constant of the next round key. r0 to r3, Z: scratch.
 
   .macro double byte                    ; times x in GF(2^8), FIPS 197 section 4.2.1; ZH: 0x1b
   lsl \byte
@@ -39,24 +37,14 @@ s_box:
   .section .text.javino_aes128_encrypt, "ax", @progbits
   .global javino_aes128_encrypt
   .type javino_aes128_encrypt, @function
-  .global javino_aes128_chain
-  .type javino_aes128_chain, @function
 
-javino_aes128_chain:
-  set
-  rjmp encrypt
 javino_aes128_encrypt:
-  clt
-encrypt:
-  .irp register, 2, 3, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+  .irp register, 2, 3, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
   push r\register
   .endr
   movw YL, r24
   movw ZL, r22
   movw XL, r20
-  movw r6, r18
-  mov r4, r16
-load:
   ldi r24, 16
 copy_key:
   ldd r0, Y + 16
@@ -160,26 +148,11 @@ store_column:
   .irp byte, 8, 9, 10, 11
   ld ZL, Y+
   eor r\byte, ZL
-  ld ZL, X
-  brtc 1f
-  eor r\byte, ZL
-1:
   st X+, r\byte
   .endr
   rcall next_column
   brne store_column
-  sbiw YL, 16
-  brtc restore
-  sub XL, r4
-  sbc XH, r24                           ; 0 by now
-  movw ZL, XL
-  sbiw ZL, 16
-  cp XL, r6
-  cpc XH, r7
-  breq restore
-  rjmp load
-restore:
-  .irp register, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 4, 3, 2
+  .irp register, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 3, 2
   pop r\register
   .endr
   clr r1

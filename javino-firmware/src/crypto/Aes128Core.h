@@ -32,11 +32,13 @@ void javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
 /// Encrypts 16 bytes (FIPS 197 section 5.1); `in` and `out` may be the same place, but not overlap otherwise.
 void javino_aes128_encrypt(uint8_t *roundKeys, const uint8_t *in, uint8_t *out);
 
+#if JAVINO_LARGE
 /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `onto`: the step of a chain. The next step
 /// is `back` bytes before the end of these, with the 16 bytes before it as `in`; the chain ends before a step at `stop`.
 /// @param back 0 to go up block by block, 32 to go down
 /// @param stop a multiple of 16 bytes behind `onto` to go up, before it to go down, and not `onto` itself
 void javino_aes128_chain(uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back);
+#endif
 }
 
 #endif

@@ -132,6 +132,7 @@ void javino_aes128_encrypt(uint8_t *roundKeys, const uint8_t *in, uint8_t *out) 
   encryptBlock(Schedule(roundKeys), out);
 }
 
+#if JAVINO_LARGE
 void javino_aes128_chain(uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back) {
   uint8_t block[BLOCK_LENGTH];
   do {
@@ -142,5 +143,6 @@ void javino_aes128_chain(uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, c
   } while (onto != stop);
   wipe(block, sizeof block);
 }
+#endif
 
 #endif

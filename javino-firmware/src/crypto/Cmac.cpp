@@ -55,13 +55,12 @@ JAVINO_NOINLINE void computeTag(const Aes128 &cipher, const uint8_t *subkey, con
   if (lastLength != 0) xorInto(last, lastBytes, lastLength);
 
   if (message != lastBytes) {
-    const uint8_t *chained = message;
+    cipher.encrypt(message, tag);
     while ((message += BLOCK) != lastBytes) {
-      cipher.encrypt(chained, tag);
       xorInto(tag, message, BLOCK);
-      chained = tag;
+      cipher.encrypt(tag);
     }
-    cipher.chainUp(chained, last, last + BLOCK);
+    xorInto(last, tag, BLOCK);
   }
   cipher.encrypt(last, tag);
   wipe(last, sizeof last);
