@@ -51,7 +51,7 @@ bool DeadBands::latch(const FlashText *name, bool happens) {
   if (entry == nullptr) return happens;
   if (entry->name != name) *entry = {name, IDLE, true, 0, 0};
   entry->seen = true;
-  haveEvents_ = true;
+  mover_ = moveEvents;
   if (!happens) {
     if (entry->event == KNOWN) entry->event = OVER;
     if (entry->event == MAY_COME) entry->event = GONE;
@@ -63,10 +63,13 @@ bool DeadBands::latch(const FlashText *name, bool happens) {
   return entry->event >= WAITING;
 }
 
-void DeadBands::moveEvents(Event from, Event to) {
-  for (Entry &entry : entries_) {
-    if (entry.event == from) entry.event = to;
-  }
+void DeadBands::moveEvents(DeadBands &bands, Cause cause) {
+  static const uint8_t NEXT[][KNOWN + 1] JAVINO_FLASH = {
+      {NO_EVENT, IDLE, IDLE, WAITING, GONE_TOLD, GONE_TOLD, TOLD, TOLD, MAY_COME, KNOWN},
+      {NO_EVENT, IDLE, OVER, AGAIN, WAITING, WAITING, WAITING, WAITING, WAITING, KNOWN},
+      {NO_EVENT, IDLE, OVER, AGAIN, OVER, IDLE, WAITING, MAY_COME, KNOWN, KNOWN},
+      {NO_EVENT, IDLE, OVER, AGAIN, OVER, IDLE, WAITING, KNOWN, KNOWN, KNOWN}};
+  for (Entry &entry : bands.entries_) entry.event = static_cast<Event>(flashByte(&NEXT[cause][entry.event]));
 }
 
 }  // namespace javinolib

@@ -25,23 +25,13 @@ class DeadBands {
   JAVINO_NOINLINE bool latch(const FlashText *name, bool happens);
 
   /// The reading goes to the host.
-  void told() {
-    moveEvents(WAITING, TOLD);
-    moveEvents(OVER, IDLE);
-    moveEvents(GONE, GONE_TOLD);
-    moveEvents(AGAIN, WAITING);
-  }
+  void told() { move(READING_TOLD); }
 
   /// What the host says of the last reading: it has not had it, it has, or it may still come. Then it has had the one before.
-  void confirm(bool lost, bool coming) {
-    moveEvents(MAY_COME, lost ? WAITING : KNOWN);
-    moveEvents(GONE, lost ? WAITING : OVER);
-    moveEvents(GONE_TOLD, lost ? WAITING : IDLE);
-    moveEvents(TOLD, lost ? WAITING : coming ? MAY_COME : KNOWN);
-  }
+  void confirm(bool lost, bool coming) { move(lost ? READING_LOST : coming ? READING_COMING : READING_HAD); }
 
   /// Whether there are events, which may happen between two readings that may be told.
-  bool haveEvents() const { return haveEvents_; }
+  bool haveEvents() const { return mover_ != nullptr; }
 
  private:
   enum Event : uint8_t {
@@ -57,6 +47,8 @@ class DeadBands {
     KNOWN      // the host has had it
   };
 
+  enum Cause : uint8_t { READING_TOLD, READING_LOST, READING_COMING, READING_HAD };
+
   struct Entry {
     const FlashText *name;  // null where the place is free
     Event event;
@@ -66,9 +58,13 @@ class DeadBands {
   };
 
   Entry *find(const FlashText *name);
-  void moveEvents(Event from, Event to);
+  void move(Cause cause) {
+    if (mover_ != nullptr) mover_(*this, cause);
+  }
+  static void moveEvents(DeadBands &bands, Cause cause);
 
-  bool haveEvents_ JAVINO_ZEROED;
+  // Null until there is an event: a sketch without any has no code for them.
+  void (*mover_)(DeadBands &bands, Cause cause) JAVINO_ZEROED;
   Entry entries_[config::DEAD_BANDS] JAVINO_ZEROED;
 };
 

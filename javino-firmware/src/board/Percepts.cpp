@@ -1,5 +1,6 @@
 #include "Percepts.h"
 
+#include <math.h>
 #include <string.h>
 
 namespace javinolib {
@@ -49,7 +50,7 @@ void addNumber(Record &record, bool negative, unsigned long number, uint8_t hund
   while (*first == '0' && first != at) first++;
   if (negative) *--first = '-';
   *--first = '(';
-  record.add(first, static_cast<uint16_t>(end - first));
+  record.add(first, static_cast<Length>(end - first));
 }
 
 }  // namespace
@@ -82,13 +83,30 @@ void Percepts::write(const FlashText *name, const Text &text) {
   close(record);
 }
 
-long Percepts::whyNot(double number) {
-  // By its bits, as comparisons of AVR's library take 100 bytes more: an exponent of all ones, and beside it nothing.
+// By its bits, which grow with the number, as comparisons of AVR's library take 170 bytes more.
+long Percepts::hundredths(double number) {
+#ifdef __AVR__
+  const uint32_t twentyOneMillions = 0x4BA037A0;
+#else
+  if (number > -21e6 && number < 21e6) return lround(number * 100);
+#endif
+  const uint32_t infinity = 0x7F800000;
   const float single = static_cast<float>(number);
   uint32_t bits;
   memcpy(&bits, &single, sizeof bits);
   bits &= 0x7FFFFFFF;
-  return bits < 0x7F800000 ? BEYOND : bits == 0x7F800000 ? INFINITE : NONE;
+#ifdef __AVR__
+  if (bits < twentyOneMillions) return lround(number * 100);
+#endif
+  return bits < infinity ? BEYOND : bits == infinity ? INFINITE : NONE;
+}
+
+void Percepts::addSettled(const FlashText *name, double number, double deadBand, unsigned long leastMillis) {
+  long told = hundredths(number);
+  if (told < BEYOND) {
+    told = deadBands_.settle(name, told, static_cast<unsigned long>(hundredths(deadBand)), leastMillis);
+  }
+  addHundredths(name, told);
 }
 
 void Percepts::addHundredths(const FlashText *name, long number) {

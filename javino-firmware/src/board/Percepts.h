@@ -27,9 +27,7 @@ class Percepts {
 
   // `name(20.99)`, rounded to two decimals, of a number between -21 and 21 million. In place of another one, or of NAN as
   // of a sensor that does not answer, the host is told so, and the agent perceives nothing.
-  void add(const FlashText *name, double number) {
-    addHundredths(name, isWritable(number) ? hundredths(number) : whyNot(number));
-  }
+  void add(const FlashText *name, double number) { addHundredths(name, hundredths(number)); }
 
   // `name(number)` for a value that trembles: the number told last stays until the new one differs from it by the dead
   // band or more, and until it has been told for the least time (0 for none). The board does so for JAVINO_DEAD_BANDS
@@ -39,11 +37,8 @@ class Percepts {
     const bool isInteger = static_cast<Number>(1) / 2 == 0;
     if (isInteger) {
       addSettled(name, static_cast<long>(number), static_cast<unsigned long>(deadBand), leastMillis);
-    } else if (isWritable(static_cast<double>(number))) {
-      const unsigned long band = static_cast<unsigned long>(hundredths(static_cast<double>(deadBand)));
-      addHundredths(name, deadBands_.settle(name, hundredths(static_cast<double>(number)), band, leastMillis));
     } else {
-      addHundredths(name, whyNot(static_cast<double>(number)));
+      addSettled(name, static_cast<double>(number), static_cast<double>(deadBand), leastMillis);
     }
   }
 
@@ -84,21 +79,18 @@ class Percepts {
   uint16_t leftOut() const { return leftOut_; }
 
  private:
-  static const int MOST_MILLIONS = 21;  // so that hundredths fit a long
-
-  static bool isWritable(double number) { return number > MOST_MILLIONS * -1e6 && number < MOST_MILLIONS * 1e6; }
-  static long hundredths(double number) { return static_cast<long>(number * 100 + (number < 0 ? -0.5 : 0.5)); }
-
   // In place of hundredths: of what is beyond the range, of what is infinite, and of what is no number.
   static const long BEYOND = 2147483645;
   static const long INFINITE = BEYOND + 1;
   static const long NONE = BEYOND + 2;
 
-  JAVINO_NOINLINE static long whyNot(double number);
+  // A number's hundredths, or one of these.
+  JAVINO_NOINLINE static long hundredths(double number);
   JAVINO_NOINLINE void addSettled(const FlashText *name, long number, unsigned long deadBand,
                                   unsigned long leastMillis) {
     add(name, deadBands_.settle(name, number, deadBand, leastMillis));
   }
+  JAVINO_NOINLINE void addSettled(const FlashText *name, double number, double deadBand, unsigned long leastMillis);
   JAVINO_NOINLINE void addHundredths(const FlashText *name, long number);
 
   // A text in RAM or in flash.
