@@ -43,6 +43,10 @@
 #include <stdint.h>
 
 namespace javinolib {
+
+/// A number of bytes of a packet, and of what is in it. On a small board of one byte: 220 of flash less.
+typedef JAVINO_BY_PROFILE(uint16_t, uint8_t) Length;
+
 namespace config {
 
 /// Whether the board has all of SPEC 6 and 7: it corrects more than one symbol of a packet, by copies and by parity, receives
@@ -54,8 +58,8 @@ static const uint8_t SESSION_KEYS = JAVINO_SESSION_KEYS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t DEAD_BANDS = JAVINO_DEAD_BANDS;
 
-/// The longest request and reply of a board without a radio, without header.
-static const uint16_t BOARD_MESSAGE = JAVINO_BY_PROFILE(511, 250);
+/// The longest request and reply of a board without a radio, without header. A small one counts packets of up to 255 bytes.
+static const uint16_t BOARD_MESSAGE = JAVINO_BY_PROFILE(511, 242);
 
 /// The longest message (SPEC 2) that a board with a radio sends, receives and exchanges with its host; a content is 17 shorter.
 static const uint16_t MAX_MESSAGE = JAVINO_BY_PROFILE(511, 84);

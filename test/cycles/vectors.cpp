@@ -67,6 +67,9 @@ TEST(Vectors, sealed_frames) {
     const Bytes kenc = vector.bytes("kenc");
     const Bytes kmac = vector.bytes("kmac");
     const Bytes sealed = vector.bytes("frame");
+#ifdef JAVINO_SMALL
+    if (sealed.size() > 255) continue;  // longer than any frame of a small board
+#endif
     const Outcome sealing = perform(Mailbox::SEAL, kenc, kmac, plainFrame(vector), vector.bytes("nonce"));
     ASSERT_EQ(sealed.size(), sealing.mailbox.length) << vector.toString();
     EXPECT_EQ(toHex(sealed), toHex(sealing.bytes(sealed.size()))) << vector.toString();

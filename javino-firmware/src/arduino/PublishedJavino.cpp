@@ -79,7 +79,7 @@ void Javino::perceive(javinolib::Percepts &percepts) {
 }
 
 // The agent gets an error for what a sketch does not know; one without functions is asked by availableMsg().
-javinolib::Status Javino::perform(const javinolib::Actions &, const uint8_t *action, uint16_t length) {
+javinolib::Status Javino::perform(const javinolib::Actions &, const uint8_t *action, javinolib::Length length) {
   using javinolib::Status;
   if (length == 0) return Status::BAD_ARGUMENT;
   String text;

@@ -76,7 +76,7 @@ class Javino {
   };
 
   static void perceive(javinolib::Percepts &percepts);
-  static javinolib::Status perform(const javinolib::Actions &, const uint8_t *action, uint16_t length);
+  static javinolib::Status perform(const javinolib::Actions &, const uint8_t *action, javinolib::Length length);
 
   Board board_;
   Function perceive_;

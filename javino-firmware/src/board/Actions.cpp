@@ -4,7 +4,7 @@ namespace javinolib {
 
 namespace {
 
-bool equal(const FlashText *known, const char *name, uint16_t length) {
+bool equal(const FlashText *known, const char *name, Length length) {
   for (uint16_t i = 0; i < length; i++) {
     if (flashChar(known, i) != name[i]) return false;  // its closing zero is no character of a name
   }
@@ -33,7 +33,7 @@ bool Actions::add(const FlashText *name, Action action) {
   return true;
 }
 
-Status Actions::performNamed(const Actions &actions, const uint8_t *action, uint16_t length) {
+Status Actions::performNamed(const Actions &actions, const uint8_t *action, Length length) {
   Arguments arguments;
   if (!arguments.parse(action, length)) return Status::BAD_ARGUMENT;
   const Action found = actions.find(arguments.name(), arguments.nameLength());
@@ -41,7 +41,7 @@ Status Actions::performNamed(const Actions &actions, const uint8_t *action, uint
   return found(arguments) ? Status::OK : Status::ACTION_FAILED;
 }
 
-Status Actions::list(const uint8_t *offset, uint16_t length, Reply &reply) const {
+Status Actions::list(const uint8_t *offset, Length length, Reply &reply) const {
   if (length != 2) return Status::BAD_ARGUMENT;
   uint16_t skipped = static_cast<uint16_t>(offset[0] << 8 | offset[1]);
   reply.add(count_);
@@ -60,7 +60,7 @@ Status Actions::list(const uint8_t *offset, uint16_t length, Reply &reply) const
   return Status::OK;
 }
 
-Action Actions::find(const char *name, uint16_t length) const {
+Action Actions::find(const char *name, Length length) const {
   for (uint8_t i = 0; i < count_; i++) {
     if (equal(entries_[i].name, name, length)) return entries_[i].action;
   }

@@ -17,7 +17,7 @@ bool isNameCharacter(char next) {
 
 }  // namespace
 
-bool Arguments::parse(const uint8_t *action, uint16_t length) {
+bool Arguments::parse(const uint8_t *action, Length length) {
   *this = Arguments();
   return parseName(reinterpret_cast<const char *>(action), length) && (inner_ == nullptr || countArguments());
 }
@@ -26,14 +26,14 @@ bool Arguments::integer(uint8_t index, long &into) const {
   Span span;
   if (!find(index, span)) return false;
   const bool negative = span.at[0] == '-';
-  const unsigned long limit = static_cast<unsigned long>(LONG_MAX) + negative;
+  const unsigned long most = static_cast<unsigned long>(LONG_MAX) + negative;
   unsigned long magnitude = 0;
   if (span.length == negative) return false;
   for (uint16_t i = negative; i < span.length; i++) {
     if (!isDigit(span.at[i])) return false;
-    const uint8_t digit = static_cast<uint8_t>(span.at[i] - '0');
-    if (magnitude > (limit - digit) / 10) return false;
-    magnitude = magnitude * 10 + digit;
+    if (magnitude > LONG_MAX / 10) return false;
+    magnitude = magnitude * 10 + static_cast<uint8_t>(span.at[i] - '0');
+    if (magnitude > most) return false;
   }
   // The smallest long has no positive counterpart, so one less is negated.
   into = negative && magnitude != 0 ? -static_cast<long>(magnitude - 1) - 1 : static_cast<long>(magnitude);
@@ -44,7 +44,7 @@ bool Arguments::text(uint8_t index, char *into, size_t size) const {
   Span span;
   if (!find(index, span)) return false;
   const bool quoted = span.length >= 2 && span.at[0] == '"' && span.at[span.length - 1] == '"';
-  const uint16_t end = static_cast<uint16_t>(span.length - quoted);
+  const Length end = static_cast<Length>(span.length - quoted);
   size_t used = 0;
   for (uint16_t i = quoted; i < end; i++) {
     char next = span.at[i];
@@ -60,14 +60,14 @@ bool Arguments::text(uint8_t index, char *into, size_t size) const {
   return true;
 }
 
-bool Arguments::parseName(const char *action, uint16_t length) {
+bool Arguments::parseName(const char *action, Length length) {
   name_ = action;
   while (nameLength_ < length && isNameCharacter(action[nameLength_])) nameLength_++;
   if (nameLength_ == 0) return false;
   if (nameLength_ == length) return true;
   if (action[nameLength_] != '(' || action[length - 1] != ')') return false;
   inner_ = action + nameLength_ + 1;
-  innerLength_ = static_cast<uint16_t>(length - nameLength_ - 2);
+  innerLength_ = static_cast<Length>(length - nameLength_ - 2);
   return nameLength_ + 2 <= length;
 }
 
@@ -91,8 +91,8 @@ bool Arguments::countArguments() {
 bool Arguments::find(uint8_t index, Span &into) const {
   if (index >= count_) return false;
   ArgumentScanner scanner;
-  uint16_t start = 0;
-  uint16_t end = 0;
+  Length start = 0;
+  Length end = 0;
   for (; end < innerLength_; end++) {
     if (!scanner.add(inner_[end])) continue;
     if (index-- == 0) break;
@@ -101,7 +101,7 @@ bool Arguments::find(uint8_t index, Span &into) const {
   while (start < end && isBlank(inner_[start])) start++;
   while (start < end && isBlank(inner_[end - 1])) end--;
   into.at = inner_ + start;
-  into.length = static_cast<uint16_t>(end - start);
+  into.length = static_cast<Length>(end - start);
   return into.length != 0;
 }
 

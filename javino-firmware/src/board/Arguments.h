@@ -3,6 +3,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "../Config.h"
+#include "../support/Inlining.h"
+
 namespace javinolib {
 
 /// The action that an agent asks for, `name` or `name(arguments)`, as a view on the request's bytes (SPEC 4.3, act).
@@ -13,11 +16,11 @@ class Arguments {
 
   /// Reads an action.
   /// @return false if there is no name, or brackets or quotes do not match, or an argument is empty.
-  bool parse(const uint8_t *action, uint16_t length);
+  bool parse(const uint8_t *action, Length length);
 
   /// The action's name, not ended by a zero.
   const char *name() const { return name_; }
-  uint16_t nameLength() const { return nameLength_; }
+  Length nameLength() const { return nameLength_; }
 
   uint8_t count() const { return count_; }
 
@@ -32,17 +35,17 @@ class Arguments {
  private:
   struct Span {
     const char *at;
-    uint16_t length;
+    Length length;
   };
 
-  bool parseName(const char *action, uint16_t length);
+  bool parseName(const char *action, Length length);
   bool countArguments();
-  bool find(uint8_t index, Span &into) const;
+  JAVINO_NOINLINE bool find(uint8_t index, Span &into) const;
 
   const char *name_;
-  uint16_t nameLength_;
+  Length nameLength_;
   const char *inner_;  // between the outer brackets
-  uint16_t innerLength_;
+  Length innerLength_;
   uint8_t count_;
 };
 

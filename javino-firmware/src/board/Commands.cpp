@@ -62,7 +62,7 @@ Status Commands::check(const Request &request) {
 Status Commands::command(const Request &request, Reply &reply) {
   const char name = static_cast<char>(*request.message());
   const uint8_t *const body = request.message() + 1;
-  const uint16_t length = static_cast<uint16_t>(request.length - 1);
+  const Length length = static_cast<Length>(request.length - 1);
   switch (name) {
     case Request::POLL: return poll(body, length);
     case 'A': return act(body, length);
@@ -71,7 +71,7 @@ Status Commands::command(const Request &request, Reply &reply) {
   }
 }
 
-Status Commands::act(const uint8_t *body, uint16_t length) {
+Status Commands::act(const uint8_t *body, Length length) {
   const uint16_t began = static_cast<uint16_t>(clock::millis());
   const Status status = actions_->perform(body, length);
   counters_->longest(Counter::ACTION_MILLIS, began);
@@ -89,13 +89,13 @@ Status Commands::hello(const Request &request, const Identity &identity, Reply &
 }
 
 // The body of the reply is not written here, but when the poll has been held.
-Status Commands::poll(const uint8_t *body, uint16_t length) {
+Status Commands::poll(const uint8_t *body, Length length) {
   if (length != Request::POLL_LENGTH && length != Request::POLL_LENGTH + 1) return Status::BAD_ARGUMENT;
   const uint16_t holdMillis = static_cast<uint16_t>(body[1] << 8 | body[2]);
   return poll_->hold(body[0], holdMillis, readUint24(body + 3)) ? Status::OK : Status::BAD_ARGUMENT;
 }
 
-Status Commands::statistics(uint16_t length, Reply &reply) const {
+Status Commands::statistics(Length length, Reply &reply) const {
   if (length != 1) return Status::BAD_ARGUMENT;
   for (uint8_t number = 1; number < static_cast<uint8_t>(Counter::END); number++) {
     const Counter counter = static_cast<Counter>(number);

@@ -63,9 +63,9 @@ class Commands {
   JAVINO_NOINLINE static void addCounter(uint8_t number, config::Count value, Reply &reply);
 
  private:
-  Status act(const uint8_t *body, uint16_t length);
-  Status poll(const uint8_t *body, uint16_t length);
-  Status statistics(uint16_t length, Reply &reply) const;
+  Status act(const uint8_t *body, Length length);
+  Status poll(const uint8_t *body, Length length);
+  Status statistics(Length length, Reply &reply) const;
 
   const char *const firmwareName_;
   Part<Actions> actions_;

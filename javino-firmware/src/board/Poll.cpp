@@ -12,7 +12,7 @@ const uint8_t KNOWN_FLAGS = Poll::PERCEPTS_WANTED | Poll::READING_NOW | Poll::RE
 
 // Four bytes a step, the last ones perhaps twice. The chance that a reading has the hash of another one, and so is not told
 // after it, is about 1 in four thousand million; the next change is told then. FNV-1a would take AVR five times as long.
-uint32_t hash(const uint8_t *bytes, uint16_t length) {
+uint32_t hash(const uint8_t *bytes, Length length) {
   uint32_t value = length;
   if (length < sizeof value) return bytes[0];
   for (const uint8_t *const last = bytes + length - sizeof value;; bytes += sizeof value) {
@@ -63,7 +63,7 @@ bool Poll::isReadingDue(uint32_t now, bool released) const {
 
 // Returns whether the reading is to be told; where not, the reply is as before.
 bool Poll::addReading(uint32_t now, Reply &reply) {
-  const uint16_t flagsAt = reply.mark();
+  const Length flagsAt = reply.mark();
   reply.add(HAS_READING);
   const bool anew = !told_ || (flags_ & READING_NOW) != 0;
   deadBands_.begin(anew);

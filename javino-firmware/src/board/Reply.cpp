@@ -13,17 +13,17 @@ void Reply::setStatus(Status status) {
   if (status != Status::OK) begin();
 }
 
-bool Reply::add(const uint8_t *bytes, uint16_t length) {
+bool Reply::add(const uint8_t *bytes, Length length) {
   if (length > room()) return false;
   memcpy(bytes_ + length_, bytes, length);
-  length_ = static_cast<uint16_t>(length_ + length);
+  length_ = static_cast<Length>(length_ + length);
   return true;
 }
 
 void Reply::finish() {
   memcpy(kept_, bytes_ + STATUS_AT, sizeof kept_);
   for (uint8_t at = 1; at <= 2 * Address::TEXT_LENGTH; at++) bytes_[at] = '+';
-  Frame::writeSize(bytes_ + 1 + 2 * Address::TEXT_LENGTH, static_cast<uint16_t>(length_ - STATUS_AT));
+  Frame::writeSize(bytes_ + 1 + 2 * Address::TEXT_LENGTH, static_cast<Length>(length_ - STATUS_AT));
 }
 
 bool Reply::recall() {
@@ -43,7 +43,7 @@ Record::Record(Reply &reply, char type)
 
 // Both loops keep the place in a register: a reading may have some 500 bytes, and the host waits for it.
 
-void Record::add(const uint8_t *bytes, uint16_t length) {
+void Record::add(const uint8_t *bytes, Length length) {
   uint8_t *at = at_;
   if (at == nullptr) return;
   if (length > static_cast<uint16_t>(end_ - at)) {
@@ -71,9 +71,9 @@ bool Record::close() {
   if (at_ == nullptr) return false;
   Reply &reply = reply_;
   uint8_t *const start = reply.bytes_ + reply.length_;
-  const uint16_t length = static_cast<uint16_t>(at_ - start);
-  reply.length_ = static_cast<uint16_t>(reply.length_ + length);
-  const uint16_t valueLength = static_cast<uint16_t>(length - HEAD_LENGTH);
+  const Length length = static_cast<Length>(at_ - start);
+  reply.length_ = static_cast<Length>(reply.length_ + length);
+  const Length valueLength = static_cast<Length>(length - HEAD_LENGTH);
   start[1] = static_cast<uint8_t>(valueLength >> 8);
   start[2] = static_cast<uint8_t>(valueLength);
   return true;

@@ -18,7 +18,7 @@ namespace javinolib {
 class Reply {
  public:
   /// @param bytes of `room` bytes, that of the CRC with it
-  Reply(uint8_t *bytes, uint16_t room) : bytes_(bytes), bodyEnd_(static_cast<uint16_t>(room - CRC_LENGTH)) {}
+  Reply(uint8_t *bytes, Length room) : bytes_(bytes), bodyEnd_(static_cast<Length>(room - CRC_LENGTH)) {}
 
   /// Begins a reply without a body.
   void begin() { length_ = STATUS_AT + 1; }
@@ -27,16 +27,16 @@ class Reply {
   void setStatus(Status status);
 
   /// The bytes that still fit the body.
-  uint16_t room() const { return static_cast<uint16_t>(bodyEnd_ - length_); }
+  Length room() const { return static_cast<Length>(bodyEnd_ - length_); }
 
   /// Appends to the body; what does not fit is refused whole.
   JAVINO_NOINLINE bool add(uint8_t byte) { return add(&byte, 1); }
-  JAVINO_NOINLINE bool add(const uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE bool add(const uint8_t *bytes, Length length);
 
   /// A place in the body, to come back to with truncate() or replace().
-  uint16_t mark() const { return length_; }
-  void truncate(uint16_t mark) { length_ = mark; }
-  void replace(uint16_t mark, uint8_t byte) { bytes_[mark] = byte; }
+  Length mark() const { return length_; }
+  void truncate(Length mark) { length_ = mark; }
+  void replace(Length mark, uint8_t byte) { bytes_[mark] = byte; }
 
   /// Writes the header before the body; the sequence byte is the request's.
   void finish();
@@ -47,7 +47,7 @@ class Reply {
 
   /// The packet before CRC and COBS: sequence and frame. There is room behind it for the CRC.
   uint8_t *packet() { return bytes_; }
-  uint16_t packetLength() const { return length_; }
+  Length packetLength() const { return length_; }
 
  private:
   static const uint8_t STATUS_AT = 1 + HEADER_LENGTH;
@@ -57,8 +57,8 @@ class Reply {
   friend class Record;
 
   uint8_t *const bytes_;
-  const uint16_t bodyEnd_;
-  uint16_t length_ JAVINO_ZEROED;
+  const Length bodyEnd_;
+  Length length_ JAVINO_ZEROED;
   uint8_t kept_[KEPT_LENGTH];
 };
 
@@ -69,7 +69,7 @@ class Record {
   Record(Reply &reply, char type);
 
   JAVINO_NOINLINE void add(uint8_t byte) { add(&byte, 1); }
-  JAVINO_NOINLINE void add(const uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE void add(const uint8_t *bytes, Length length);
   JAVINO_NOINLINE void add(const FlashText *text);
 
   /// Ends the record, which only then gets into the reply.

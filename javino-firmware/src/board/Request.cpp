@@ -16,7 +16,7 @@ static bool isSerialLine(const uint8_t *address) {
   return true;
 }
 
-bool Request::parse(const uint8_t *bytes, uint16_t length, Request &into) {
+bool Request::parse(const uint8_t *bytes, Length length, Request &into) {
   if (length < HEADER_LENGTH) return false;
   uint16_t bits = 0;
   for (uint8_t i = 0; i != HEADER_LENGTH; i++) {
@@ -25,7 +25,7 @@ bool Request::parse(const uint8_t *bytes, uint16_t length, Request &into) {
     bits = static_cast<uint16_t>((bits & 0x3F) << 6 | value);
   }
   into.frame = bytes;
-  into.length = static_cast<uint16_t>(length - HEADER_LENGTH);
+  into.length = static_cast<Length>(length - HEADER_LENGTH);
   into.toBoard = isSerialLine(bytes);
   into.fromHost = isSerialLine(bytes + Address::TEXT_LENGTH);
   return bits == into.length * 8;

@@ -15,13 +15,13 @@ struct Request {
   static const uint8_t POLL_LENGTH = 1 + 2 + 3;  ///< of a poll's body; a byte more says what is taken
 
   const uint8_t *frame;
-  uint16_t length;  ///< of the message
-  bool toBoard;     ///< the destination is `++++`: not to be transmitted
-  bool fromHost;    ///< so is the origin
+  Length length;  ///< of the message
+  bool toBoard;   ///< the destination is `++++`: not to be transmitted
+  bool fromHost;  ///< so is the origin
 
   /// Reads a frame that fills `bytes` exactly.
   /// @return false, and `into` has no meaning, where they are none (SPEC 2; the origin may be any address)
-  static bool parse(const uint8_t *bytes, uint16_t length, Request &into);
+  static bool parse(const uint8_t *bytes, Length length, Request &into);
 
   const uint8_t *message() const { return frame + HEADER_LENGTH; }
 

@@ -20,7 +20,7 @@ namespace javinolib {
 class SerialSession {
  public:
   /// @param bytes of `room` bytes, for packets from the host and to it
-  SerialSession(SerialPort port, uint8_t *bytes, uint16_t room, SerialCounters &counters)
+  SerialSession(SerialPort port, uint8_t *bytes, Length room, SerialCounters &counters)
       : port_(port), counters_(counters), decoder_(bytes, room), reply_(bytes, room) {}
 
   /// Reads, has requests performed, and answers as far as bytes and room are there.

@@ -25,12 +25,12 @@ bool Admission::drop(Counter why) {
   return false;
 }
 
-bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint16_t age) {
+bool Admission::accept(const Frame &frame, uint8_t *bytes, Length length, uint16_t age) {
   return frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, age)
                                          : acceptSealed(frame, bytes, length);
 }
 
-bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint16_t age) {
+bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length length, uint16_t age) {
   if (broadcasts_.isRepeat(bytes, length, clock::millis(), age)) {
     state_->count(Counter::RADIO_REPEATS);
     return true;
@@ -41,7 +41,7 @@ bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16
 }
 
 // While a key is being renewed a frame may be sealed with either.
-bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length) {
+bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, Length length) {
   bool hasKey = false;
   for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     DerivedKeys keys;
@@ -60,7 +60,7 @@ bool Admission::dropWithoutKey(const Frame &frame) {
   return drop(Counter::RADIO_NO_KEY);
 }
 
-bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const {
+bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, Length length) const {
   if (frame.destination.isBroadcast()) return true;
   for (uint8_t previous = 0; previous < KeyStore::KEYS_OF_ADDRESS; previous++) {
     DerivedKeys keys;
@@ -74,8 +74,7 @@ uint8_t Admission::slotOf(const Frame &frame, bool other) const {
   return other ? state_->keys.other(with) : state_->keys.current(with);
 }
 
-bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
-                            uint16_t length) {
+bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, Length length) {
   acknowledger_->heard(slot);
   const uint8_t *nonce = bytes + Envelope::NONCE_AT;
   const ReplayMemory::Verdict verdict = state_->replays.judge(slot, frame.origin, nonce);
@@ -85,7 +84,7 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
     case Inbox::LATER: return drop(Counter::RADIO_REPLAYED);
     case Inbox::NOTHING: break;
   }
-  if (!inbox_->fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
+  if (!inbox_->fits(static_cast<Length>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
   if (!state_->replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
   state_->keys.used(slot);
   inbox_->add(slot, bytes, envelope.open(bytes, length));

@@ -39,10 +39,10 @@ class Admission {
   /// @param bytes all of it; a sealed one is opened there
   /// @param age how long ago its first packet began, in ms
   /// @return whether it is of no use if it comes again: it is in the inbox, or was before
-  bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint16_t age);
+  bool accept(const Frame &frame, uint8_t *bytes, Length length, uint16_t age);
 
   /// Whether a whole frame that is for us comes from where it says: of a broadcast nobody can tell.
-  bool isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const;
+  bool isGenuine(const Frame &frame, const uint8_t *bytes, Length length) const;
 
   /// Looks at the first piece of a sealed frame for us: without a key, or where its nonce is that of a message that we
   /// have, no other piece is needed. That is counted, and a repeat of what the host has taken acknowledged again.
@@ -56,9 +56,9 @@ class Admission {
 
  private:
   uint8_t slotOf(const Frame &frame, bool other) const;
-  bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint16_t age);
-  JAVINO_NOINLINE bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
-  bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, uint16_t length);
+  bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length length, uint16_t age);
+  JAVINO_NOINLINE bool acceptSealed(const Frame &frame, uint8_t *bytes, Length length);
+  bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, Length length);
   bool dropWithoutKey(const Frame &frame);
   bool refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce);
 

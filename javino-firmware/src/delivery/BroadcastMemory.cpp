@@ -8,7 +8,7 @@ const uint8_t BroadcastMemory::CAPACITY;
 
 static const uint16_t REPEAT_MILLIS = 400;
 
-bool BroadcastMemory::isRepeat(const uint8_t *frame, uint16_t length, uint32_t now, uint16_t age) {
+bool BroadcastMemory::isRepeat(const uint8_t *frame, Length length, uint32_t now, uint16_t age) {
   Crc16 crc;
   crc.add(frame, length);
   bool repeat = false;

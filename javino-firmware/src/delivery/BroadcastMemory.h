@@ -16,7 +16,7 @@ class BroadcastMemory {
   /// @param now when it ended, in ms
   /// @param age how long ago its sender began it at most, in ms
   /// @return whether it is a repeat
-  bool isRepeat(const uint8_t *frame, uint16_t length, uint32_t now, uint16_t age);
+  bool isRepeat(const uint8_t *frame, Length length, uint32_t now, uint16_t age);
 
  private:
   static const uint8_t CAPACITY = config::RECENT_BROADCASTS;

@@ -8,18 +8,18 @@ const uint8_t ByteQueue::MAX_RECORDS;
 const uint8_t ByteQueue::HEAD_LENGTH;
 const uint8_t ByteQueue::LEAST_LEFT;
 
-uint8_t *ByteQueue::append(uint16_t length) {
+uint8_t *ByteQueue::append(Length length) {
   uint8_t *head = block_ + used_;
   head[0] = static_cast<uint8_t>(length >> 8);
   head[1] = static_cast<uint8_t>(length);
-  used_ = static_cast<uint16_t>(used_ + HEAD_LENGTH + length);
+  used_ = static_cast<Length>(used_ + HEAD_LENGTH + length);
   count_++;
   return head + HEAD_LENGTH;
 }
 
-uint8_t *ByteQueue::lend(uint16_t length) {
+uint8_t *ByteQueue::lend(Length length) {
   if (used_ + LEAST_LEFT + length > size_) return nullptr;
-  size_ = static_cast<uint16_t>(size_ - length);
+  size_ = static_cast<Length>(size_ - length);
   return block_ + size_;
 }
 
@@ -27,8 +27,8 @@ void ByteQueue::remove(uint8_t *bytes) {
   uint8_t *const head = bytes - HEAD_LENGTH;
   const uint8_t *const behind = bytes + recordAt(head).length;
   const uint8_t *const end = block_ + used_;
-  memmove(head, behind, static_cast<uint16_t>(end - behind));
-  used_ = static_cast<uint16_t>(used_ - (behind - head));
+  memmove(head, behind, static_cast<Length>(end - behind));
+  used_ = static_cast<Length>(used_ - (behind - head));
   count_--;
 }
 
@@ -36,7 +36,7 @@ ByteQueue::Record ByteQueue::recordAt(uint8_t *head) const {
   Record record = {nullptr, 0};
   if (head == block_ + used_) return record;
   record.bytes = head + HEAD_LENGTH;
-  record.length = static_cast<uint16_t>(head[0] << 8 | head[1]);
+  record.length = static_cast<Length>(head[0] << 8 | head[1]);
   return record;
 }
 

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
@@ -20,20 +21,20 @@ class ByteQueue {
   /// A record in place; it moves when one before it is removed. No bytes: there is none.
   struct Record {
     uint8_t *bytes;
-    uint16_t length;
+    Length length;
   };
 
-  ByteQueue(uint8_t *block, uint16_t size) : block_(block), size_(size) {}
+  ByteQueue(uint8_t *block, Length size) : block_(block), size_(size) {}
 
   uint8_t count() const { return count_; }
 
   /// Whether a record of this length can be appended.
-  JAVINO_NOINLINE bool fits(uint16_t length) const {
+  JAVINO_NOINLINE bool fits(Length length) const {
     return count_ < MAX_RECORDS && length + HEAD_LENGTH <= size_ - used_;
   }
 
   /// Appends a record, to be filled by the caller. Only while it fits.
-  JAVINO_NOINLINE uint8_t *append(uint16_t length);
+  JAVINO_NOINLINE uint8_t *append(Length length);
 
   /// The oldest record.
   Record first() const { return recordAt(block_); }
@@ -42,8 +43,8 @@ class ByteQueue {
   Record after(Record record) const { return recordAt(record.bytes + record.length); }
 
   /// Lends the last bytes of the block, until takeBack(); null where records are there, or would be with the head of another.
-  uint8_t *lend(uint16_t length);
-  void takeBack(uint16_t length) { size_ = static_cast<uint16_t>(size_ + length); }
+  uint8_t *lend(Length length);
+  void takeBack(Length length) { size_ = static_cast<Length>(size_ + length); }
 
   /// Removes a record. Those after it move.
   /// @param bytes where it begins
@@ -56,8 +57,8 @@ class ByteQueue {
   JAVINO_NOINLINE Record recordAt(uint8_t *head) const;
 
   uint8_t *const block_;
-  uint16_t size_;
-  uint16_t used_ JAVINO_ZEROED;
+  Length size_;
+  Length used_ JAVINO_ZEROED;
   uint8_t count_ JAVINO_ZEROED;
 };
 

@@ -205,7 +205,7 @@ ByteQueue::Record Courier::frame() const {
   ByteQueue::Record record = outbox_.find(message.number);
   if (config::LARGE && message.sender.isSerial()) {
     record.bytes += HEADER_LENGTH;
-    record.length = static_cast<uint16_t>(record.length - HEADER_LENGTH);
+    record.length = static_cast<Length>(record.length - HEADER_LENGTH);
   }
   return record;
 }
@@ -387,7 +387,7 @@ bool Courier::concerns(const Frame &acknowledgement) const {
 }
 
 bool Courier::accept(const Frame &acknowledgement) {
-  const uint16_t bodyLength = static_cast<uint16_t>(acknowledgement.length - PROOF_LENGTH);
+  const Length bodyLength = static_cast<Length>(acknowledgement.length - PROOF_LENGTH);
   Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
                         : bodyLength == 1 ? Proof::PIECES
                                           : Proof::STALE,

@@ -60,9 +60,7 @@ class Delivery {
   bool isUnderWay(uint8_t slot) const { return courier_->isUnderWay(slot); }
 
   /// Whether a frame of this length fits the radio's packets.
-  bool carries(uint16_t frameLength) const {
-    return pieces::count(frameLength, medium_->pieceLength()) <= MAX_FRAGMENTS;
-  }
+  bool carries(Length frameLength) const { return pieces::count(frameLength, medium_->pieceLength()) <= MAX_FRAGMENTS; }
 
   /// The most bytes of a frame that travels in one packet, beside its header.
   uint8_t pieceLength() const { return medium_->pieceLength(); }

@@ -12,9 +12,9 @@ const uint8_t Inbox::ORIGIN_AT;
 const uint8_t Inbox::NONCE_AT;
 const uint8_t Inbox::HEAD_LENGTH;
 
-void Inbox::add(uint8_t slot, const uint8_t *frame, uint16_t length) {
+void Inbox::add(uint8_t slot, const uint8_t *frame, Length length) {
   trace::tell(trace::QUEUED, frame[HEADER_LENGTH + NONCE_LENGTH - 1], slot);
-  uint8_t *const record = records_.append(static_cast<uint16_t>(HEAD_LENGTH + length));
+  uint8_t *const record = records_.append(static_cast<Length>(HEAD_LENGTH + length));
   uint8_t *into = record + NONCE_AT;
   record[0] = slot;
   memcpy(record + DESTINATION_AT, frame, 2 * Address::TEXT_LENGTH);
@@ -22,7 +22,7 @@ void Inbox::add(uint8_t slot, const uint8_t *frame, uint16_t length) {
     memset(into, 0, NONCE_LENGTH);
     into += NONCE_LENGTH;
   } else {
-    length = static_cast<uint16_t>(NONCE_LENGTH + length);
+    length = static_cast<Length>(NONCE_LENGTH + length);
   }
   memmove(into, frame + HEADER_LENGTH, length);
 }
@@ -71,7 +71,7 @@ void Inbox::keysChanged(const KeyStore &keys) {
 
 Inbox::Message Inbox::read(ByteQueue::Record record) {
   const Message message = {record.bytes + DESTINATION_AT, record.bytes + NONCE_AT, record.bytes + HEAD_LENGTH,
-                           static_cast<uint16_t>(record.length - HEAD_LENGTH)};
+                           static_cast<Length>(record.length - HEAD_LENGTH)};
   return message;
 }
 

@@ -24,7 +24,7 @@ class Inbox {
     const uint8_t *addresses;  ///< destination(4) origin(4)
     const uint8_t *nonce;      ///< 6 bytes, all 0 for a broadcast
     const uint8_t *content;
-    uint16_t length;  ///< of the content
+    Length length;  ///< of the content
   };
 
   /// What of a sealed frame waits here.
@@ -38,13 +38,13 @@ class Inbox {
       : replays_(replays), acknowledger_(acknowledger), records_(block_, sizeof block_) {}
 
   /// Whether there is room for a content of this length.
-  bool fits(uint16_t contentLength) const { return records_.fits(static_cast<uint16_t>(HEAD_LENGTH + contentLength)); }
+  bool fits(uint16_t contentLength) const { return records_.fits(static_cast<Length>(HEAD_LENGTH + contentLength)); }
 
   /// Takes in a broadcast, or a message that is opened. Only while it fits.
   /// @param slot the place of its key, or NO_SLOT
   /// @param frame all of it
   /// @param length of its content
-  JAVINO_NOINLINE void add(uint8_t slot, const uint8_t *frame, uint16_t length);
+  JAVINO_NOINLINE void add(uint8_t slot, const uint8_t *frame, Length length);
 
   /// Lends memory for a frame that comes in pieces, until takeBack(); null where messages are there. What is added next may
   /// still lie in it.

@@ -17,7 +17,7 @@ class Outbox {
   Outbox() : records_(block_, sizeof block_) {}
 
   /// Whether a frame of this length, in bytes with its header and, if it is to be sealed, SEAL_LENGTH, can be taken in.
-  bool fits(uint16_t frameLength) const;
+  bool fits(Length frameLength) const;
 
   /// Takes in a broadcast as it is. Only while HEADER_LENGTH and its message fit.
   /// @return the transmission's number
@@ -50,7 +50,7 @@ class Outbox {
   static_assert(config::TRANSMIT_BYTES >= 3 + HEADER_LENGTH + SEAL_LENGTH + MAX_CONTENT_LENGTH,
                 "JAVINO_TRANSMIT_BYTES: too few");
 
-  uint8_t add(const Frame &frame, uint8_t contentAt, uint16_t length);
+  uint8_t add(const Frame &frame, uint8_t contentAt, Length length);
 
   ByteQueue records_;
   Outcomes outcomes_;

@@ -5,13 +5,13 @@
 namespace javinolib {
 namespace pieces {
 
-uint8_t count(uint16_t frameLength, uint8_t longest) {
-  if (frameLength <= static_cast<uint16_t>(HEADER_LENGTH + longest)) return 1;
+uint8_t count(Length frameLength, uint8_t longest) {
+  if (frameLength <= static_cast<Length>(HEADER_LENGTH + longest)) return 1;
   return static_cast<uint8_t>((frameLength + longest - 1u) / longest);
 }
 
-uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest) {
-  const uint16_t left = static_cast<uint16_t>(frameLength - index * longest);
+uint8_t length(Length frameLength, uint8_t index, uint8_t longest) {
+  const uint16_t left = static_cast<Length>(frameLength - index * longest);
   return static_cast<uint8_t>(left < longest ? left : longest);
 }
 
@@ -23,7 +23,7 @@ uint8_t bitOf(uint8_t index) {
 
 uint8_t all(uint8_t count) { return static_cast<uint8_t>(2 * bitOf(static_cast<uint8_t>(count - 1)) - 1); }
 
-uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into) {
+uint8_t cut(const uint8_t *frame, Length frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into) {
   const uint8_t at = index & (MAX_FRAGMENTS - 1);
   const uint8_t bytes = length(frameLength, at, longest);
   memcpy(into, frame, HEADER_LENGTH);

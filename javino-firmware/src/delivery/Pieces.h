@@ -23,11 +23,11 @@ static const uint8_t WANTS_ANSWER = 8;
 
 /// The pieces of a frame; 1 where it travels whole, more than MAX_FRAGMENTS where it cannot.
 /// @param frameLength 10…521 bytes
-JAVINO_NOINLINE uint8_t count(uint16_t frameLength, uint8_t longest);
+JAVINO_NOINLINE uint8_t count(Length frameLength, uint8_t longest);
 
 /// The bytes of a frame that a piece holds.
 /// @param index 0…count() - 1
-uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest);
+uint8_t length(Length frameLength, uint8_t index, uint8_t longest);
 
 /// The bit of a piece.
 /// @param index 0…7
@@ -41,7 +41,7 @@ JAVINO_NOINLINE uint8_t all(uint8_t count);
 /// @param index with WANTS_ANSWER or without
 /// @param into room for a piece and its header
 /// @return the piece's length
-uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into);
+uint8_t cut(const uint8_t *frame, Length frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into);
 
 /// The id digit in a piece's address.
 inline uint8_t idOf(const Address &piece) { return static_cast<uint8_t>(piece.member() >> 6); }

@@ -7,7 +7,7 @@ namespace javinolib {
 static const uint8_t ORIGIN_AT = 4;
 static const uint8_t SIZE_AT = 8;
 
-FrameError Frame::parse(const uint8_t *bytes, uint16_t length, Frame &into) {
+FrameError Frame::parse(const uint8_t *bytes, Length length, Frame &into) {
   if (length < HEADER_LENGTH) return FrameError::TOO_SHORT;
   const FrameError error = parseHeader(bytes, into);
   if (error != FrameError::NONE && error != FrameError::BAD_ORIGIN) return error;
@@ -23,18 +23,20 @@ FrameError Frame::parseHeader(const uint8_t *bytes, Frame &into) {
   if (high == NOT_A_DIGIT || low == NOT_A_DIGIT) return FrameError::BAD_DIGIT;
   if (low % 8 != 0) return FrameError::PARTIAL_BYTE;
   into.message = bytes + HEADER_LENGTH;
-  into.length = static_cast<uint16_t>(high * 8 + low / 8);
+  const uint16_t size = static_cast<uint16_t>(high * 8 + low / 8);
+  into.length = static_cast<Length>(size);
+  if (into.length != size) return FrameError::SIZE_MISMATCH;  // on a small board
   return into.origin.isDevice() || into.origin.isSerial() ? FrameError::NONE : FrameError::BAD_ORIGIN;
 }
 
-void Frame::writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength) {
+void Frame::writeHeader(uint8_t *into, const Address &destination, const Address &origin, Length messageLength) {
   destination.write(into);
   origin.write(into + ORIGIN_AT);
   writeSize(into + SIZE_AT, messageLength);
 }
 
 // Two digits of six bits: the size in bits.
-void Frame::writeSize(uint8_t *into, uint16_t messageLength) {
+void Frame::writeSize(uint8_t *into, Length messageLength) {
   into[0] = base64Digit(static_cast<uint8_t>(messageLength / 8));
   into[1] = base64Digit(messageLength % 8 * 8);
 }

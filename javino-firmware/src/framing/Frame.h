@@ -23,21 +23,21 @@ struct Frame {
   Address destination;
   Address origin;
   const uint8_t *message;
-  uint16_t length;  ///< of the message, 0…511 bytes
+  Length length;  ///< of the message, 0…511 bytes
 
   /// Reads the ten bytes before a message: all of a frame but the message itself.
-  /// @return BAD_DIGIT, PARTIAL_BYTE, BAD_ORIGIN or NONE; `into` has meaning only where NONE is returned.
+  /// @return BAD_DIGIT, PARTIAL_BYTE, BAD_ORIGIN or NONE; on a small board SIZE_MISMATCH for a size over 255; `into` has meaning only where NONE is returned.
   JAVINO_NOINLINE static FrameError parseHeader(const uint8_t *bytes, Frame &into);
 
   /// Reads a frame that fills `bytes` exactly; `into` has meaning only where NONE is returned.
-  static FrameError parse(const uint8_t *bytes, uint16_t length, Frame &into);
+  static FrameError parse(const uint8_t *bytes, Length length, Frame &into);
 
   /// Writes the ten bytes before a message.
   /// @param messageLength 0…511 bytes
-  static void writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength);
+  static void writeHeader(uint8_t *into, const Address &destination, const Address &origin, Length messageLength);
 
   /// Writes the last two of these bytes.
-  JAVINO_NOINLINE static void writeSize(uint8_t *into, uint16_t messageLength);
+  JAVINO_NOINLINE static void writeSize(uint8_t *into, Length messageLength);
 };
 
 }  // namespace javinolib

@@ -34,7 +34,7 @@ void PacketDecoder::append(uint8_t byte) {
 PacketEvent PacketDecoder::finish() {
   if (!started_) return PacketEvent::NONE;
   const bool inBlock = left_ != 0;
-  length_ = static_cast<uint16_t>(next_ - bytes_);
+  length_ = static_cast<Length>(next_ - bytes_);
   next_ = bytes_;
   left_ = 0;
   zeroOwed_ = false;

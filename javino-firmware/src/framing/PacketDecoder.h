@@ -13,7 +13,7 @@ enum class PacketEvent : uint8_t {
   NONE,       ///< the packet goes on, or was empty
   PACKET,     ///< a whole packet is there, its CRC right
   BAD_COBS,   ///< refused: it ended within a COBS block
-  TOO_LONG,   ///< refused: more bytes than there is room for
+  TOO_LONG,   ///< refused: more bytes than there is room for; TOO_SHORT where a small board has room for 255
   TOO_SHORT,  ///< refused: fewer than 13 bytes
   BAD_CRC     ///< refused: the CRC is not that of its bytes
 };
@@ -23,7 +23,7 @@ enum class PacketEvent : uint8_t {
 class PacketDecoder {
  public:
   /// @param room the most bytes of a packet, MIN_PACKET_LENGTH…MAX_PACKET_LENGTH
-  PacketDecoder(uint8_t *bytes, uint16_t room) : bytes_(bytes), end_(bytes + room), next_(bytes) {}
+  PacketDecoder(uint8_t *bytes, Length room) : bytes_(bytes), end_(bytes + room), next_(bytes) {}
 
   /// Takes the next byte. After PACKET the accessors below hold until the next call.
   PacketEvent add(uint8_t byte);
@@ -33,7 +33,7 @@ class PacketDecoder {
 
   uint8_t sequence() const { return bytes_[0]; }
   const uint8_t *frame() const { return bytes_ + 1; }
-  uint16_t frameLength() const { return static_cast<uint16_t>(length_ - 3); }
+  Length frameLength() const { return static_cast<Length>(length_ - 3); }
 
   /// The packet's CRC as it came.
   JAVINO_NOINLINE uint16_t crc() const;
@@ -46,11 +46,11 @@ class PacketDecoder {
 
   uint8_t *const bytes_;
   const uint8_t *const end_;
-  uint8_t *next_;                  // beyond the room by one where more bytes came than fit
-  uint16_t length_ JAVINO_ZEROED;  // of the packet that has ended last
-  uint8_t left_ JAVINO_ZEROED;     // bytes that the current COBS block still lacks
-  bool zeroOwed_ JAVINO_ZEROED;    // a zero belongs behind the block, if another block follows
-  bool started_ JAVINO_ZEROED;     // a byte other than 0x00 has come
+  uint8_t *next_;                // beyond the room by one where more bytes came than fit
+  Length length_ JAVINO_ZEROED;  // of the packet that has ended last
+  uint8_t left_ JAVINO_ZEROED;   // bytes that the current COBS block still lacks
+  bool zeroOwed_ JAVINO_ZEROED;  // a zero belongs behind the block, if another block follows
+  bool started_ JAVINO_ZEROED;   // a byte other than 0x00 has come
 };
 
 }  // namespace javinolib

@@ -4,7 +4,7 @@ namespace javinolib {
 
 static const uint8_t MAX_RUN = 254;
 
-void PacketEncoder::start(uint8_t *bytes, uint16_t length) {
+void PacketEncoder::start(uint8_t *bytes, Length length) {
   next_ = bytes;
   end_ = bytes + length;
   crc_ = Crc16();

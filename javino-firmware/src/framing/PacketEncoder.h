@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "../support/Inlining.h"
 
 #include "../support/Crc16.h"
@@ -15,7 +16,7 @@ namespace javinolib {
 class PacketEncoder {
  public:
   /// Begins anew. Each byte must stay as it is until hasGiven() it; the CRC is written behind them.
-  JAVINO_OUT_OF_LINE void start(uint8_t *bytes, uint16_t length);
+  JAVINO_OUT_OF_LINE void start(uint8_t *bytes, Length length);
 
   /// @return whether the closing 0x00 has been given.
   bool done() const { return state_ == DONE; }

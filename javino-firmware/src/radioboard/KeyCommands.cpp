@@ -25,13 +25,13 @@ bool parseAddress(const uint8_t *text, Address &into) {
 
 }  // namespace
 
-Status KeyCommands::raiseEpoch(const uint8_t *body, uint16_t length) {
+Status KeyCommands::raiseEpoch(const uint8_t *body, Length length) {
   if (length != EPOCH_LENGTH || (body[0] & body[1] & body[2]) == 0xFF) return Status::BAD_ARGUMENT;
   nonces_->raiseEpoch(readUint24(body));
   return nonces_->status();
 }
 
-Status KeyCommands::store(bool renews, const uint8_t *body, uint16_t length, Reply &reply) {
+Status KeyCommands::store(bool renews, const uint8_t *body, Length length, Reply &reply) {
   Address address;
   if (length != STORE_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
   if (isOneMorePair(renews, address) && !replays_->hasPlaceForPair()) return Status::STORE_FULL;
@@ -51,7 +51,7 @@ bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
   return slot == KeyStore::NO_SLOT || KeyStore::isSession(slot);
 }
 
-Status KeyCommands::change(Change change, const uint8_t *body, uint16_t length, const Delivery &delivery) {
+Status KeyCommands::change(Change change, const uint8_t *body, Length length, const Delivery &delivery) {
   Address address;
   if (length != Address::TEXT_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
   const uint8_t current = keys_->current(address);
@@ -70,7 +70,7 @@ Status KeyCommands::change(Change change, const uint8_t *body, uint16_t length, 
   return (other == KeyStore::NO_SLOT || erase(other)) && erase(current) ? Status::OK : Status::STORE_FAILED;
 }
 
-Status KeyCommands::setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply) {
+Status KeyCommands::setSession(const uint8_t *body, Length length, Delivery &delivery, Reply &reply) {
   Address device;
   if (length != STORE_LENGTH || !parseAddress(body, device) || !device.isDevice()) return Status::BAD_ARGUMENT;
   const uint8_t *const key = body + Address::TEXT_LENGTH;
@@ -108,7 +108,7 @@ uint8_t KeyCommands::placeForSession(const Outbox &outbox) const {
   return chosen;
 }
 
-Status KeyCommands::list(uint16_t length, Reply &reply) {
+Status KeyCommands::list(Length length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   for (uint8_t slot = 0; slot < KeyStore::PLACES; slot++) {
     const Address &address = keys_->addressAt(slot);

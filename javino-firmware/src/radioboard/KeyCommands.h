@@ -25,10 +25,10 @@ class KeyCommands {
   Uint24 epoch() const { return nonces_->epoch(); }
 
   /// E: raises the boot epoch.
-  Status raiseEpoch(const uint8_t *body, uint16_t length);
+  Status raiseEpoch(const uint8_t *body, Length length);
 
   /// K: makes a key the only one of its address; N, which renews: the next one.
-  Status store(bool renews, const uint8_t *body, uint16_t length, Reply &reply);
+  Status store(bool renews, const uint8_t *body, Length length, Reply &reply);
 
   enum Change : char {
     USE = 'U',     ///< the next key of an address becomes the current one
@@ -38,13 +38,13 @@ class KeyCommands {
 
   /// @return BUSY to USE while a message is under way that is sealed with the key to be replaced: when a board has taken a
   ///         key into use, nothing of what it sends is sealed with the one before
-  Status change(Change change, const uint8_t *body, uint16_t length, const Delivery &delivery);
+  Status change(Change change, const uint8_t *body, Length length, const Delivery &delivery);
 
   /// V: sets the session key of a device. What is under way or waits under one that makes room is as with a deleted key.
-  JAVINO_NOINLINE Status setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply);
+  JAVINO_NOINLINE Status setSession(const uint8_t *body, Length length, Delivery &delivery, Reply &reply);
 
   /// L: tells addresses, roles and check values.
-  Status list(uint16_t length, Reply &reply);
+  Status list(Length length, Reply &reply);
 
  private:
   bool isOneMorePair(bool renews, const Address &address) const;

@@ -12,7 +12,7 @@ bool News::areWaiting() const {
 }
 
 void News::write(Reply &reply) {
-  const uint16_t flagsAt = reply.mark();
+  const Length flagsAt = reply.mark();
   reply.add(0);
   addOutcomes(reply);
   if (!addMessages(reply) || !addNoKeys(reply) || !addOverheard(reply)) reply.replace(flagsAt, Poll::MORE_WAITING);

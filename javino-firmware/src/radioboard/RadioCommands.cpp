@@ -53,7 +53,7 @@ Status RadioCommands::mayTransmit(const Frame &frame) const {
   if (addresses != Status::OK) return addresses;
   const bool sealed = !frame.destination.isBroadcast();
   if (sealed && state_->keys.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
-  const uint16_t length = static_cast<uint16_t>(HEADER_LENGTH + (sealed ? SEAL_LENGTH : 0) + frame.length);
+  const Length length = static_cast<Length>(HEADER_LENGTH + (sealed ? SEAL_LENGTH : 0) + frame.length);
   if (frame.length > MAX_CONTENT_LENGTH || !delivery_->carries(length)) return Status::TOO_LONG;
   if (!delivery_->outbox().fits(length)) return Status::QUEUE_FULL;
   return sealed ? state_->nonces.status() : Status::OK;
@@ -70,7 +70,7 @@ Status RadioCommands::checkAddresses(const Frame &frame) const {
 Status RadioCommands::command(const Request &request, Reply &reply) {
   const char name = static_cast<char>(*request.message());
   const uint8_t *const body = request.message() + 1;
-  const uint16_t length = static_cast<uint16_t>(request.length - 1);
+  const Length length = static_cast<Length>(request.length - 1);
   switch (name) {
     case 'I': return setRfId(body, length);
     case 'R': return openRadio(body, length);
@@ -124,7 +124,7 @@ Status RadioCommands::keysChanged(Status status) {
   return status;
 }
 
-Status RadioCommands::setRfId(const uint8_t *body, uint16_t length) {
+Status RadioCommands::setRfId(const uint8_t *body, Length length) {
   Address address;
   if (length != Address::TEXT_LENGTH || !Address::parse(body, address) || !address.isDevice()) {
     return Status::BAD_ARGUMENT;
@@ -134,13 +134,13 @@ Status RadioCommands::setRfId(const uint8_t *body, uint16_t length) {
   return Status::OK;
 }
 
-Status RadioCommands::openRadio(const uint8_t *body, uint16_t length) {
+Status RadioCommands::openRadio(const uint8_t *body, Length length) {
   if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
   delivery_->open(body[0] == 1);
   return Status::OK;
 }
 
-Status RadioCommands::overhear(const uint8_t *body, uint16_t length) {
+Status RadioCommands::overhear(const uint8_t *body, Length length) {
   if (!config::LARGE) return Status::UNKNOWN_COMMAND;
   if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
   delivery_->overheard().listen(body[0] == 1);
@@ -148,7 +148,7 @@ Status RadioCommands::overhear(const uint8_t *body, uint16_t length) {
 }
 
 // The frame waits for the air as the message of a broadcast from the serial line.
-Status RadioCommands::relay(const uint8_t *body, uint16_t length, Reply &reply) {
+Status RadioCommands::relay(const uint8_t *body, Length length, Reply &reply) {
   if (!config::LARGE) return Status::UNKNOWN_COMMAND;
   Frame frame;
   if (Frame::parse(body, length, frame) != FrameError::NONE || !frame.origin.isDevice()) return Status::BAD_ARGUMENT;
@@ -157,12 +157,12 @@ Status RadioCommands::relay(const uint8_t *body, uint16_t length, Reply &reply) 
   if (to == Address::SERIAL_LINE || to == Address::RESERVED) return Status::BAD_DESTINATION;
   if (frame.length > delivery_->pieceLength()) return Status::TOO_LONG;
   Outbox &outbox = delivery_->outbox();
-  if (!outbox.fits(static_cast<uint16_t>(HEADER_LENGTH + length))) return Status::QUEUE_FULL;
+  if (!outbox.fits(static_cast<Length>(HEADER_LENGTH + length))) return Status::QUEUE_FULL;
   reply.add(outbox.addPlain({Address::broadcast(), Address::serialLine(), body, length}));
   return Status::OK;
 }
 
-Status RadioCommands::relaying(const uint8_t *body, uint16_t length, Reply &reply) {
+Status RadioCommands::relaying(const uint8_t *body, Length length, Reply &reply) {
   if (!delivery_->canRelay()) return Status::UNKNOWN_COMMAND;
   const bool on = length == 1 + RELAYING_LENGTH && body[0] == 1;
   const bool off = length == 1 && body[0] == 0;
@@ -172,7 +172,7 @@ Status RadioCommands::relaying(const uint8_t *body, uint16_t length, Reply &repl
   return Status::OK;
 }
 
-Status RadioCommands::statistics(uint16_t length, Reply &reply) {
+Status RadioCommands::statistics(Length length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   RadioCounters radio;
   delivery_->radioCounters(radio);

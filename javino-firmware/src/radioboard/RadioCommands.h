@@ -42,12 +42,12 @@ class RadioCommands {
   Status hello(const Request &request, Reply &reply);
   void polled(const Request &request);
   Status keysChanged(Status status);
-  Status setRfId(const uint8_t *body, uint16_t length);
-  Status openRadio(const uint8_t *body, uint16_t length);
-  Status overhear(const uint8_t *body, uint16_t length);
-  Status relay(const uint8_t *body, uint16_t length, Reply &reply);
-  Status relaying(const uint8_t *body, uint16_t length, Reply &reply);
-  Status statistics(uint16_t length, Reply &reply);
+  Status setRfId(const uint8_t *body, Length length);
+  Status openRadio(const uint8_t *body, Length length);
+  Status overhear(const uint8_t *body, Length length);
+  Status relay(const uint8_t *body, Length length, Reply &reply);
+  Status relaying(const uint8_t *body, Length length, Reply &reply);
+  Status statistics(Length length, Reply &reply);
 
   Part<Commands> commands_;
   Part<BoardState> state_;

@@ -28,21 +28,21 @@ class Envelope {
   /// Seals a frame in place: its header is there, and its content where it is to be.
   /// @param length of the whole frame
   /// @param nonce 6 bytes that were never used under this key
-  void seal(uint8_t *frame, uint16_t length, const uint8_t *nonce) const { seal(keys_, frame, length, nonce); }
+  void seal(uint8_t *frame, Length length, const uint8_t *nonce) const { seal(keys_, frame, length, nonce); }
 
   /// Whether a sealed frame is long enough and its tag right; nothing of it may be used before.
   /// @param length of the whole frame
-  bool isAuthentic(const uint8_t *frame, uint16_t length) const { return isAuthentic(keys_, frame, length); }
+  bool isAuthentic(const uint8_t *frame, Length length) const { return isAuthentic(keys_, frame, length); }
 
   /// Decrypts an authentic frame's content in place.
   /// @return the content's length
-  uint16_t open(uint8_t *frame, uint16_t length) const { return open(keys_, frame, length); }
+  uint16_t open(uint8_t *frame, Length length) const { return open(keys_, frame, length); }
 
  private:
-  static void seal(const DerivedKeys &keys, uint8_t *frame, uint16_t length, const uint8_t *nonce);
-  JAVINO_NOINLINE static bool isAuthentic(const DerivedKeys &keys, const uint8_t *frame, uint16_t length);
-  static uint16_t open(const DerivedKeys &keys, uint8_t *frame, uint16_t length);
-  JAVINO_NOINLINE static void apply(const DerivedKeys &keys, uint8_t *frame, uint16_t length, bool decrypting);
+  static void seal(const DerivedKeys &keys, uint8_t *frame, Length length, const uint8_t *nonce);
+  JAVINO_NOINLINE static bool isAuthentic(const DerivedKeys &keys, const uint8_t *frame, Length length);
+  static uint16_t open(const DerivedKeys &keys, uint8_t *frame, Length length);
+  JAVINO_NOINLINE static void apply(const DerivedKeys &keys, uint8_t *frame, Length length, bool decrypting);
 
   const DerivedKeys &keys_;
 };

@@ -24,7 +24,7 @@ void Proof::make(const DerivedKeys &keys, const Claim &claim, uint8_t *proof) {
   claim.acknowledger.write(covered + ACKNOWLEDGER_AT);
   if (bodyLength != 0) memcpy(covered + BODY_AT, claim.body, bodyLength);
   uint8_t *const tag = covered;  // 16 bytes of the stack less
-  keys.authenticate(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
+  keys.authenticate(covered, static_cast<Length>(BODY_AT + bodyLength), tag);
   memcpy(proof, tag, LENGTH);
 }
 
