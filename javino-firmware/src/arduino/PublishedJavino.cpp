@@ -68,10 +68,12 @@ void Javino::perceive(javinolib::Percepts &percepts) {
   }
   // Semicolons within a string part nothing.
   bool isQuoted = false;
+  bool isEscaped = false;
   unsigned int begin = 0;
   for (unsigned int i = 0; i <= all.length(); i++) {
     const char next = i == all.length() ? '\0' : all[i];
-    if (next == '"' && (i == 0 || all[i - 1] != '\\')) isQuoted = !isQuoted;
+    if (next == '"' && !isEscaped) isQuoted = !isQuoted;
+    isEscaped = next == '\\' && !isEscaped;
     if (next != '\0' && (next != ';' || isQuoted)) continue;
     if (i != begin) percepts.literal(all.substring(begin, i));
     begin = i + 1;

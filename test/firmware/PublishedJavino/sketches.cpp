@@ -301,6 +301,10 @@ TEST_F(PublishedJavino, a_semicolon_within_a_string_parts_nothing) {
   javino.sendMsg("says(\"a;b\");says(\"c\\\";d\");led(on)");
   poll();
   EXPECT_EQ((Texts{"says(\"a;b\")", "says(\"c\\\";d\")", "led(on)"}), told());
+  javino.sendMsg(R"(path("C:\\");says("\\\";e");led(off))");
+  ask({'H', 1});
+  poll();
+  EXPECT_EQ((Texts{R"(path("C:\\"))", R"(says("\\\";e"))", "led(off)"}), told());
 }
 
 TEST_F(PublishedJavino, what_a_sketch_sends_outside_of_a_request_are_its_percepts_from_then_on) {
