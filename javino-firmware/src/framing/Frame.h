@@ -26,7 +26,8 @@ struct Frame {
   Length length;  ///< of the message, 0…511 bytes
 
   /// Reads the ten bytes before a message: all of a frame but the message itself.
-  /// @return BAD_DIGIT, PARTIAL_BYTE, BAD_ORIGIN or NONE; on a small board SIZE_MISMATCH for a size over 255; `into` has meaning only where NONE is returned.
+  /// @return BAD_DIGIT, PARTIAL_BYTE, BAD_ORIGIN or NONE; on a small board SIZE_MISMATCH for a size over 255; `into` has
+  /// meaning only where NONE is returned.
   JAVINO_NOINLINE static FrameError parseHeader(const uint8_t *bytes, Frame &into);
 
   /// Reads a frame that fills `bytes` exactly; `into` has meaning only where NONE is returned.
