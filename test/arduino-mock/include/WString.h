@@ -21,7 +21,6 @@ class String {
   char operator[](unsigned int at) const { return text_[at]; }
   int indexOf(char character, unsigned int from = 0) const { return static_cast<int>(text_.find(character, from)); }
   String substring(unsigned int from, unsigned int to) const { return text_.substr(from, to - from).c_str(); }
-  void replace(char what, char by);
 
  private:
   std::string text_;

@@ -1,6 +1,5 @@
 #include "WString.h"
 
-#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -28,5 +27,3 @@ String &String::operator+=(char character) {
 }
 
 bool String::operator==(const __FlashStringHelper *text) const { return text_ == inMemory(text); }
-
-void String::replace(char what, char by) { std::replace(text_.begin(), text_.end(), what, by); }

@@ -47,9 +47,9 @@ class String {
 
   const char *c_str() const { return text_; }
   unsigned int length() const { return strlen(text_); }
-  int indexOf(char character, unsigned int from) const;
+  char operator[](unsigned int at) const { return text_[at]; }
+  int indexOf(char character, unsigned int from = 0) const;
   String substring(unsigned int from, unsigned int to) const;
-  void replace(char what, char by);
 
  private:
   char text_[512] = "";

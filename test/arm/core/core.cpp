@@ -131,12 +131,6 @@ String String::substring(unsigned int from, unsigned int to) const {
   return part;
 }
 
-void String::replace(char what, char by) {
-  for (char *at = text_; *at != 0; at++) {
-    if (*at == what) *at = by;
-  }
-}
-
 void Stream::print(const char *text) {
   while (*text != 0) write(static_cast<uint8_t>(*text++));
 }
