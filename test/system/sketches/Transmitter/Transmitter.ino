@@ -1,4 +1,4 @@
-// A radio transmitter that shares no line with the Javino library: it sends whatever bytes it is given over serial
+// A radio transmitter that shares no line with the library JavinoBDI: it sends whatever bytes it is given over serial
 // in VirtualWire's line code, made bit by bit in a loop. Tests use it as the neighbour with another program, and as
 // the attacker. Serial, 115200 baud: one byte n (1...80), one byte t (0...17), then n bytes (count, payload, CRC as they
 // shall be on the air) and t bytes of a trailer; it answers 'k' when they have been sent. Transmitter on pin 12.

@@ -230,7 +230,7 @@ final class Device implements BoardListener {
         BoardSettings wanted = settings;
         if (board.isLegacy()) {
             context.warnings().once("the board on " + port() + " speaks the older protocol: percepts and .act work, the"
-                    + " radio does not; for that flash a sketch with the Javino library");
+                    + " radio does not; for that flash a sketch with the library JavinoBDI");
         } else if (!board.hasRadio() && (wanted.radio() || wanted.rfId().isPresent())) {
             context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }

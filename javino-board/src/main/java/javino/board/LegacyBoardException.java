@@ -9,7 +9,7 @@ public final class LegacyBoardException extends JavinoException {
 
     /** @param request describes what was asked. */
     public LegacyBoardException(String request) {
-        this(request, "which has percepts and actions only; for all else flash a sketch with the Javino library");
+        this(request, "which has percepts and actions only; for all else flash a sketch with the library JavinoBDI");
     }
 
     /**

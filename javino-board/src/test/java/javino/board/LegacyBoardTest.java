@@ -201,7 +201,7 @@ class LegacyBoardTest {
         String why = BoardFixture.failure(LegacyBoardException.class, request.apply(board)).getMessage();
         assertTrue(
                 why.endsWith(" was not performed: the board speaks the older protocol, which has percepts and actions "
-                        + "only; for all else flash a sketch with the Javino library"),
+                        + "only; for all else flash a sketch with the library JavinoBDI"),
                 why);
     }
 

@@ -124,7 +124,7 @@ final class Doctor {
             findings.ok("board", info.firmware());
             if (info.isLegacy()) {
                 findings.trouble("protocol", "older protocol: percepts and actions work, the radio does not; for that "
-                        + "flash a sketch with the Javino library");
+                        + "flash a sketch with the library JavinoBDI");
             } else {
                 findings.ok("protocol", "version " + info.protocolVersion());
             }

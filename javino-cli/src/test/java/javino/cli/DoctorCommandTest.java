@@ -121,7 +121,7 @@ class DoctorCommandTest extends CommandFixture {
                 "board               ok, a sketch with the older Javino library",
                 "protocol            older protocol: percepts and actions work, the radio does not; for that flash a "
                         + "sketch "
-                        + "with the Javino library"),
+                        + "with the library JavinoBDI"),
                 lines());
     }
 

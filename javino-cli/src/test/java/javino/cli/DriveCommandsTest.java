@@ -254,7 +254,7 @@ class DriveCommandsTest extends CommandFixture {
         assertEquals(1, run((arguments + " --port older").split(" ")));
         assertTrue(
                 err.toString().contains("the board speaks the older protocol, which has percepts and actions only; for "
-                        + "all else flash a sketch with the Javino library"),
+                        + "all else flash a sketch with the library JavinoBDI"),
                 err.toString());
         assertEquals(1, err.toString().lines().count(), err.toString());
     }

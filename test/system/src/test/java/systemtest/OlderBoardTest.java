@@ -73,7 +73,8 @@ class OlderBoardTest {
         try (Emulator emulator = scenario().start(folder); AgentProcess agent = AgentProcess.start("older", folder)) {
             agent.await("led is on");
             agent.await("led is off");
-            String remedy = "which has percepts and actions only; for all else flash a sketch with the Javino library";
+            String remedy =
+                    "which has percepts and actions only; for all else flash a sketch with the library JavinoBDI";
             List<String> errors = agent.lines().stream().filter(line -> line.contains("legacy_board, ")).toList();
             assertEquals(3, errors.stream().filter(line -> line.endsWith(remedy)).count(), String.join("\n", errors));
             assertTrue(agent.lines().stream().anyMatch(line -> line.contains("write .act(ledOff) instead of ledOff")),
