@@ -394,7 +394,7 @@ public class Diffuser extends AgArch {
         return device().map(board -> board.performs(action)).orElse(false);
     }
 
-    /** Whether the board is one whose sketch reads what it is to do by itself, and names no actions, as far as is known. */
+    /** Whether the board's sketch names no actions, and reads by itself what it is to do, as far as is known. */
     protected boolean readsActions() {
         return device().map(Device::readsActions).orElse(false);
     }

@@ -84,8 +84,8 @@ class NewProjectTest {
     void sketch_forAnUno_takesLibrariesOfProjectAndSketchbookAndTellsItsSize(@TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, "--board", "uno").waitFor());
-        // That of the project goes before the other of its name; the published library does not go before ours, from which
-        // Javino.h comes too if JavinoBDI.h is included first.
+        // That of the project goes before the other of its name; the published library does not go before ours, which
+        // has the Javino.h too if JavinoBDI.h is included first.
         Path sketchbook = folder.resolve("Arduino/libraries");
         write(project.resolve("libraries/Lamp/Lamp.h"), "#define LAMP 13");
         write(sketchbook.resolve("Lamp/Lamp.h"), "#error not that of the project");
