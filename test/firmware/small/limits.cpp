@@ -118,3 +118,63 @@ TEST_F(SmallBoard, leaves_counters_out_that_are_zero) {
   EXPECT_EQ(static_cast<uint8_t>(Counter::SERIAL_REQUESTS), body[0]);
   EXPECT_EQ(static_cast<uint8_t>(Counter::LOOP_MILLIS), body[5]);
 }
+
+// Its lengths are of one byte: a packet of 256 bytes, or of 269, is none of 0 or 13.
+TEST(SmallBoardWithoutRadio, takes_packets_of_255_bytes_and_counts_longer_ones_as_damaged) {
+  static const size_t LONGEST = 242;
+  static std::string argument;
+  PlainBoard board;
+  board.hello();
+  board.board->actions().add(F("say"), [](const javinolib::Arguments &arguments) {
+    char text[LONGEST];
+    argument = arguments.text(0, text, sizeof text) ? text : "";
+    return true;
+  });
+  uint32_t damaged = 0;
+  for (size_t length = LONGEST - 20; length <= 511; length++) {
+    const std::string said(length - std::string("Asay()").size(), 'x');
+    const Bytes message = bytesOf("Asay(" + said + ")");
+    argument.clear();
+    if (length <= LONGEST) {
+      EXPECT_EQ(Status::OK, board.request(message).status) << length;
+      EXPECT_EQ(said, argument);
+    } else {
+      EXPECT_TRUE(board.sendRaw(reference::packet(9, reference::frame("++++", "++++", message))).empty()) << length;
+      EXPECT_EQ("", argument) << length;
+      EXPECT_EQ(++damaged, board.counter(Counter::SERIAL_DAMAGED)) << length;
+    }
+  }
+}
+
+TEST(SmallBoardWithoutRadio, tells_percepts_up_to_the_last_byte_of_a_packet) {
+  static const size_t LONGEST = 242 - 2 - 3;
+  static std::string literal;
+  PlainBoard board;
+  board.hello();
+  board.board->poll().setSource([](javinolib::Percepts &percepts) { percepts.literal(literal.c_str()); });
+  for (size_t length :
+       {LONGEST - 1, LONGEST, LONGEST + 1, LONGEST + 2, LONGEST + 13, size_t{256}, size_t{300}, size_t{512}}) {
+    literal = std::string(length, 'p');
+    const PollReply reply = board.poll(true);
+    EXPECT_TRUE(reply.reading) << length;
+    EXPECT_EQ(length > LONGEST, reply.leftOut) << length;
+    EXPECT_EQ(length > LONGEST ? std::vector<std::string>() : std::vector<std::string>{literal}, reply.texts('P'));
+  }
+}
+
+TEST_F(SmallBoard, stays_whole_whatever_comes_from_host_and_air) {
+  RandomBytes random(57);
+  for (int i = 0; i < 3000; i++) {
+    const char *destinations[] = {"++++", "////", "//ZZ", "ROMA", "+FAA", "LAMP"};
+    const std::string destination = destinations[random.number(6)];
+    const Bytes message = random.bytes(random.number(120));
+    const size_t replies =
+        board.sendRaw(reference::packet(random.byte(), reference::frame(destination, "LAMP", message))).size();
+    EXPECT_EQ(message.size() <= 84 ? 1u : 0u, replies) << message.size();
+    Bytes frame = reference::frame(destinations[random.number(6)], "ROMA", random.bytes(6 + random.number(62)));
+    if (random.number(3) == 0) frame[8 + random.number(2)] = static_cast<uint8_t>("A/x+8w"[random.number(6)]);
+    board.receive(frame);
+    board.pollTaking(random.byte());
+  }
+  EXPECT_EQ(Status::OK, board.hello().status);
+}
