@@ -117,7 +117,7 @@ static_assert(REPLAY_ENTRIES >= KEYS, "JAVINO_KEYS: each has a place for nonces"
 static_assert(ACTIONS >= 1 && ACTIONS <= 254, "JAVINO_ACTIONS must be 1…254");
 static_assert(DEAD_BANDS >= 1 && DEAD_BANDS <= 254, "JAVINO_DEAD_BANDS must be 1…254");
 static_assert(LARGE || (BOARD_MESSAGE <= 242 && MAX_MESSAGE <= 242), "a small board's packets have 255 bytes at most");
-static_assert(LARGE || (RECEIVE_BYTES <= 255 && TRANSMIT_BYTES <= 255), "a small board's queues have 255 bytes at most");
+static_assert(LARGE || (RECEIVE_BYTES <= 255 && TRANSMIT_BYTES <= 255), "a small board's queues: 255 bytes at most");
 
 }  // namespace config
 }  // namespace javinolib
