@@ -80,6 +80,8 @@ Status Commands::act(const uint8_t *body, Length length) {
 
 Status Commands::hello(const Request &request, const Identity &identity, Reply &reply) {
   poll_->tellAgain();
+  // Until it is greeted, a host speaks to a boot loader too, and perhaps at another speed.
+  counters_->at(Counter::SERIAL_DAMAGED) = 0;
   if (request.length != 2) return Status::BAD_ARGUMENT;
   greeted_ = request.message()[1] == PROTOCOL_VERSION;
   reply.add(reinterpret_cast<const uint8_t *>(&identity), sizeof identity);

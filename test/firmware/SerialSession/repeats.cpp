@@ -191,6 +191,14 @@ TEST_F(SerialSessionTest, damage_is_counted_and_not_answered) {
   EXPECT_EQ(4u, board.counter(Counter::SERIAL_DAMAGED));
 }
 
+TEST_F(SerialSessionTest, what_a_host_says_to_a_boot_loader_until_it_is_greeted_is_no_damage) {
+  board.sendRaw({0x1B, 0x01, 0x00, 0x01, 0x0E, 0x11, 0x04, 0});
+  board.hello();
+  EXPECT_EQ(0u, board.counter(Counter::SERIAL_DAMAGED));
+  board.sendRaw({2, 1, 0});
+  EXPECT_EQ(1u, board.counter(Counter::SERIAL_DAMAGED));
+}
+
 TEST_F(SerialSessionTest, damage_has_the_host_ask_again_but_not_within_a_reply) {
   board.port.arrive({2, 1, 0});
   board.board->run();

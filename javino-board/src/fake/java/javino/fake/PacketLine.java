@@ -48,6 +48,7 @@ public final class PacketLine implements FakePort.Device {
     private boolean stalled;
     private Bytes stalledReplies = Bytes.EMPTY;
     private boolean loading;
+    private int bootLoaderQuestions;
     private boolean badPolls;
     private Bytes prints = Bytes.EMPTY;
     private int deaf;
@@ -81,9 +82,11 @@ public final class PacketLine implements FakePort.Device {
     private void receive(int count) {
         writeWhatWaits(true);
         endHold();
+        boolean leaves = Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
+        bootLoaderQuestions += leaves ? 1 : 0;
         if (loading) {
             // What comes in one piece with the boot loader's end is lost with it.
-            loading = !Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
+            loading = !leaves;
             write(loading ? Bytes.EMPTY : PROGRAMMING_LEFT);
             return;
         }
@@ -298,6 +301,11 @@ public final class PacketLine implements FakePort.Device {
     /** Runs the boot loader, which waits for a sketch, until its end. */
     public synchronized void setLoading() {
         loading = true;
+    }
+
+    /** How often a boot loader was told to leave, whether one runs or not. */
+    public synchronized int bootLoaderQuestions() {
+        return bootLoaderQuestions;
     }
 
     /** Halts each reading that a poll with a hold brings before its end, until the host sends something. */

@@ -109,8 +109,8 @@ final class Exchange {
             if (attempts > 0) {
                 counters.count(SessionCounter.REPEATS);
             }
-            // Every other time, as to a sketch that runs it is damage.
-            boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1;
+            // Every other time, as to a sketch that runs it is damage; none has to be started that has asked again.
+            boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1 && !askedAgain;
             long began = System.nanoTime();
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
             // A line can stop its host, as that of an emulated board does in a pause: the board is not late by that.

@@ -214,6 +214,19 @@ class BoardTest extends BoardFixture {
         assertEquals("online 1", listener.next());
     }
 
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void open_boardAnswersLate_isSaidNothingForABootLoaderOnceItHasAskedAgain(boolean asksAgain) throws Exception {
+        AtomicInteger hellos = new AtomicInteger();
+        fake.line.setLoses(message -> message.at(0) == 'H' && hellos.incrementAndGet() < 6);
+        if (asksAgain) {
+            fake.reset();
+        }
+        open();
+        assertEquals(asksAgain ? "online 2" : "online 1", listener.next());
+        assertEquals(asksAgain, fake.line.bootLoaderQuestions() == 0);
+    }
+
     @Test
     void open_noPort_saysWhyOnceAndWaits() throws Exception {
         port.unplug();

@@ -1,6 +1,7 @@
 package systemtest;
 
 import static harness.Host.get;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
@@ -8,6 +9,7 @@ import harness.Host;
 import java.nio.file.Path;
 import java.util.Map;
 import javino.protocol.Address;
+import javino.protocol.Counter;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -39,6 +41,7 @@ class BootLoaderTest {
             TraceEvent done = emulator.await("its id", event -> event.is("host-id", "lamp"));
             double seconds = done.seconds() - reset(emulator, "port opened").seconds();
             assertTrue(seconds < MOST_EMULATED_SECONDS, seconds + " s");
+            assertEquals(0, host.counter(Counter.SERIAL_DAMAGED));
         }
     }
 
