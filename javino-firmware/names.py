@@ -16,9 +16,12 @@ KEYWORDS = set('''alignas alignof asm auto bool break case catch char class cons
     while'''.split()) - {'error', 'define', 'include', 'final'}
 
 # What the headers use as a macro of Arduino's core or of avr-libc, or what is one on some cores.
-USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR MAPPED_EEPROM_SIZE OCIE0B OCR0B OCR3BL
-    OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMSK0 clockCyclesPerMicrosecond pgm_read_byte
-    pgm_read_word'''.split())
+USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR ISR_ALIASOF MAPPED_EEPROM_SIZE OCIE0B OCR0B
+    OCR3BL OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMER1_COMPC_vect TIMSK0 WGM00 WGM01
+    clockCyclesPerMicrosecond pgm_read_byte pgm_read_word'''.split())
+
+# What AskRadio.h knows other libraries by.
+USED |= set('Servo_h TimerOne_h_ IR_USE_AVR_TIMER1 IR_USE_AVR_TIMER3 IR_USE_AVR_TIMER4 IR_USE_AVR_TIMER5'.split())
 
 
 def headers(path, found):

@@ -24,8 +24,12 @@ namespace askhardware {
 uint32_t ticksPerSecond();
 
 /// Sets up pins and timer and calls the radio's onEdge() and onAlarm() from now on.
-/// @return false where there is no such pin, or the RX pin has no pin-change interrupt.
+/// @return false where there is no such pin, the RX pin has no pin-change interrupt, or the timer is taken.
 bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio);
+
+/// Whether another part of the sketch uses the timer too.
+/// @return flags of a poll's reply: the timer's number plus 1 in bits 4 to 6; or 0
+uint8_t takenTimer();
 
 /// The timer; counts up and around.
 uint16_t now();

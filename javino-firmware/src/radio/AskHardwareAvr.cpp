@@ -57,7 +57,7 @@ bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
   PCICR |= rxEdgeFlag;
 
   beginTimer();
-  return true;
+  return takenTimer() == 0;
 }
 
 void watchEdges(bool on) {

@@ -11,6 +11,23 @@
 #include "../support/Part.h"
 #include "../support/Zeroed.h"
 
+// Libraries that take the radio's timer, as far as a file includes them before this one. All others the linker finds, or
+// takenTimer().
+#if !defined(JAVINO_RADIO_TIMER) || JAVINO_RADIO_TIMER == 1
+#if defined(Servo_h) && !defined(OCR5BL)
+#define JAVINO_TIMER_IS_TAKEN_BY "Servo"
+#elif defined(TimerOne_h_)
+#define JAVINO_TIMER_IS_TAKEN_BY "TimerOne"
+#elif defined(IR_USE_AVR_TIMER1)
+#define JAVINO_TIMER_IS_TAKEN_BY "IRremote"
+#endif
+#elif JAVINO_RADIO_TIMER == 5 && defined(Servo_h)
+#define JAVINO_TIMER_IS_TAKEN_BY "Servo"
+#elif (JAVINO_RADIO_TIMER == 3 && defined(IR_USE_AVR_TIMER3)) || \
+    (JAVINO_RADIO_TIMER == 4 && defined(IR_USE_AVR_TIMER4)) || (JAVINO_RADIO_TIMER == 5 && defined(IR_USE_AVR_TIMER5))
+#define JAVINO_TIMER_IS_TAKEN_BY "IRremote"
+#endif
+
 namespace javinolib {
 
 /// The modem for cheap 433 MHz on-off-keying pairs (SPEC 6): one interrupt a bit while sending, one an edge while
@@ -32,7 +49,16 @@ class AskRadio : public Radio {
   /// 14-17; the others: all)
   /// @param txPin digital pin of the transmitter's data
   /// @param bitRate bits a second, 200…10000 and no more than a 16th of the timer's rate; the same on all boards
+#ifndef JAVINO_TIMER_IS_TAKEN_BY
   explicit AskRadio(uint8_t rxPin = 11, uint8_t txPin = 12, uint16_t bitRate = 2000);
+#else
+  template <typename Radio = AskRadio>
+  explicit AskRadio(uint8_t = 11, uint8_t = 12, uint16_t = 2000) : AskRadio(static_cast<Radio *>(nullptr)) {
+    static_assert(sizeof(Radio) == 0, JAVINO_TIMER_IS_TAKEN_BY
+                  " takes the radio's timer: write #define JAVINO_RADIO_TIMER 0 before you include JavinoBDI.h");
+  }
+  AskRadio(AskRadio *);
+#endif
 
   bool begin() override;
   bool send(const uint8_t *payload, uint8_t length) override;

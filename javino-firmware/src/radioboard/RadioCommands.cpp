@@ -1,5 +1,6 @@
 #include "RadioCommands.h"
 
+#include "../radio/AskHardware.h"
 #include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
 
@@ -11,6 +12,9 @@ const bool ALL_COUNTERS_FIT = 1 + Counters::COUNT * 5 <= MAX_MESSAGE_LENGTH;
 const uint8_t FLAGS_AT = 1 + HEADER_LENGTH + 1;  // of a poll's reply, in its packet behind the status
 
 }  // namespace
+
+// Of a board without ASK hardware; else that is linked in place of it.
+__attribute__((weak)) uint8_t askhardware::takenTimer() { return 0; }
 
 bool RadioCommands::perform(const Request &request, Reply &reply) {
   if (!commands_->allows(request, reply)) return false;
@@ -32,7 +36,9 @@ bool RadioCommands::answer(Reply &reply, bool released) {
   } else if (!poll_->answer(reply, released)) {
     return false;
   }
-  if (state_->counters->value(Counter::MEMORY_DAMAGED) != 0) reply.packet()[FLAGS_AT] |= Poll::MEMORY_DAMAGED;
+  uint8_t flags = askhardware::takenTimer();
+  if (state_->counters->value(Counter::MEMORY_DAMAGED) != 0) flags |= Poll::MEMORY_DAMAGED;
+  reply.packet()[FLAGS_AT] |= flags;
   return true;
 }
 

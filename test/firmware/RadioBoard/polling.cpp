@@ -1,6 +1,7 @@
 #include <Arduino.h>
 #include <gtest/gtest.h>
 
+#include "radio/AskHardware.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -12,6 +13,9 @@ namespace {
 int shown;
 int readings;
 
+// What the hardware says, in bits of a reply's flags.
+uint8_t takenTimer;
+
 void readLevel(javinolib::Percepts &percepts) {
   readings++;
   percepts.add(F("level"), shown);
@@ -22,6 +26,7 @@ class BoardPolling : public testing::Test {
   BoardPolling() {
     shown = 0;
     readings = 0;
+    takenTimer = 0;
     board.start("ROMA");
     board.board->poll().setSource(readLevel);
   }
@@ -59,6 +64,8 @@ class BoardPolling : public testing::Test {
 };
 
 }  // namespace
+
+uint8_t javinolib::askhardware::takenTimer() { return ::takenTimer; }
 
 TEST_F(BoardPolling, writes_transmissions_then_messages_and_a_reading_in_a_reply_of_its_own) {
   board.transmit("////", "ROMA", "tell;x");
@@ -397,6 +404,13 @@ TEST_F(BoardPolling, a_repeat_of_a_poll_that_is_held_ends_the_hold_and_is_answer
   ASSERT_EQ(2u, replies.size());
   EXPECT_EQ(replies[0], replies[1]);
   EXPECT_EQ(1u, board.counter(javinolib::Counter::SERIAL_REPEATS));
+}
+
+TEST_F(BoardPolling, each_reply_says_which_timer_is_taken) {
+  EXPECT_EQ(0x00, board.request(bytesOf(std::string("P\0\0\0\0\0\0", 7))).body.at(0));
+  takenTimer = 0x20;
+  EXPECT_EQ(0x20, board.request(bytesOf(std::string("P\0\0\0\0\0\0", 7))).body.at(0));
+  EXPECT_EQ(0x24, board.request(bytesOf(std::string("P\3\0\0\0\0\0", 7))).body.at(0)) << "beside a reading";
 }
 
 TEST_F(BoardPolling, damage_ends_a_hold_and_is_not_answered) {

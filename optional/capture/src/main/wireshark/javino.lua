@@ -196,6 +196,7 @@ field(serial, "poll.more", "bool", "More is waiting", 8, nil, 0x01)
 field(serial, "poll.left_out", "bool", "Some percepts were left out", 8, nil, 0x02)
 field(serial, "poll.reading", "bool", "The reply has a reading", 8, nil, 0x04)
 field(serial, "poll.damaged", "bool", "The memory of nonces did not hold", 8, nil, 0x08)
+field(serial, "poll.taken_timer", "uint8", "One more than the radio's timer, which is taken", base.DEC, nil, 0x70)
 field(serial, "poll.hold", "uint16", "Hold", base.UNIT_STRING, {" ms"})
 field(serial, "poll.least", "uint24", "Least", base.UNIT_STRING, {" ms"})
 field(serial, "poll.taken", "uint8", "Taken")
@@ -1220,7 +1221,7 @@ local REPLIES = {
   P = function(r, tree, range)
     local item, _, flags = r.take("serial.poll.flags", 1)
     if not item then return false end
-    for _, name in ipairs({"more", "left_out", "reading", "damaged"}) do item:add(f["serial.poll." .. name], flags) end
+    for _, name in ipairs({"more", "left_out", "reading", "damaged", "taken_timer"}) do item:add(f["serial.poll." .. name], flags) end
     local right = true
     while r.has(3) do
       local head = r.range(3)

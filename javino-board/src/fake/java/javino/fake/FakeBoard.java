@@ -54,7 +54,7 @@ public final class FakeBoard {
     private volatile String firmware = "fake";
     private volatile Set<Capability> capabilities =
             EnumSet.of(Capability.RADIO, Capability.MEMORY, Capability.SAYS_TAKEN);
-    private volatile boolean damaged;
+    private volatile int pollFlags;
     private volatile boolean greeted;
     private volatile int transmissionCount;
     private volatile FakeAir air;
@@ -207,7 +207,7 @@ public final class FakeBoard {
 
     /** The reply's message to a poll; null if it is to be held. */
     Bytes answer(Poll poll, boolean over) {
-        int flags = damaged ? Poll.DAMAGED : 0;
+        int flags = pollFlags;
         if (mail.isWaiting()) {
             return mail.tell(flags);
         }
@@ -481,7 +481,12 @@ public final class FakeBoard {
 
     /** Reports that the memory of nonces did not hold. */
     public void setDamaged() {
-        damaged = true;
+        pollFlags |= Poll.DAMAGED;
+    }
+
+    /** Reports that another part of the sketch uses the radio's timer, 0…5. */
+    public void setTakenTimer(int timer) {
+        pollFlags |= timer + 1 << Poll.TAKEN_TIMER_SHIFT;
     }
 
     public FakeBoard setCounter(Counter counter, long value) {

@@ -11,6 +11,7 @@ record Poll(Bytes message) {
     static final int LEFT_OUT = 2;
     static final int READING = 4;
     static final int DAMAGED = 8;
+    static final int TAKEN_TIMER_SHIFT = 4;
 
     boolean wantsPercepts() {
         return (message.at(1) & 1) != 0;

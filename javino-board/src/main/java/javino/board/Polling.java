@@ -33,6 +33,7 @@ final class Polling {
     private boolean owesTaken;
     private boolean isLast;
     private boolean toldDamage;
+    private boolean toldTimer;
 
     Polling(SessionContext context) {
         this.context = context;
@@ -49,6 +50,7 @@ final class Polling {
         boolean booted = !board.equals(source) || board.bootEpoch() == 0;
         if (booted) {
             toldDamage = false;
+            toldTimer = false;
             taken = Request.NOTHING_TAKEN;
             owesTaken = false;
             repeats.booted();
@@ -169,6 +171,10 @@ final class Polling {
         if (reply.damaged() && !toldDamage) {
             toldDamage = true;
             context.listener().warn(LostState.ofMemory());
+        }
+        if (reply.takenTimer().isPresent() && !toldTimer) {
+            toldTimer = true;
+            context.listener().warn(RadioTimer.ofTaken(reply.takenTimer().getAsInt()));
         }
         if (reply.reading()) {
             perception.take(literals, reply.leftOut(), late);

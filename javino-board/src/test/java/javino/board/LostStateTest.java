@@ -22,6 +22,8 @@ import javino.protocol.Bytes;
 import javino.protocol.Key;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What a session does with a board that has lost the state on which security rests. */
 class LostStateTest extends BoardFixture {
@@ -396,6 +398,20 @@ class LostStateTest extends BoardFixture {
         listener.until("online");
         fake.setDamaged();
         assertTrue(warning().contains("has written over the board's memory of nonces"));
+        fake.line.awaitPolls(3);
+        fake.reset();
+        assertEquals("offline fake: the board was reset", listener.next());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1", "1, 0", "5, 0"})
+    void radioTimer_thatIsTaken_isWarnedOfOnceWithTheLineToWrite(int timer, int other) throws Exception {
+        open(listener);
+        listener.until("online");
+        fake.setTakenTimer(timer);
+        String warning = warning();
+        assertTrue(warning.contains("uses the radio's timer " + timer + ","), warning);
+        assertTrue(warning.contains("write #define JAVINO_RADIO_TIMER " + other + " before"), warning);
         fake.line.awaitPolls(3);
         fake.reset();
         assertEquals("offline fake: the board was reset", listener.next());

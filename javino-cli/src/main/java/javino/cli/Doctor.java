@@ -10,6 +10,7 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardListener;
 import javino.board.BoardState;
+import javino.board.RadioTimer;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
@@ -74,8 +75,8 @@ final class Doctor {
     List<String> examine(Address id, Map<Address, SharedKey> keys, int noted, Duration listen)
             throws JavinoException, InterruptedException {
         Watched link = new Watched(port.link());
-        Prints prints = new Prints();
-        try (Board board = Board.open(link, port.config(), prints)) {
+        Told told = new Told();
+        try (Board board = Board.open(link, port.config(), told)) {
             if (isReached(board, link)) {
                 BoardInfo info = Await.result(board.greeted());
                 report.ifPresent(wanted -> wanted.board(info));
@@ -93,7 +94,10 @@ final class Doctor {
                     eeprom.examineNonces(info, noted, id);
                     traffic.examine(listen);
                 }
-                traffic.examinePrints(prints.last);
+                traffic.examinePrints(told.print);
+                if (told.timer != null) {
+                    findings.trouble("timer", told.timer);
+                }
                 if (report.isPresent()) {
                     report.get().counters(Await.result(board.statistics()), board.counters());
                 }
@@ -105,14 +109,22 @@ final class Doctor {
         return findings.troubles();
     }
 
-    /** Remembers what the sketch has printed last. */
-    private static final class Prints implements BoardListener {
+    /** Remembers what the sketch has printed last, and that the radio's timer is taken. */
+    private static final class Told implements BoardListener {
 
-        private volatile String last;
+        private volatile String print;
+        private volatile String timer;
 
         @Override
         public void printed(String text) {
-            last = text;
+            print = text;
+        }
+
+        @Override
+        public void warning(String what) {
+            if (RadioTimer.isOfTaken(what)) {
+                timer = what;
+            }
         }
     }
 

@@ -319,6 +319,12 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void radioTimer_thatIsTaken_isTold() {
+        fake.setTakenTimer(1);
+        assertTrouble("timer", "another part of the sketch uses the radio's timer 1,");
+    }
+
+    @Test
     void serialLine_bootLoaderAnsweredFirst_isOk() {
         fake.line.setLoading();
         assertEquals(0, examine(), out.toString());

@@ -2,6 +2,7 @@ package javino.protocol;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 
 /**
  * The answer to a poll (SPEC 4.3).
@@ -11,10 +12,12 @@ import java.util.List;
  * @param reading whether the percepts of this reply are all that the board perceives now; otherwise there are none, and
  *                the last ones told still hold.
  * @param damaged whether the board's memory of nonces did not hold since it booted (SPEC 5.1).
+ * @param takenTimer the number of the radio's timer if another part of the sketch uses it too.
  * @param records in the order of the reply: transmissions, messages, frames without a key and packets that were
  *                overheard, or percepts.
  */
-public record PollReply(boolean more, boolean leftOut, boolean reading, boolean damaged, List<Item> records) {
+public record PollReply(boolean more, boolean leftOut, boolean reading, boolean damaged, OptionalInt takenTimer,
+        List<Item> records) {
 
     /** Where the flags of a poll's reply end in its packet. */
     public static final int FLAGS_END = 1 + Frame.HEADER_LENGTH + 2;
@@ -22,6 +25,8 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, boolean 
     private static final int LEFT_OUT = 2;
     private static final int READING = 4;
     private static final int DAMAGED = 8;
+    private static final int TIMER_SHIFT = 4;
+    private static final int TIMER_MASK = 7;
     private static final int TIME_LENGTH = 4;
     private static final int RECORD_HEADER_LENGTH = 3;
     private static final int ID_OFFSET = 1 + 2 * Address.LENGTH;
@@ -111,8 +116,9 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, boolean 
             at = end;
         }
         int flags = body.at(0);
+        int timer = flags >> TIMER_SHIFT & TIMER_MASK;
         return new PollReply((flags & MORE) != 0, (flags & LEFT_OUT) != 0, (flags & READING) != 0,
-                (flags & DAMAGED) != 0, records);
+                (flags & DAMAGED) != 0, timer == 0 ? OptionalInt.empty() : OptionalInt.of(timer - 1), records);
     }
 
     private static Item decodeItem(int type, Bytes value) throws ProtocolException {

@@ -33,6 +33,7 @@ final class ReplyFields {
                 fields.addProperty("leftOut", poll.leftOut());
                 fields.addProperty("reading", poll.reading());
                 fields.addProperty("damaged", poll.damaged());
+                fields.addProperty("takenTimer", poll.takenTimer().isPresent() ? poll.takenTimer().getAsInt() : null);
                 JsonArray records = new JsonArray();
                 for (PollReply.Item item : poll.records()) {
                     records.add(describe(item));

@@ -158,6 +158,16 @@ final class CommandVectors {
                 badRequest(text("V+KAA0123456789abcdef"), "BAD_ARGUMENT"));
     }
 
+    private static Map<String, Object> polled(boolean more, boolean leftOut, boolean reading, boolean damaged,
+            Integer takenTimer, List<?> records) {
+        return vector("more", more, "leftOut", leftOut, "reading", reading, "damaged", damaged, "takenTimer",
+                takenTimer, "records", records);
+    }
+
+    private static Map<String, Object> timerTaken(int flags, boolean damaged, int timer) {
+        return ok("poll", bytes(flags), polled(false, false, false, damaged, timer, List.of()));
+    }
+
     private static Map<String, Object> badRequest(byte[] message, String status) {
         return vector("message", Wire.hex(message), "status", status);
     }
@@ -169,41 +179,35 @@ final class CommandVectors {
                 hello(1, "ROMA", 7, null, "blink 1.0"), hello(1, "ROMA", 7, null, "\u00e9"),
                 hello(1, null, 0, null, ""),
                 ok("poll", bytes(0),
-                        vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
-                                List.of())),
+                        polled(false, false, false, false, null, List.of())),
                 ok("poll", bytes(4),
-                        vector("more", false, "leftOut", false, "reading", true, "damaged", false, "records",
-                                List.of())),
+                        polled(false, false, true, false, null, List.of())),
                 ok("poll", join(bytes(1), bytes('T', 0, 2, 9, 0), bytes('T', 0, 2, 10, 1), bytes('T', 0, 2, 255, 2),
                         record('M', join(bytes(255), text("////ROMA"), bytes(0, 0, 0), text("tell;help"))),
                         record('M', join(bytes(0), text("SUPOROMA"), bytes(0xFF, 0, 1), text("tell;x(\"\u00e9\")")))),
-                        vector("more", true, "leftOut", false, "reading", false, "damaged", false, "records", List.of(
+                        polled(true, false, false, false, null, List.of(
                                 transmission(9, 0), transmission(10, 1), transmission(255, 2),
                                 message(255, "////", "ROMA", 0, "tell;help"),
                                 message(0, "SUPO", "ROMA", 0xFF0001, "tell;x(\"\u00e9\")")))),
                 ok("poll", join(bytes(6), record('P', text("proximity(17)")), record('P', text("dark"))),
-                        vector("more", false, "leftOut", true, "reading", true, "damaged", false, "records",
-                                List.of(percept("proximity(17)"), percept("dark")))),
+                        polled(false, true, true, false, null, List.of(percept("proximity(17)"), percept("dark")))),
                 ok("poll", join(bytes(4), record('P', text("x".repeat(300))), record('P', new byte[0])),
-                        vector("more", false, "leftOut", false, "reading", true, "damaged", false, "records",
-                                List.of(percept("x".repeat(300)), percept("")))),
+                        polled(false, false, true, false, null, List.of(percept("x".repeat(300)), percept("")))),
                 ok("poll", join(bytes(1), record('M', join(bytes(7), text("9///AAAA"), bytes(0xFF, 0xFF, 0xFF),
                         text("tell;" + "x".repeat(489))))),
-                        vector("more", true, "leftOut", false, "reading", false, "damaged", false, "records",
+                        polled(true, false, false, false, null,
                                 List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
                 ok("poll", join(bytes(0), record('O', join(bytes(0, 1, 2, 3, 0), text("////ROMAAIx"))),
                         record('O', bytes(0xFF, 0xFF, 0xFF, 0xFF, 1, 0x78)), record('O', bytes(0, 0, 0, 0, 2))),
-                        vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
-                                List.of(overheard(66_051, 0, "2f2f2f2f524f4d41414978"),
-                                        overheard(0xFFFF_FFFFL, 1, "78"), overheard(0, 2, "")))),
+                        polled(false, false, false, false, null, List.of(overheard(66_051, 0, "2f2f2f2f524f4d41414978"),
+                                overheard(0xFFFF_FFFFL, 1, "78"), overheard(0, 2, "")))),
                 ok("poll", join(bytes(0), record('N', text("SUPOROMA")), record('N', text("//SUCAFE"))),
-                        vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
+                        polled(false, false, false, false, null,
                                 List.of(noKey("SUPO", "ROMA"), noKey("//SU", "CAFE")))),
-                ok("poll", bytes(8), vector("more", false, "leftOut", false, "reading", false, "damaged", true,
-                        "records", List.of())),
+                ok("poll", bytes(8), polled(false, false, false, true, null, List.of())),
+                timerTaken(0x10, false, 0), timerTaken(0x28, true, 1), timerTaken(0x60, false, 5),
                 ok("poll", join(bytes(12), record('P', text("dark"))),
-                        vector("more", false, "leftOut", false, "reading", true, "damaged", true, "records",
-                                List.of(percept("dark")))),
+                        polled(false, false, true, true, null, List.of(percept("dark")))),
                 ok("act", new byte[0], vector()),
                 ok("listActions", bytes(0), actions(0, "", true)),
                 ok("listActions", join(bytes(2), text("lampOn"), bytes(0), text("lampOff"), bytes(0)),

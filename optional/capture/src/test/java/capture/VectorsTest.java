@@ -716,6 +716,7 @@ class VectorsTest {
             case "leftOut" -> shows(index, "serial.poll.left_out", value.getAsBoolean() ? 1 : 0);
             case "reading" -> shows(index, "serial.poll.reading", value.getAsBoolean() ? 1 : 0);
             case "damaged" -> shows(index, "serial.poll.damaged", value.getAsBoolean() ? 1 : 0);
+            case "takenTimer" -> shows(index, "serial.poll.taken_timer", value.isJsonNull() ? 0 : value.getAsInt() + 1);
             case "records" -> showsRecords(index, value.getAsJsonArray().asList());
             case "count" -> shows(index, "serial.actions.count", value.getAsInt());
             case "names" -> assertEquals(value.getAsJsonArray().asList().stream().map(JsonElement::getAsString)
