@@ -1,0 +1,87 @@
+package systemtest;
+
+import static harness.Host.get;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import trace.TraceEvent;
+
+/** How often {@code loop()} turns, as the firmware's page says, and the example Stepper. */
+@Tag("verify")
+class QuickLoopTest {
+
+    private static final int EMULATED_SECONDS = 2;
+    /** The pin of turns.cpp changes so seldom. */
+    private static final int TURNS = 16;
+    /** The page's figures may be so far from those of a changed library. */
+    private static final double TOLERANCE = 0.1;
+
+    private static final int STEPS = 3000;
+    private static final int STEPS_A_SECOND = 1500;
+
+    @TempDir
+    private Path folder;
+
+    /** Columns: board, call, whether the board has a radio, what the page says of that; N is the figure. */
+    @ParameterizedTest
+    @CsvSource({"uno, run, false, `loop()` turns N times", "uno, run, true, `loop()` turns N times",
+            "mega, run, false, `loop()` turns N times", "mega, run, true, `loop()` turns N times",
+            "uno, serve, false, it turns N times on an Uno", "uno, serve, true, on an Uno (with a radio N)",
+            "mega, serve, false, and N on a Mega", "mega, serve, true, on a Mega (N)"})
+    void turnsOfALoop_areThoseOfThePage(String board, String call, boolean radio, String words) throws Exception {
+        Matcher figure = Pattern.compile(Pattern.quote(words).replace("N", "\\E([\\d ]+)\\Q"))
+                .matcher(Files.readString(SketchBuild.ROOT.resolve("javino-firmware/README.md")));
+        assertTrue(figure.find(), "the page does not say " + words);
+        double said = Double.parseDouble(figure.group(1).replace(" ", ""));
+        assertEquals(said, turns(call, board, radio), TOLERANCE * said);
+    }
+
+    private double turns(String call, String board, boolean radio) throws Exception {
+        List<String> options = new ArrayList<>(List.of("-DCALL=" + call));
+        if (radio) {
+            options.add("-DRADIO");
+        }
+        Path program = folder.resolve("turns.elf");
+        String said = SketchBuild.compile(board, options, List.of("turns.cpp"), program);
+        assertTrue(Files.exists(program), said);
+        List<Double> edges = SketchBuild.emulate(folder, EMULATED_SECONDS, """
+                {"boards": [{"name": "tested", "model": "%s", "firmware": "%s",
+                    "watch": [{"pin": 8, "name": "turns"}]}]}
+                """.formatted(board, program)).stream().filter(event -> event.is("pin", "tested"))
+                .map(TraceEvent::seconds).filter(seconds -> seconds > 1).toList();
+        return (edges.size() - 1) * TURNS / (edges.get(edges.size() - 1) - edges.get(0));
+    }
+
+    @Test
+    void stepper_turnsAtItsSpeedWhileItsAgentIsTold() throws Exception {
+        Map<String, Object> watched = Map.of("model", "uno", "watch", List.of(Map.of("pin", 3, "name", "step")));
+        try (Emulator emulator = new Emulator.Scenario().board("motor", "Stepper", watched).start(folder);
+                Host host = Host.of(emulator, "motor")) {
+            host.board.percepts(true);
+            get(host.board.act("turn(" + STEPS + ")"));
+            host.percepts(List.of("position(" + STEPS + ")")::equals);
+            List<Double> steps = emulator.trace().stream()
+                    .filter(event -> event.is("pin", "motor") && event.number("level") == 1).map(TraceEvent::seconds)
+                    .toList();
+            assertEquals(STEPS, steps.size());
+            double aSecond = (STEPS - 1) / (steps.get(STEPS - 1) - steps.get(0));
+            assertEquals(STEPS_A_SECOND, aSecond, 0.05 * STEPS_A_SECOND);
+            get(host.board.act("turn(-" + STEPS + ")"));
+            host.percepts(List.of("position(0)")::equals);
+        }
+    }
+}
