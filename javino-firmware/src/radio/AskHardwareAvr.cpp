@@ -40,11 +40,12 @@ void beginTimer();  // AskHardwareAvrTimer.h
 void onAlarm() { modem->onAlarm(); }
 
 bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
+  InterruptLock lock;
+  beginTimer();  // first, as the core's setting of it would pass for another part's
   if (rxPin >= NUM_DIGITAL_PINS || txPin >= NUM_DIGITAL_PINS || rxPin == txPin) return false;
   rxEdgeMask = digitalPinToPCMSK(rxPin);
   if (!rxEdgeMask) return false;
 
-  InterruptLock lock;
   modem = &radio;
   digitalWrite(txPin, LOW);
   pinMode(txPin, OUTPUT);
@@ -56,7 +57,6 @@ bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
   rxEdgeFlag = static_cast<uint8_t>(_BV(rxEdgeMask - &PCMSK0));
   PCICR |= rxEdgeFlag;
 
-  beginTimer();
   return takenTimer() == 0;
 }
 

@@ -34,7 +34,7 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
       decoder_(bitTicks_) {}
 
 bool AskRadio::begin() {
-  ready_ = bitTicks_ != 0 && askhardware::begin(rxPin_, txPin_, *this);
+  ready_ = askhardware::begin(rxPin_, txPin_, *this) && bitTicks_ != 0;
   if (ready_) startReceiving();
   return ready_;
 }

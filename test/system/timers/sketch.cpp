@@ -18,7 +18,10 @@ const uint8_t OUT_PIN = 4, HEARD_PIN = 7, BEGUN_PIN = 8;
 #endif
 const uint16_t SEND_MILLIS = 400;  // for a packet and its answer
 
-JavinoAskRadio radio;
+#ifndef RX_PIN
+#define RX_PIN 11
+#endif
+JavinoAskRadio radio(RX_PIN);
 #ifdef HOSTED
 JavinoRadioBoard board(Serial, "neighbour 1.0", radio);
 #else

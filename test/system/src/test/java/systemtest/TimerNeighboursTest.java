@@ -122,8 +122,10 @@ class TimerNeighboursTest {
         assertWarned(timer, hosted(board, build(board, timer, header, option + HOSTED, false)), true);
     }
 
+    /** A radio that does not start, as its pin will not do, is no other's fault. */
     @ParameterizedTest
-    @CsvSource({"uno, 1, Arduino.h, -DNOTHING", "mega, 1, Servo.h, -DSERVOS=12"})
+    @CsvSource({"uno, 1, Arduino.h, -DNOTHING", "mega, 1, Servo.h, -DSERVOS=12", "uno, 0, Arduino.h, -DRX_PIN=12",
+            "uno, 1, Arduino.h, -DRX_PIN=12", "mega, 3, Arduino.h, -DRX_PIN=2"})
     void anotherTimer_isNotWarnedOf(String board, int timer, String header, String option) throws Exception {
         BlockingQueue<String> told = new LinkedBlockingQueue<>();
         try (Emulator emulator = hosted(board, build(board, timer, header, option + HOSTED, false));
