@@ -1,4 +1,7 @@
-"""Fails if src/support/SketchMacros.inc does not have each name in the headers that a sketch includes; names.py --write mends it."""
+"""Fails if src/support/SketchMacros.inc does not have each name in the headers that a sketch includes.
+
+names.py --write mends it, names.py --macros prints a macro of each name, for tests.
+"""
 
 import pathlib
 import re
@@ -16,8 +19,8 @@ KEYWORDS = set('''alignas alignof asm auto bool break case catch char class cons
     while'''.split()) - {'error', 'define', 'include', 'final'}
 
 # What the headers use as a macro of Arduino's core or of avr-libc, or what is one on some cores.
-USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR ISR_ALIASOF MAPPED_EEPROM_SIZE OCIE0B OCR0B
-    OCR3BL OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMER1_COMPC_vect TIMSK0 WGM00 WGM01
+USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END EEPROM F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR ISR_ALIASOF MAPPED_EEPROM_SIZE OCIE0B
+    OCR0B OCR3BL OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMER1_COMPC_vect TIMSK0 WGM00 WGM01
     clockCyclesPerMicrosecond pgm_read_byte pgm_read_word'''.split())
 
 # What AskRadio.h knows other libraries by.
@@ -64,6 +67,8 @@ def text():
         '// The names in the headers that a sketch includes, written by names.py. A macro of a sketch that has one of them is set',
         '// aside here, for the header to bring it back at its end.',
         '',
+        '#ifndef JAVINO_MACROS_ARE_ASIDE',
+        '#define JAVINO_MACROS_ARE_ASIDE',
         '#define JAVINO_EACH_NAME(DO) \\',
         ' \\\n'.join(rows()),
         '',
@@ -73,11 +78,15 @@ def text():
         '',
         'JAVINO_EACH_NAME(JAVINO_SET_ASIDE)',
         *(f'#undef {name}' for name in names()),
+        '#endif',
         ''])
 
 
 if __name__ == '__main__':
     if sys.argv[1:] == ['--write']:
         LIST.write_text(text())
+    elif sys.argv[1:] == ['--macros']:
+        for number, name in enumerate(names()):
+            print(f'#undef {name}\n#define {name} {1000 + number}')
     elif not LIST.exists() or LIST.read_text() != text():
         sys.exit(f'{LIST} lacks names of the headers, or has others: run javino-firmware/names.py --write')

@@ -9,3 +9,4 @@
 #include "arduino/PublishedJavino.h"
 
 JAVINO_EACH_NAME(JAVINO_BRING_BACK)
+#undef JAVINO_MACROS_ARE_ASIDE

@@ -26,7 +26,7 @@ void releaseInterruptsAndIdle() {
 
 #else
 
-#include <Arduino.h>
+#include "../support/Core.h"
 
 namespace javinolib {
 namespace cpu {

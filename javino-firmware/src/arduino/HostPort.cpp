@@ -1,5 +1,3 @@
-#include <Arduino.h>
-
 #include "OtherPort.h"
 
 // The seam SerialPort on the core's `Serial`, whose type is known, so that on an AVR no function is looked up in its table of
@@ -20,15 +18,12 @@ JAVINO_WEAK bool SerialPort::canRead() const { return JAVINO_PORT(available()) >
 
 JAVINO_WEAK uint8_t SerialPort::read() { return static_cast<uint8_t>(JAVINO_PORT(read())); }
 
-// The core's write() waits when its buffer of 64 bytes is full, so it is never called then. Ports of some other cores never
-// tell how much room there is, also not before the first byte.
+// The core's write() waits when its buffer of 64 bytes is full, so it is never called then.
 JAVINO_WEAK bool SerialPort::canWrite() const {
 #ifdef __AVR__
   return JAVINO_PORT(availableForWrite()) > 0;
 #else
-  const bool hasRoom = PortType<HostSerial>::room(serial_) > 0;
-  if (hasRoom) tellsRoom_ = true;
-  return hasRoom || !tellsRoom_;
+  return room_.takes(PortType<HostSerial>::room(serial_));
 #endif
 }
 

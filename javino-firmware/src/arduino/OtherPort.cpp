@@ -1,21 +1,19 @@
 #include "OtherPort.h"
 
-#include <Arduino.h>
-
 namespace javinolib {
 
 namespace {
 
 void (*beginPort)(Stream &, unsigned long);
 int (*roomOfPort)(Stream &);
-bool hasToldRoom;
+PortRoom roomTold;
 
 }  // namespace
 
 SerialPort otherPort(Stream &port, void (*begin)(Stream &, unsigned long), int (*room)(Stream &)) {
   beginPort = begin;
   roomOfPort = room;
-  hasToldRoom = false;
+  roomTold = PortRoom();
   return SerialPort(port);
 }
 
@@ -25,12 +23,7 @@ bool SerialPort::canRead() const { return serial_.available() > 0; }
 
 uint8_t SerialPort::read() { return static_cast<uint8_t>(serial_.read()); }
 
-// A port that has never told any room, as SoftwareSerial, takes bytes all the same.
-bool SerialPort::canWrite() const {
-  const bool hasRoom = roomOfPort(serial_) > 0;
-  if (hasRoom) hasToldRoom = true;
-  return hasRoom || !hasToldRoom;
-}
+bool SerialPort::canWrite() const { return roomTold.takes(roomOfPort(serial_)); }
 
 void SerialPort::write(uint8_t byte) { serial_.write(byte); }
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <Arduino.h>
-
 #include "../board/PortType.h"
 #include "../board/SerialPort.h"
+#include "../support/Core.h"
 
 namespace javinolib {
 

@@ -4,6 +4,20 @@
 
 namespace javinolib {
 
+/// Whether a port takes a byte without waiting. Ports of some cores, and SoftwareSerial, never tell how much room there is; one
+/// that has told none so far takes bytes all the same.
+class PortRoom {
+ public:
+  /// @param room what the port tells now
+  bool takes(int room) {
+    if (room > 0) tells_ = true;
+    return room > 0 || !tells_;
+  }
+
+ private:
+  bool tells_ = false;
+};
+
 /// What a core's `Stream` cannot do, by the type of a port: `Serial1`, USB, Bluetooth, …
 template <typename Port>
 class PortType {

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/CoreTypes.h"
+#include "PortType.h"
 
 namespace javinolib {
 
@@ -31,7 +32,7 @@ class SerialPort {
  private:
   Stream &serial_;  // a UART, or the USB of chips that have their own
 #ifndef __AVR__
-  mutable bool tellsRoom_ __attribute__((unused)) = false;  // a UART that never did takes bytes all the same
+  mutable PortRoom room_;
 #endif
 };
 

@@ -41,7 +41,7 @@ SerialRadio::SerialRadio(Stream &port, void (*begin)(Stream &, unsigned long), i
 bool SerialRadio::begin() {
   beginPort_(port_, flashWord(&module_.baud));
   if (auxPin_ != NO_PIN) pinMode(auxPin_, INPUT_PULLUP);
-  return canWrite();  // SoftwareSerial never can, so far as it says
+  return canWrite();
 }
 
 bool SerialRadio::send(const uint8_t *payload, uint8_t length) {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <Arduino.h>
-
 #include "../board/PortType.h"
 #include "../framing/PacketDecoder.h"
 #include "../framing/PacketEncoder.h"
 #include "../radio/Radio.h"
+#include "../support/Core.h"
 #include "SerialModule.h"
 
 namespace javinolib {
@@ -42,13 +41,24 @@ class SerialRadio : public Radio {
   SerialRadio(Stream &port, void (*begin)(Stream &, unsigned long), int (*room)(Stream &), const SerialModule &module,
               uint8_t auxPin);
 
-  bool canWrite() const { return roomOfPort_(port_) > 0; }
+  // On an AVR only SoftwareSerial never tells its room, which will not do.
+  bool canWrite() const {
+#ifdef __AVR__
+    return roomOfPort_(port_) > 0;
+#else
+    return room_.takes(roomOfPort_(port_));
+#endif
+  }
+
   bool isBusy() const;
   void write();
   void read();
   void take(uint8_t byte);
 
   Stream &port_;
+#ifndef __AVR__
+  mutable PortRoom room_;
+#endif
   void (*const beginPort_)(Stream &, unsigned long);
   int (*const roomOfPort_)(Stream &);
   const SerialModule &module_;

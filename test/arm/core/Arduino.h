@@ -5,6 +5,10 @@
 ///
 /// `Serial` is the first UART. On the second one the board tells each change of a pin, `pin 13 1`, and is told what its inputs
 /// read: `analog 0 512`, `digital 2 1`, `pulse 2` (1 at the next reading only); and `reset`.
+///
+/// It is odd as other cores are, on demand: with CORE_WITHOUT_ROOM no port has availableForWrite(), with CORE_TELLS_NO_ROOM it is
+/// 0 for ever; with CORE_HAS_USB `Serial` is of another type than `Serial1`; CORE_MACROS names a file of macros. EEPROM.h is in a
+/// folder of its own.
 
 #include <math.h>
 #include <stddef.h>
@@ -63,7 +67,9 @@ class Stream {
   virtual int available() = 0;
   virtual int read() = 0;
   virtual size_t write(uint8_t byte) = 0;
+#ifndef CORE_WITHOUT_ROOM
   virtual int availableForWrite() { return 0; }
+#endif
 
   void print(const char *text);
   void print(const __FlashStringHelper *text) { print(reinterpret_cast<const char *>(text)); }
@@ -82,7 +88,9 @@ class HardwareSerial : public Stream {
   int available() override { return static_cast<uint8_t>(end_ - begin_); }
   int read() override;
   size_t write(uint8_t byte) override;
+#if !defined(CORE_WITHOUT_ROOM) && !defined(CORE_TELLS_NO_ROOM)
   int availableForWrite() override;
+#endif
 
   void onReceived();
 
@@ -94,11 +102,28 @@ class HardwareSerial : public Stream {
   uint8_t received_[64];
 };
 
+/// The host's line on a chip with USB, which is the first UART nevertheless.
+class UsbSerial : public Stream {
+ public:
+  void begin(unsigned long) { uart_.begin(115200); }
+  int available() override { return uart_.available(); }
+  int read() override { return uart_.read(); }
+  size_t write(uint8_t byte) override { return uart_.write(byte); }
+
+ private:
+  HardwareSerial uart_{0};
+};
+
 }  // namespace arduino
 
 using namespace arduino;
 
+#ifdef CORE_HAS_USB
+extern UsbSerial Serial;
+#else
 extern HardwareSerial Serial;
+#endif
+extern HardwareSerial Serial1;
 
 void setup();
 void loop();
@@ -117,3 +142,7 @@ long map(long value, long fromLow, long fromHigh, long toLow, long toHigh);
 unsigned long pulseIn(uint8_t pin, uint8_t level, unsigned long timeout);
 inline void tone(uint8_t, unsigned int) {}
 inline void noTone(uint8_t) {}
+
+#ifdef CORE_MACROS
+#include CORE_MACROS
+#endif

@@ -22,7 +22,7 @@ const uint32_t SYSTICK_CONTROL = 0xE000E010, SYSTICK_RELOAD = 0xE000E014, SYSTIC
 const uint32_t ENABLED_INTERRUPTS = 0xE000E100;
 
 volatile uint32_t ticks;
-HardwareSerial *ports[2];
+HardwareSerial *ports[3];
 
 }  // namespace
 
@@ -60,9 +60,10 @@ void tick() { ticks = ticks + 1; }
 
 void received0() { ports[0]->onReceived(); }
 void received1() { ports[1]->onReceived(); }
+void received2() { ports[2]->onReceived(); }
 
 typedef void (*Handler)();
-__attribute__((section(".vectors"), used)) const Handler vectors[16 + 3] = {reinterpret_cast<Handler>(&stackEnd),
+__attribute__((section(".vectors"), used)) const Handler vectors[16 + 5] = {reinterpret_cast<Handler>(&stackEnd),
                                                                             reset,
                                                                             fault,
                                                                             fault,
@@ -80,7 +81,9 @@ __attribute__((section(".vectors"), used)) const Handler vectors[16 + 3] = {rein
                                                                             tick,
                                                                             received0,
                                                                             fault,
-                                                                            received1};
+                                                                            received1,
+                                                                            fault,
+                                                                            received2};
 }
 
 unsigned long millis() { return ticks; }
@@ -131,7 +134,9 @@ int HardwareSerial::read() {
   return byte;
 }
 
+#if !defined(CORE_WITHOUT_ROOM) && !defined(CORE_TELLS_NO_ROOM)
 int HardwareSerial::availableForWrite() { return (uart(number_).state & TX_FULL) == 0; }
+#endif
 
 size_t HardwareSerial::write(uint8_t byte) {
   while ((uart(number_).state & TX_FULL) != 0) {

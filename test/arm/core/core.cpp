@@ -1,10 +1,17 @@
 #include <Arduino.h>
+#if __has_include(<EEPROM.h>)
 #include <EEPROM.h>
+#define HAS_EEPROM
+#endif
 
 // What the core does beside the chip: texts, pins, EEPROM.
 
+#ifdef CORE_HAS_USB
+UsbSerial Serial;
+#else
 HardwareSerial Serial(0);
-EEPROMClass EEPROM;
+#endif
+HardwareSerial Serial1(2);
 static HardwareSerial test(1);  // what the board tells the test, and is told
 
 namespace {
@@ -14,7 +21,9 @@ const uint8_t PULSE = 2;
 
 uint8_t levels[PINS];
 uint16_t voltages[PINS - A0];
+#ifdef HAS_EEPROM
 uint8_t flash[4096] __attribute__((section(".noinit")));
+#endif
 
 const uint32_t SYSTEM_RESET = 0x05FA0004;
 
@@ -84,12 +93,18 @@ long map(long value, long fromLow, long fromHigh, long toLow, long toHigh) {
 
 unsigned long pulseIn(uint8_t, uint8_t, unsigned long) { return 0; }
 
+#ifdef HAS_EEPROM
+
+EEPROMClass EEPROM;
+
 void EEPROMClass::begin(size_t size) { memcpy(copy_, flash, size); }
 
 bool EEPROMClass::commit() {
   memcpy(flash, copy_, sizeof flash);
   return true;
 }
+
+#endif
 
 namespace arduino {
 
