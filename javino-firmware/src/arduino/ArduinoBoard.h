@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Arduino.h>
-
 #include "../board/Board.h"
 #include "../radioboard/RadioBoard.h"
 #include "../storage/Eeprom.h"
 #include "../storage/EepromLayout.h"
+#include "../support/Core.h"
+#include "CoresEeprom.h"
 #include "Cpu.h"
 #include "OtherPort.h"
 
@@ -97,6 +97,19 @@ class JavinoRadioBoard : public javinolib::ArduinoBoard<javinolib::RadioBoard> {
   template <typename Port>
   JavinoRadioBoard(Port &port, const char *firmwareName, javinolib::Radio &radio)
       : ArduinoBoard(javinolib::hostPort(port), firmwareName, radio) {
-    static_assert(javinolib::EEPROM_SUFFICES || sizeof(Port) == 0, "this chip's EEPROM has no room for keys");
+    static_assert(javinolib::EEPROM_SUFFICES || sizeof(Port) == 0,
+                  "this chip's EEPROM has no room for keys: 4096 bytes, or with JAVINO_SMALL 1024");
+#ifndef __AVR__
+    javinolib::eeprom::use(javinolib::coresEeprom<Port>());
+#endif
   }
+
+#ifndef __AVR__
+  // One whose keys are in another memory than the core's `EEPROM`, which outlives the board.
+  template <typename Port>
+  JavinoRadioBoard(Port &port, const char *firmwareName, javinolib::Radio &radio, javinolib::Eeprom &memory)
+      : ArduinoBoard(javinolib::hostPort(port), firmwareName, radio) {
+    javinolib::eeprom::use(memory);
+  }
+#endif
 };

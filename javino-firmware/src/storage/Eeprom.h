@@ -4,6 +4,25 @@
 
 namespace javinolib {
 
+#ifndef __AVR__
+/// A driver of a memory for RF id, keys and nonces on a chip whose core has no `EEPROM`, or one that is too small: an EEPROM or
+/// FRAM at a bus. It has 4096 bytes, 1024 with JAVINO_SMALL, of any value at first.
+class Eeprom {
+ public:
+  /// @param at 0…4095
+  virtual uint8_t read(uint16_t at) = 0;
+
+  /// Writes a byte and waits for it. What was written before another byte is there before it, also if power fails between.
+  virtual void write(uint16_t at, uint8_t value) = 0;
+
+  /// Called after writes, once a turn of loop(): stores them, where write() only takes note of them.
+  virtual void commit() {}
+
+ protected:
+  ~Eeprom() = default;
+};
+#endif
+
 /// Bytes that survive a loss of power. The seam for the EEPROM; bound when linking, to ArduinoSeams.cpp on a board and
 /// to a simulated one in the host tests, torn writes and all. A chip has one EEPROM, so there is no object to pass.
 namespace eeprom {
@@ -19,6 +38,9 @@ void write(uint16_t at, uint8_t value);
 inline void commit() {}
 #else
 void commit();
+
+/// Has all that follows done to this memory.
+void use(Eeprom &memory);
 #endif
 
 }  // namespace eeprom

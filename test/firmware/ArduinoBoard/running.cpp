@@ -1,7 +1,7 @@
 #include <Arduino.h>
 #include <ArduinoMock.h>
 #include <EepromMock.h>
-#include <arduino/ArduinoBoard.h>
+#include <JavinoBDI.h>
 #include <arduino/Cpu.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
