@@ -44,11 +44,17 @@ void eeprom::commit() {
 // is in the middle, above some hundred bytes of .data and .bss, it does not touch.
 #ifdef __AVR__
 static TakenNonces nonces __attribute__((section(".noinit")));
-#else
-static TakenNonces nonces;
-#endif
 
 TakenNonces &retained::takenNonces() { return nonces; }
+#else
+TakenNonces &retained::takenNonces() {
+  // Elsewhere it is cleared too. No epoch follows this one.
+  static struct Cleared : TakenNonces {
+    Cleared() : TakenNonces() { epoch = UINT32_MAX - 1; }
+  } nonces;
+  return nonces;
+}
+#endif
 
 // There is room for an interrupt, and for the functions that write there. Where the stack of another chip is, is not known.
 static bool hasOverrun;

@@ -135,6 +135,29 @@ TEST_F(ArduinoBoard, never_waits_for_the_line_however_long_the_reply_and_idles_m
   EXPECT_GT(reply.size(), 100u);
 }
 
+TEST_F(ArduinoBoard, finds_no_damage_in_the_memory_that_its_first_start_has_cleared) {
+  board.begin(115200);
+  line.arrive(reference::packet(1, reference::frame("++++", "++++", {'H', 1})));
+  board.run();
+  out.clear();
+  line.arrive(reference::packet(2, reference::frame("++++", "++++", {'S'})));
+  Bytes reply;
+  while (reply.size() < 3 || reply.back() != 0) {
+    board.run();
+    reply = reply + out;
+    out.clear();
+  }
+  const Bytes packet = reference::cobsDecoded(Bytes(reply.begin() + 2, reply.end() - 1));
+  const size_t crc = packet.size() - 2;  // behind records of five bytes: counter and value
+  uint32_t damaged = UINT32_MAX;
+  for (size_t at = crc - 5; at > 10; at -= 5) {
+    if (packet[at] != static_cast<uint8_t>(javinolib::Counter::MEMORY_DAMAGED)) continue;
+    damaged = packet[at + 3] << 8 | packet[at + 4];
+    break;
+  }
+  EXPECT_EQ(0u, damaged);
+}
+
 TEST_F(ArduinoBoard, writes_to_a_port_that_never_tells_its_room) {
   ON_CALL(serial, availableForWrite()).WillByDefault(testing::Return(0));
   board.begin(115200);
