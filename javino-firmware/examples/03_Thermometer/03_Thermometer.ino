@@ -15,7 +15,11 @@ const float MILLIVOLTS_AT_ZERO = 500;
 const float MILLIVOLTS_A_DEGREE = 10;
 
 // The voltage that the converter reads as 1024: a Pro Mini with a clock of 8 MHz has 3.3 V.
+#ifdef __AVR__
 const float SUPPLY_MILLIVOLTS = F_CPU < 16000000 ? 3300 : 5000;
+#else
+const float SUPPLY_MILLIVOLTS = 3300;  // an UNO R4 has 5000
+#endif
 
 // One reading has steps of half a degree; this many take 2 ms, and their mean has finer ones.
 const uint8_t READINGS = 16;
