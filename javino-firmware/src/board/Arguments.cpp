@@ -19,7 +19,8 @@ bool isNameCharacter(char next) {
 
 bool Arguments::parse(const uint8_t *action, Length length) {
   *this = Arguments();
-  return parseName(reinterpret_cast<const char *>(action), length) && (inner_ == nullptr || countArguments());
+  Span all;
+  return parseName(reinterpret_cast<const char *>(action), length) && (inner_ == nullptr || find(NONE, all, count_));
 }
 
 bool Arguments::integer(uint8_t index, long &into) const {
@@ -71,38 +72,25 @@ bool Arguments::parseName(const char *action, Length length) {
   return nameLength_ + 2 <= length;
 }
 
-bool Arguments::countArguments() {
+// Goes from argument to argument, without the blanks around each, up to one of them; false if one is empty. Or up to the end:
+// then `number` is how many there are, and false if brackets or quotes do not match. No message has room for 255.
+bool Arguments::find(uint8_t index, Span &into, uint8_t &number) const {
   ArgumentScanner scanner;
-  bool isEmpty = true;
-  for (uint16_t i = 0; i < innerLength_; i++) {
-    if (!scanner.add(inner_[i])) {
-      isEmpty = isEmpty && isBlank(inner_[i]);
-    } else if (isEmpty || ++count_ == UINT8_MAX) {
-      return false;
-    } else {
-      isEmpty = true;
+  const char *const end = inner_ + innerLength_;
+  into.length = 0;
+  number = 0;
+  for (const char *at = inner_;; at++) {
+    const bool ends = at == end;
+    if (ends || scanner.add(*at)) {
+      if (into.length == 0) return false;
+      if (number++ == index) return true;
+      if (ends) return scanner.balanced();
+      into.length = 0;
+    } else if (!isBlank(*at)) {
+      if (into.length == 0) into.at = at;
+      into.length = static_cast<Length>(at - into.at + 1);
     }
   }
-  count_++;
-  return !isEmpty && scanner.balanced();
-}
-
-// Finds an argument; false where there is none of this index or it is empty.
-bool Arguments::find(uint8_t index, Span &into) const {
-  if (index >= count_) return false;
-  ArgumentScanner scanner;
-  Length start = 0;
-  Length end = 0;
-  for (; end < innerLength_; end++) {
-    if (!scanner.add(inner_[end])) continue;
-    if (index-- == 0) break;
-    start = static_cast<uint16_t>(end + 1);
-  }
-  while (start < end && isBlank(inner_[start])) start++;
-  while (start < end && isBlank(inner_[end - 1])) end--;
-  into.at = inner_ + start;
-  into.length = static_cast<Length>(end - start);
-  return into.length != 0;
 }
 
 }  // namespace javinolib

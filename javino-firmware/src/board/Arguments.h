@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../support/Inlining.h"
 
 namespace javinolib {
 
@@ -39,8 +38,13 @@ class Arguments {
   };
 
   bool parseName(const char *action, Length length);
-  bool countArguments();
-  JAVINO_NOINLINE bool find(uint8_t index, Span &into) const;
+  bool find(uint8_t index, Span &into, uint8_t &number) const;
+  bool find(uint8_t index, Span &into) const {
+    uint8_t number;
+    return index < count_ && find(index, into, number);
+  }
+
+  static const uint8_t NONE = 0xFF;
 
   const char *name_;
   Length nameLength_;

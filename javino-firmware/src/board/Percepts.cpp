@@ -10,7 +10,7 @@ namespace {
 const char PERCEPT = 'P';
 const uint8_t MAX_DIGITS = 20;  // of an unsigned long, be it of 64 bits
 const uint8_t DECIMALS = 2;
-const uint8_t NO_DECIMALS = 0xFF;
+const int MOST_MILLIONS = 21;  // so that hundredths fit a long
 
 // In place of a number: as an AgentSpeak variable, which no agent believes.
 const char UNWRITABLE[][6] JAVINO_FLASH = {"(Ovf)", "(Inf)", "(NaN)"};
@@ -21,33 +21,26 @@ void addEscaped(Record &record, char next) {
   record.add(static_cast<uint8_t>(newline ? 'n' : next));
 }
 
-// The digits of a number of 16 bits, but for the last.
-const uint16_t UNITS[] JAVINO_FLASH = {10000, 1000, 100, 10};
-const uint8_t UNIT_COUNT = sizeof UNITS / sizeof *UNITS;
-
-// `(number)`. AVR takes 600 cycles to divide 32 bits, and 200 for 16: so there are only as many divisions as the number has
-// digits beyond 16 bits, and these are then split by subtraction.
-void addNumber(Record &record, bool negative, unsigned long number, uint8_t hundredths = NO_DECIMALS) {
-  uint8_t text[1 + 1 + MAX_DIGITS + 1 + DECIMALS + 1];
+// `(number)`, the last digits of which may be decimals. AVR takes 600 cycles to divide 32 bits, and 200 for 16.
+JAVINO_NOINLINE void addNumber(Record &record, bool negative, unsigned long number, uint8_t decimals) {
+  uint8_t text[1 + 1 + MAX_DIGITS + 1 + 1];
   uint8_t *const end = text + sizeof text;
   uint8_t *first = end;
   *--first = ')';
-  if (hundredths != NO_DECIMALS) {
-    *--first = static_cast<uint8_t>('0' + hundredths % 10);
-    *--first = static_cast<uint8_t>('0' + hundredths / 10);
-    *--first = '.';
-  }
-  for (; number > UINT16_MAX; number /= 10) *--first = static_cast<uint8_t>('0' + number % 10);
-  uint8_t *at = first -= UNIT_COUNT + 1;
-  uint16_t rest = static_cast<uint16_t>(number);
-  for (const uint16_t *next = UNITS; next != UNITS + UNIT_COUNT; next++) {
-    const uint16_t unit = flashWord(next);
-    uint8_t digit = '0';
-    for (; rest >= unit; rest = static_cast<uint16_t>(rest - unit)) digit++;
-    *at++ = digit;
-  }
-  *at = static_cast<uint8_t>('0' + rest);
-  while (*first == '0' && first != at) first++;
+  uint8_t digits = 0;
+  do {
+    if (decimals != 0 && digits == decimals) *--first = '.';
+    uint8_t digit;
+    if (number > UINT16_MAX) {
+      digit = static_cast<uint8_t>(number % 10);
+      number /= 10;
+    } else {
+      digit = static_cast<uint8_t>(static_cast<uint16_t>(number) % 10);
+      number = static_cast<uint16_t>(number) / 10;
+    }
+    *--first = static_cast<uint8_t>('0' + digit);
+    digits++;
+  } while (number != 0 || digits <= decimals);
   if (negative) *--first = '-';
   *--first = '(';
   record.add(first, static_cast<Length>(end - first));
@@ -83,21 +76,22 @@ void Percepts::write(const FlashText *name, const Text &text) {
   close(record);
 }
 
+static uint32_t bitsOf(float number) {
+  uint32_t bits;
+  memcpy(&bits, &number, sizeof bits);
+  return bits & 0x7FFFFFFF;
+}
+
 // By its bits, which grow with the number, as comparisons of AVR's library take 170 bytes more.
 long Percepts::hundredths(double number) {
-#ifdef __AVR__
-  const uint32_t twentyOneMillions = 0x4BA037A0;
-#else
-  if (number > -21e6 && number < 21e6) return lround(number * 100);
-#endif
   const uint32_t infinity = 0x7F800000;
-  const float single = static_cast<float>(number);
-  uint32_t bits;
-  memcpy(&bits, &single, sizeof bits);
-  bits &= 0x7FFFFFFF;
+  const uint32_t bits = bitsOf(static_cast<float>(number));
 #ifdef __AVR__
-  if (bits < twentyOneMillions) return lround(number * 100);
+  const bool isWritable = bits < bitsOf(MOST_MILLIONS * 1e6f);
+#else
+  const bool isWritable = number > MOST_MILLIONS * -1e6 && number < MOST_MILLIONS * 1e6;
 #endif
+  if (isWritable) return lround(number * 100);
   return bits < infinity ? BEYOND : bits == infinity ? INFINITE : NONE;
 }
 
@@ -115,7 +109,7 @@ void Percepts::addHundredths(const FlashText *name, long number) {
   Record record(reply_, PERCEPT);
   record.add(name);
   if (number < BEYOND) {
-    addNumber(record, number < 0, magnitude / 100, static_cast<uint8_t>(magnitude % 100));
+    addNumber(record, number < 0, magnitude, DECIMALS);
   } else {
     record.add(reinterpret_cast<const FlashText *>(UNWRITABLE[number - BEYOND]));
   }
@@ -125,7 +119,7 @@ void Percepts::addHundredths(const FlashText *name, long number) {
 void Percepts::write(const FlashText *name, bool negative, unsigned long magnitude) {
   Record record(reply_, PERCEPT);
   record.add(name);
-  addNumber(record, negative, magnitude);
+  addNumber(record, negative, magnitude, 0);
   close(record);
 }
 

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Instant;
 import java.util.Locale;
 import java.util.Set;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -102,10 +101,12 @@ class NumbersTest {
                 says("javino-board/README.md", "waits for it, %d s unless configured otherwise",
                         SESSION.patience().toSeconds()),
                 says("diffuser-arch/README.md", "are at most %d bytes of UTF-8", Content.MAX_LENGTH),
-                says("SPEC.md", "not between -%1$d and %1$d million", millions()),
-                says("javino-firmware/README.md", "two decimals, between -%1$d and %1$d million", millions()),
-                says("docs/how-to/add-a-sensor.md", "two decimals, between -%1$d and %1$d million", millions()),
-                says("docs/errors.md", "not between -%1$d and %1$d million", millions()),
+                says("SPEC.md", "not between -%1$d and %1$d million", firmware("MOST_MILLIONS")),
+                says("javino-firmware/README.md", "two decimals, between -%1$d and %1$d million",
+                        firmware("MOST_MILLIONS")),
+                says("docs/how-to/add-a-sensor.md", "two decimals, between -%1$d and %1$d million",
+                        firmware("MOST_MILLIONS")),
+                says("docs/errors.md", "not between -%1$d and %1$d million", firmware("MOST_MILLIONS")),
                 says("emulator/README.md", "A picture shows at most %d s",
                         constant("test/campaign/src/main/java/air", "MOST_SECONDS")),
                 says("emulator/README.md", "less than a slot (%d bits)", SLOT),
@@ -127,14 +128,6 @@ class NumbersTest {
         String rows = Repository.text("examples/highway/src/main/java/highway/Behaviour.java")
                 .split("ofHighway\\(\\) \\{")[1];
         return (int) Pattern.compile("\\bof\\(Device\\.").matcher(rows).results().count();
-    }
-
-    /** Beyond so many the firmware writes no float. */
-    private static int millions() {
-        Matcher most = Pattern.compile("number < (\\d+)e6").matcher(
-                Repository.text("javino-firmware/src/board/Percepts.cpp"));
-        assertTrue(most.find(), "Percepts.cpp compares a float with no number of millions");
-        return Integer.parseInt(most.group(1));
     }
 
     private static int firmware(String name) {
