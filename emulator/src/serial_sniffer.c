@@ -22,6 +22,10 @@
 #define ID_LENGTH 3
 #define CONTENT_AT 12
 #define STATUS_OK 0
+// A poll's flags stand behind its command.
+#define FLAGS_AT 1
+#define FLAG_LOST 0x04
+#define FLAG_COMING 0x08
 // Of a reply to a poll: it has a reading.
 #define FLAG_READING 0x04
 #define STATUS_NOT_GREETED 1
@@ -48,6 +52,7 @@ void serial_sniffer_reset(serial_sniffer *s) {
   s->from_host.length = s->from_board.length = 0;
   s->waiting = s->held_waiting = s->remembered = s->greeted = false;
   s->taken = -1;
+  memset(s->told, 0, sizeof s->told);
 }
 
 int serial_unstuff(uint8_t *bytes, size_t length) {
@@ -120,8 +125,8 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   bool for_board = is_for_board(packet);
   if (for_board && packet->length == 0) return;
   char command = for_board ? (char)packet->message[0] : 0;
-  bool repeated =
-      packet->sequence == s->request.sequence && packet->crc == s->request.crc && !(command && strchr("HP", command));
+  bool same = packet->sequence == s->request.sequence && packet->crc == s->request.crc;
+  bool repeated = same && !(command && strchr("HP", command));
   if (repeated && (s->waiting || s->remembered)) return;  // it is answered from memory; a poll may be told more
   // The first byte of a request ends the hold of a poll, whose reply may be on its way still.
   s->held_waiting = s->waiting && s->request.command == 'P';
@@ -129,6 +134,10 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   s->request =
       (serial_request){.sequence = packet->sequence, .crc = packet->crc, .command = command, .taken = -1, .at = at};
   s->waiting = true;
+  if (command == 'P' && packet->length > FLAGS_AT) {
+    s->request.repeats = same;
+    if (!same && !(packet->message[FLAGS_AT] & (FLAG_LOST | FLAG_COMING))) memset(s->told, 0, sizeof s->told);
+  }
   if (!for_board) {
     memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
     s->request.content_length = packet->length < SERIAL_MAX_MESSAGE ? packet->length : SERIAL_MAX_MESSAGE;
@@ -183,7 +192,8 @@ static void write_no_key(serial_sniffer *s, const uint8_t *value, size_t length,
 
 static void write_outcome(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at) {
   static const char *const OUTCOMES[] = {"sent", "delivered", "undelivered"};
-  if (length != 2 || value[1] >= sizeof OUTCOMES / sizeof *OUTCOMES) return;
+  if (length != 2 || value[1] >= sizeof OUTCOMES / sizeof *OUTCOMES || s->told[value[0]]) return;
+  s->told[value[0]] = true;
   begin(s, at, "host-outcome");
   trace_count(s->out, "number", value[0]);
   trace_text(s->out, "outcome", OUTCOMES[value[1]]);
@@ -320,13 +330,16 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
   bool held = s->held_waiting && packet->sequence == s->held.sequence;
   if (!held && !(s->waiting && packet->sequence == s->request.sequence)) return;
   uint8_t status = packet->message[0];
+  bool from_memory = !held && s->request.repeats && packet->crc == s->reply_crc;
+  s->reply_crc = packet->crc;
   if (held) {
     s->held_waiting = false;
   } else {
     s->waiting = false;
     s->remembered = status != STATUS_NOT_GREETED;
   }
-  if (status == STATUS_OK) performed(s, held ? &s->held : &s->request, packet->message + 1, packet->length - 1, at);
+  if (status == STATUS_OK && !from_memory)
+    performed(s, held ? &s->held : &s->request, packet->message + 1, packet->length - 1, at);
 }
 
 void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at) {

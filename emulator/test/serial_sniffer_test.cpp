@@ -284,6 +284,35 @@ TEST(SerialSniffer, tells_what_two_replies_say_of_which_the_first_was_held) {
   EXPECT_EQ(line.events("host-outcome").size(), 1u);
 }
 
+TEST(SerialSniffer, tells_once_an_outcome_that_the_board_tells_again) {
+  Line line;
+  line.greet();
+  const uint8_t LOST = 4, COMING = 8;
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(2, poll_reply({{'T', 0, 2, 7, 1}}));
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(2, poll_reply({{'T', 0, 2, 7, 1}, {'T', 0, 2, 8, 1}}));
+  line.host(3, TO_BOARD, {'P', COMING, 0, 0, 0, 0, 0});
+  line.board(3, poll_reply({{'T', 0, 2, 9, 1}}));
+  line.host(4, TO_BOARD, {'P', LOST, 0, 0, 0, 0, 0});
+  line.board(4, poll_reply({{'T', 0, 2, 7, 1}, {'T', 0, 2, 8, 1}, {'T', 0, 2, 9, 1}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 3u);
+  // Now the host has had them: the board is not to tell them any more.
+  line.host(5, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(5, poll_reply({{'T', 0, 2, 9, 1}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 4u);
+}
+
+TEST(SerialSniffer, tells_nothing_of_a_poll_that_is_answered_from_memory) {
+  Line line;
+  line.greet();
+  for (int time = 0; time < 3; time++) {
+    line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+    line.board(2, {0, 0});
+  }
+  EXPECT_EQ(line.events("host-nothing").size(), 1u);
+}
+
 TEST(SerialSniffer, tells_nothing_of_what_is_answered_from_memory) {
   Line line;
   line.greet();
