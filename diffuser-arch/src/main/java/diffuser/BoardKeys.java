@@ -61,23 +61,9 @@ final class BoardKeys implements KeyService.Host {
         context.keyService().ifPresent(keyService -> keyService.online(this, self, bootEpoch, told));
     }
 
-    /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
-    Transmission transmit(Address to, Message message) {
-        return context.keyService().filter(keyService -> device.hasRadio() && lacks(to))
-                .map(keyService -> keyService.transmit(this, to, message))
-                .orElseGet(() -> message instanceof HostMessage ofHosts ? send(to, ofHosts)
-                        : transmitAsIs(to, message));
-    }
-
     @Override
-    public Transmission transmitAsIs(Address to, Message message) {
-        Transmission begun = session.join().transmit(to, message);
-        return new Transmission(begun.taken(), begun.end().thenApply(device::ended));
-    }
-
-    @Override
-    public Transmission send(Address to, HostMessage message) {
-        return context.hosts().send(to, message);
+    public Transmission send(Address to, Message message) {
+        return device.sender().send(to, message);
     }
 
     @Override

@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What a library on the class path does by an agent's board, such as {@link MoveService} and {@link KeyService}. It is
- * found by Java's {@link java.util.ServiceLoader}.
+ * What a library on the class path does by an agent's board, such as those that are a {@link MoveService} or a
+ * {@link KeyService}, too. It is found by Java's {@link java.util.ServiceLoader}.
  */
 public interface BoardService {
 

@@ -16,13 +16,15 @@ import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.board.SketchTimes;
+import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
+import javino.protocol.HostMessage;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Status;
-import javino.protocol.HostMessage;
 
 /**
  * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
@@ -40,6 +42,7 @@ final class Device implements BoardListener {
     private final Percepts percepts;
     private final Communicability communicability;
     private final BoardKeys keys;
+    private final Sender sender = new Sender(this::begin);
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
     private volatile BoardSettings settings;
@@ -111,7 +114,29 @@ final class Device implements BoardListener {
         return isLegacy() || hasAction(action);
     }
 
-    /** Which keys the board has, and what is sent by these. */
+    /**
+     * Sends a message; to a device or group for which the board has no key, once key agreement has one, if it can.
+     *
+     * @return both fail with what {@link Failure#of} reads.
+     */
+    Transmission transmit(Address to, Message message) {
+        return context.keyService().filter(keyService -> hasRadio() && keys.lacks(to))
+                .map(keyService -> keyService.transmit(keys, to, message))
+                .orElseGet(() -> sender.send(to, message));
+    }
+
+    /** Sends under the keys that the board has. */
+    Sender sender() {
+        return sender;
+    }
+
+    private Transmission begin(Address to, Message message) {
+        Transmission begun = session.join().transmit(to, message);
+        begun.end().thenAccept(this::ended);
+        return begun;
+    }
+
+    /** Which keys the board has, and whom its agent trusts by these. */
     BoardKeys keys() {
         return keys;
     }
@@ -180,13 +205,12 @@ final class Device implements BoardListener {
     }
 
     /** What became of a message that the board has transmitted. */
-    Outcome ended(Outcome outcome) {
+    private void ended(Outcome outcome) {
         if (outcome == Outcome.DELIVERED) {
             communicability.heard();
         } else if (outcome == Outcome.UNDELIVERED) {
             counters();
         }
-        return outcome;
     }
 
     /**

@@ -14,6 +14,6 @@ import java.util.function.Consumer;
  * @param printed  is told what the sketch prints.
  * @param keyService agrees on keys, if that library is there.
  */
-record DeviceContext(String agent, Inbox inbox, HostChannel hosts, Warnings warnings, Runnable wake,
+record DeviceContext(String agent, Inbox inbox, HostMessages hosts, Warnings warnings, Runnable wake,
         Consumer<String> printed, Optional<KeyService> keyService) {
 }

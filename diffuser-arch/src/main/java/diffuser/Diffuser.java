@@ -39,7 +39,6 @@ import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
 import javino.protocol.Counter;
-import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /**
@@ -71,7 +70,7 @@ public class Diffuser extends AgArch {
     private transient CombinedPercepts percepts;
     private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
-    private transient HostChannel hosts;
+    private transient HostMessages hosts;
     private transient HostClock clock;
     private transient BoardSettings settings = BoardSettings.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
@@ -92,7 +91,8 @@ public class Diffuser extends AgArch {
         clock = new WallClock("hosts of " + getAgName(), this::stepFailed);
         services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
         moves = service(MoveService.class);
-        hosts = new HostChannel(services, this::transmitAsIs, warnings::once);
+        hosts = new HostMessages(services.stream().filter(HostService.class::isInstance).map(HostService.class::cast)
+                .toList(), warnings::once);
         inbox = new Inbox(new Gate(this::getTS, warnings), questions, intentions, warnings);
         infrastructures = new Infrastructures();
         percepts = new CombinedPercepts();
@@ -335,20 +335,12 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Makes the board transmit a message as it is. For any thread.
+     * Sends a message. For any thread.
      *
      * @return fails with what {@link Failure#of} reads, also where no port was opened.
      */
     public Transmission transmit(Address to, javino.protocol.Message message) {
-        return transmission(board -> board.keys().transmit(to, message));
-    }
-
-    private Transmission transmitAsIs(Address to, HostMessage message) {
-        return transmission(board -> board.keys().transmitAsIs(to, message));
-    }
-
-    private Transmission transmission(Function<Device, Transmission> begin) {
-        return device().map(begin).orElseGet(() -> {
+        return device().map(board -> board.transmit(to, message)).orElseGet(() -> {
             JasonException none = noPort();
             return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
         });
@@ -373,7 +365,7 @@ public class Diffuser extends AgArch {
     }
 
     /** What a library on the class path does by this board, if it is there. */
-    public <T extends BoardService> Optional<T> service(Class<T> kind) {
+    public <T> Optional<T> service(Class<T> kind) {
         return services.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
@@ -498,13 +490,13 @@ public class Diffuser extends AgArch {
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfMessagesRefused", inbox.refused());
         status.put("hostMessagesRefused", hosts.refused());
-        status.put("hostMessagesNotSent", hosts.notSent());
         services.forEach(service -> status.putAll(service.status()));
         status.put("rfDelivered", outbox.ended(Outcome.DELIVERED));
         status.put("rfUndelivered", outbox.ended(Outcome.UNDELIVERED));
         device().ifPresent(board -> {
             status.put("port", board.port());
             status.put("portOn", board.isOnline());
+            status.put("hostMessagesNotSent", board.sender().notSent());
             status.put("perceptsMalformed", board.malformedPercepts());
         });
         return status;

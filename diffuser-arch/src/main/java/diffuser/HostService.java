@@ -6,7 +6,7 @@ import javino.protocol.Address;
 import javino.protocol.HostMessage;
 
 /** What a library does with messages of other hosts. */
-public interface HostService extends BoardService {
+public interface HostService {
 
     /** Which messages are for it. */
     Set<HostMessage.Use> uses();

@@ -7,7 +7,6 @@ import java.util.concurrent.CompletableFuture;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
-import javino.protocol.HostMessage;
 import javino.protocol.Key;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
@@ -22,11 +21,8 @@ public interface KeyService extends HostService {
     /** The board, and the agent behind it. For any thread; no method waits, and futures fail as a board's. */
     interface Host {
 
-        /** Has the board transmit a message as it is. */
-        Transmission transmitAsIs(Address to, Message message);
-
-        /** Sends a host message, as {@link HostChannel#send}. */
-        Transmission send(Address to, HostMessage message);
+        /** Sends a message under the key that the board has, as {@link Sender#send}. */
+        Transmission send(Address to, Message message);
 
         /** Gives the board the session key of a pair. The device counts as certified from now on. */
         CompletableFuture<?> setSessionKey(Address device, Key key);

@@ -77,7 +77,7 @@ final class Outbox {
             warnings.once(outgoing.to() + " is the device // of group " + group + "; for the whole group write \"//"
                     + group + "\"");
         }
-        Transmission transmission = board.keys().transmit(outgoing.to(), outgoing.content());
+        Transmission transmission = board.transmit(outgoing.to(), outgoing.content());
         return new Transmission(
                 transmission.taken().handle((nothing, thrown) -> taken(thrown, outgoing)),
                 transmission.end().thenApply(this::counted));

@@ -1,8 +1,9 @@
 package simulation;
 
-import diffuser.HostChannel;
 import diffuser.HostClock;
+import diffuser.HostMessages;
 import diffuser.HostService;
+import diffuser.Sender;
 import diffuser.TrustLevel;
 import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
@@ -21,6 +22,7 @@ import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
+import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 
@@ -45,13 +47,7 @@ public class SimulatedHost implements HostClock {
         /** The host has started, and has nothing of before but what is on its disk. */
         void started();
 
-        @Override
-        default Map<String, Object> status() {
-            return Map.of();
-        }
-
         /** The host is killed. */
-        @Override
         default void stop() {
         }
     }
@@ -60,7 +56,8 @@ public class SimulatedHost implements HostClock {
     public final Board board = new Board();
     public final List<Program> programs = new ArrayList<>();
     protected final Network<?> network;
-    protected HostChannel channel;
+    protected HostMessages hosts;
+    protected Sender sender;
     /** What others are to it, by the keys of its board. */
     public TrustLevel trust = TrustLevel.PROVISIONED;
     public boolean on;
@@ -79,7 +76,8 @@ public class SimulatedHost implements HostClock {
     public void start() {
         on = true;
         life++;
-        channel = new HostChannel(programs, this::transmit, network.wrong::add);
+        hosts = new HostMessages(programs, network.wrong::add);
+        sender = new Sender(this::transmit);
         programs.forEach(Program::started);
     }
 
@@ -166,7 +164,7 @@ public class SimulatedHost implements HostClock {
 
     private void receive(SimulatedChannel.Packet packet) {
         try {
-            channel.receive(packet.from, packet.to, trust, HostMessage.decode(packet.message));
+            hosts.receive(packet.from, packet.to, trust, HostMessage.decode(packet.message));
         } catch (ProtocolException e) {
             // A session skips it.
         }
@@ -174,10 +172,10 @@ public class SimulatedHost implements HostClock {
 
     /** Sends a message under a key with that device. */
     public CompletableFuture<Outcome> send(Address to, HostMessage message) {
-        return channel.send(to, message).end();
+        return sender.send(to, message).end();
     }
 
-    private Transmission transmit(Address to, HostMessage message) {
+    private Transmission transmit(Address to, Message message) {
         CompletableFuture<Outcome> end = new CompletableFuture<>();
         later(() -> {
             Key key = board.keys.get(to);

@@ -31,7 +31,7 @@ import javino.protocol.HostMessage;
  * Key agreement for one agent's board: what {@link KeyAgreement} decides, this does with the board. Where there is no
  * certificate for the board's address, or the agent refuses it, it does nothing.
  */
-public final class BoardKeyAgreement implements KeyService {
+public final class BoardKeyAgreement implements BoardService, KeyService {
 
     /** Names the folder of identities where it is not the default one. */
     public static final String FOLDER_PROPERTY = DeviceNotes.FOLDER_PROPERTY;
@@ -54,7 +54,7 @@ public final class BoardKeyAgreement implements KeyService {
     public static final class Maker implements BoardService.Maker {
 
         @Override
-        public KeyService of(Diffuser diffuser) {
+        public BoardService of(Diffuser diffuser) {
             return new BoardKeyAgreement(DeviceNotes.named().folder(), diffuser.hostClock());
         }
     }
@@ -111,7 +111,7 @@ public final class BoardKeyAgreement implements KeyService {
         boolean toGroup = isOpen && message.to().equals(Address.multicast(self.group()))
                 && !stored.contains(message.to());
         if (!isOpen || !toGroup && (message.to().kind() != Address.Kind.DEVICE || message.to().equals(self))) {
-            message.follow(board.transmitAsIs(message.to(), message.message()));
+            message.follow(board.send(message.to(), message.message()));
             return;
         }
         // The board may have it and wait for the air.

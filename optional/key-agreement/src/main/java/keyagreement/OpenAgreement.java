@@ -103,7 +103,7 @@ final class OpenAgreement {
             unicast(unicast);
         } else if (effect instanceof Effect.Multicast multicast) {
             PendingMessage message = (PendingMessage) multicast.ticket();
-            message.follow(host.transmitAsIs(message.to(), message.message()));
+            message.follow(host.send(message.to(), message.message()));
         } else if (effect instanceof Effect.SetSessionKey set) {
             setSessionKey(set.device(), set.key());
         } else if (effect instanceof Effect.DeleteKey delete) {

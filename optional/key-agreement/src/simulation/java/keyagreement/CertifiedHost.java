@@ -139,7 +139,7 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
     /** Its end is told as long as the program runs. */
     private void transmit(Address to, HostMessage message, BiConsumer<Outcome, Throwable> ended) {
         KeyAgreement then = agreement;
-        channel.send(to, message).end().whenComplete((outcome, thrown) -> {
+        sender.send(to, message).end().whenComplete((outcome, thrown) -> {
             try {
                 if (on && agreement == then) {
                     ended.accept(outcome, thrown);

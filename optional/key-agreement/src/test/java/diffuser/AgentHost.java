@@ -30,15 +30,12 @@ public final class AgentHost implements AutoCloseable {
     public AgentHost(LinkOpener link, Address id, BoundedClock clock, KeyService keyService) {
         BoardConfig usual = new Diffuser().boardConfig();
         Warnings warnings = new Warnings(() -> SILENT);
-        BoardKeys[] keys = new BoardKeys[1];
-        HostChannel hosts = new HostChannel(List.of(keyService), (to, message) -> keys[0].transmitAsIs(to, message),
-                warnings::once);
-        DeviceContext context = new DeviceContext("agent", new Inbox(null, null, null, warnings), hosts, warnings,
-                () -> {}, text -> {}, Optional.of(keyService));
+        DeviceContext context = new DeviceContext("agent", new Inbox(null, null, null, warnings),
+                new HostMessages(List.of(keyService), warnings::once), warnings, () -> {}, text -> {},
+                Optional.of(keyService));
         BoardSettings settings = BoardSettings.NONE.withRfId(id).withRadio(true);
         device = Device.open(new ExclusivePort(link, "agent", CompletableFuture.completedFuture(null)),
                 ASSyntax.createString(link.name()), usual.with(usual.notes(), clock), settings, context);
-        keys[0] = device.keys();
     }
 
     /** Whether its board is there; waits until that is known. */
@@ -48,7 +45,7 @@ public final class AgentHost implements AutoCloseable {
     }
 
     public Transmission transmit(Address to, Message message) {
-        return device.keys().transmit(to, message);
+        return device.transmit(to, message);
     }
 
     /** Waits until the board has done all that it was asked for until now. */

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import diffuser.HostChannel;
+import diffuser.Sender;
 import diffuser.HostClock;
 import diffuser.KeyService;
 import java.nio.file.Files;
@@ -21,7 +21,6 @@ import javino.board.BoardOfflineException;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
-import javino.protocol.HostMessage;
 import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Message;
@@ -84,13 +83,12 @@ class BoardKeyAgreementTest {
     /** What a board does of all that it is asked: it takes it, and never has it on the air; or it is not there. */
     private static final class FalseBoard implements KeyService.Host {
 
-        private final HostChannel channel = new HostChannel(List.of(), this::transmitAsIs, warning -> {});
+        private final Sender sender = new Sender(this::begin);
         private boolean off;
         private Supplier<CompletableFuture<?>> groupKeys = CompletableFuture::new;
         private final List<Address> asked = new ArrayList<>();
 
-        @Override
-        public Transmission transmitAsIs(Address to, Message message) {
+        private Transmission begin(Address to, Message message) {
             asked.add(to);
             BoardOfflineException gone = new BoardOfflineException("transmit", "it is off");
             return off ? new Transmission(CompletableFuture.failedFuture(gone), CompletableFuture.failedFuture(gone))
@@ -98,8 +96,8 @@ class BoardKeyAgreementTest {
         }
 
         @Override
-        public Transmission send(Address to, HostMessage message) {
-            return channel.send(to, message);
+        public Transmission send(Address to, Message message) {
+            return sender.send(to, message);
         }
 
         @Override

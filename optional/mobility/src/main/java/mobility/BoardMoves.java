@@ -33,7 +33,7 @@ import javino.protocol.HostMessage;
 import javino.protocol.Outcome;
 
 /** The moves by one agent's board: what {@link Moves} decides, this does in the MAS around it. */
-public final class BoardMoves implements MoveService, Mas {
+public final class BoardMoves implements BoardService, MoveService, Mas {
 
     /** Between two looks at whether a plan lets agents in. */
     private static final long LOOK_NANOS = Duration.ofSeconds(1).toNanos();
@@ -51,7 +51,7 @@ public final class BoardMoves implements MoveService, Mas {
     public static final class Maker implements BoardService.Maker {
 
         @Override
-        public MoveService of(Diffuser diffuser) {
+        public BoardService of(Diffuser diffuser) {
             return new BoardMoves(diffuser);
         }
     }

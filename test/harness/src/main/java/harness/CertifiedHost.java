@@ -1,8 +1,9 @@
 package harness;
 
-import diffuser.HostChannel;
 import diffuser.HostClock;
+import diffuser.HostMessages;
 import diffuser.KeyService;
+import diffuser.Sender;
 import diffuser.TrustLevel;
 import java.nio.file.Path;
 import java.util.List;
@@ -36,7 +37,8 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     private final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
     private final Address self;
     private final BoardKeyAgreement agreement;
-    private final HostChannel hosts;
+    private final HostMessages hosts;
+    private final Sender sender = new Sender(this::begin);
     private final Consumer<Content> received;
     private final CompletableFuture<Board> board = new CompletableFuture<>();
     private final Queue<CompletableFuture<Outcome>> latest = new ConcurrentLinkedQueue<>();
@@ -51,7 +53,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         this.self = self;
         this.received = received;
         agreement = new BoardKeyAgreement(identities, clock);
-        hosts = new HostChannel(List.of(agreement), this::transmitAsIs, warnings::add);
+        hosts = new HostMessages(List.of(agreement), warnings::add);
         BoardConfig noting = BoardConfig.create(config -> config.setNotes(List.of(new DeviceNotes(identities))));
         board.complete(Board.open(link, noting, this));
         Host.get(board.join().setRfId(self));
@@ -110,16 +112,15 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         agreement.noKey(frame);
     }
 
-    @Override
-    public Transmission transmitAsIs(Address to, Message message) {
+    private Transmission begin(Address to, Message message) {
         Transmission begun = board.join().transmit(to, message);
         latest.add(begun.end());
         return begun;
     }
 
     @Override
-    public Transmission send(Address to, HostMessage message) {
-        return hosts.send(to, message);
+    public Transmission send(Address to, Message message) {
+        return sender.send(to, message);
     }
 
     @Override

@@ -2,34 +2,29 @@ package diffuser;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.EnumMap;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
-import java.util.function.Consumer;
 
 import javino.board.QueueFullException;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
+import javino.protocol.Message;
 
 /**
- * Sends host messages: one broadcast at a time, and one unicast to each device. Hands those that come to the libraries
- * that they are for, if {@link Policy} lets them come by that cast and under that key. For any thread.
+ * Sends all messages of a host by its board: host messages one at a time to each address, others at once. For any
+ * thread.
  */
-public final class HostChannel {
+public final class Sender {
 
     /** Messages that wait for each address. */
     static final int MOST_WAITING = 16;
 
-    private final Map<HostMessage.Use, HostService> services = new EnumMap<>(HostMessage.Use.class);
-    private final BiFunction<Address, HostMessage, Transmission> transmit;
-    private final Consumer<String> warn;
-    private final AtomicLong refused = new AtomicLong();
+    private final BiFunction<Address, Message, Transmission> board;
     private final AtomicLong notSent = new AtomicLong();
     /** Of each address the first is under way. */
     private final Map<Address, Deque<Sending>> sendings = new HashMap<>();
@@ -37,26 +32,22 @@ public final class HostChannel {
     private record Sending(HostMessage message, Transmission transmission) {
     }
 
-    /**
-     * @param services no two for one use.
-     * @param transmit has the board transmit a message.
-     * @param warn     is told once or more why a message was dropped.
-     */
-    public HostChannel(List<? extends BoardService> services, BiFunction<Address, HostMessage, Transmission> transmit,
-            Consumer<String> warn) {
-        this.transmit = transmit;
-        this.warn = warn;
-        services.stream().filter(HostService.class::isInstance).map(HostService.class::cast)
-                .forEach(service -> service.uses().forEach(use -> this.services.put(use, service)));
+    /** @param board transmits a message. */
+    public Sender(BiFunction<Address, Message, Transmission> board) {
+        this.board = board;
     }
 
     /**
-     * Sends a message, when those before it to the same address have ended.
+     * Sends a message; a host message when those before it to the same address have ended.
      *
-     * @return fails as the board's; and with a {@link QueueFullException}, if the same message waits already, or too
-     *         many.
+     * @return fails as the board's; and with a {@link QueueFullException}, if the same host message waits already, or
+     *         too many.
      */
-    public Transmission send(Address to, HostMessage message) {
+    public Transmission send(Address to, Message message) {
+        return message instanceof HostMessage ofHosts ? sendInTurn(to, ofHosts) : board.apply(to, message);
+    }
+
+    private Transmission sendInTurn(Address to, HostMessage message) {
         Sending mine = new Sending(message,
                 new Transmission(new CompletableFuture<>(), new CompletableFuture<>()));
         int before;
@@ -83,7 +74,7 @@ public final class HostChannel {
     private void begin(Address to, Sending sending) {
         Transmission begun;
         try {
-            begun = transmit.apply(to, sending.message);
+            begun = board.apply(to, sending.message);
         } catch (IllegalArgumentException wrong) {
             begun = failed(wrong); // so that those behind it are sent
         }
@@ -111,33 +102,5 @@ public final class HostChannel {
     /** How many messages were not sent, as too many waited. */
     public long notSent() {
         return notSent.get();
-    }
-
-    /**
-     * Takes a message, or drops and counts it.
-     *
-     * @param to   this device, or all.
-     * @param peer what is known of the sender: of a broadcast, of the device in whose name it came.
-     */
-    public void receive(Address from, Address to, TrustLevel peer, HostMessage message) {
-        try {
-            HostMessage.Use use = message.kind().use();
-            Gate.permit(Policy.Act.of(use), Provenance.of(from, Cast.of(to), peer));
-            if (!services.containsKey(use)) {
-                throw new Gate.RefusedException("the library for it is not there");
-            }
-            services.get(use).received(from, message);
-        } catch (Gate.RefusedException e) {
-            refused.incrementAndGet();
-            // What anybody can broadcast, in any name, is counted only.
-            if (Cast.of(to) != Cast.BROADCAST) {
-                warn.accept("dropped a " + message + " from " + from + ": " + e.getMessage());
-            }
-        }
-    }
-
-    /** How many messages were dropped. */
-    public long refused() {
-        return refused.get();
     }
 }
