@@ -12,6 +12,12 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
 import jason.infra.local.LocalAgArch;
 
+import diffuser.board.Device;
+import diffuser.gate.Texts;
+import diffuser.mind.Intentions;
+import diffuser.report.Failure;
+import diffuser.report.Warnings;
+
 /**
  * Decides who performs a plain external action: the board, or what is behind it (an environment, CArtAgO).
  *

@@ -7,6 +7,8 @@ import jason.asSemantics.InternalAction;
 import jason.asSyntax.NumberTerm;
 import jason.asSyntax.Term;
 
+import diffuser.gate.Names;
+
 /** Reads arguments that several internal actions share. */
 public final class Arguments {
 

@@ -7,6 +7,9 @@ import jason.JasonException;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.Term;
 
+import diffuser.mind.Intentions;
+import diffuser.report.Failure;
+
 /**
  * An internal action that waits for the board. Its intention, not its agent, waits until the board has answered, and
  * goes on or fails in the agent's own cycle, as after Jason's {@code .wait}.

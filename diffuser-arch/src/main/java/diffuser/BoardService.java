@@ -7,6 +7,10 @@ import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
+import diffuser.board.HostClock;
+import diffuser.board.KeyService;
+import diffuser.board.MoveService;
+
 /**
  * What a library on the class path does by an agent's board, such as those that are a {@link MoveService} or a
  * {@link KeyService}, too. It is found by Java's {@link java.util.ServiceLoader}.

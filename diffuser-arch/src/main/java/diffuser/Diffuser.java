@@ -32,6 +32,34 @@ import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
+import diffuser.board.BoardSettings;
+import diffuser.board.Device;
+import diffuser.board.DeviceContext;
+import diffuser.board.ExclusivePort;
+import diffuser.board.Filter;
+import diffuser.board.HostClock;
+import diffuser.board.HostMessages;
+import diffuser.board.HostService;
+import diffuser.board.KeyService;
+import diffuser.board.MoveService;
+import diffuser.board.SensorMode;
+import diffuser.board.WallClock;
+import diffuser.gate.Gate;
+import diffuser.gate.TrustLevel;
+import diffuser.mind.Ability;
+import diffuser.mind.CombinedPercepts;
+import diffuser.mind.Destinations;
+import diffuser.mind.Inbox;
+import diffuser.mind.IncomingQuestion;
+import diffuser.mind.Infrastructures;
+import diffuser.mind.Intentions;
+import diffuser.mind.Openness;
+import diffuser.mind.Outbox;
+import diffuser.mind.OutgoingMessage;
+import diffuser.mind.Questions;
+import diffuser.report.Failure;
+import diffuser.report.Warnings;
+
 import javino.board.BoardConfig;
 import javino.board.Transmission;
 import javino.keyring.BoardNotes;
@@ -154,7 +182,8 @@ public class Diffuser extends AgArch {
             }
             ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
             device = Device.open(link, portTerm(port), boardConfig(), settings,
-                    new DeviceContext(getAgName(), inbox, hosts, warnings, this::wakeAgent,
+                    new DeviceContext(getAgName(), (message, peer) -> inbox.put(message, peer, getAgName()), hosts,
+                            warnings, this::wakeAgent,
                             text -> printed.accept(text), service(KeyService.class)));
             Duration patience = patience();
             return device.decided().thenCompose(decided -> reading(patience));
@@ -371,7 +400,7 @@ public class Diffuser extends AgArch {
 
     /** What a device is from which something came sealed; without a board, certified only. For any thread. */
     public TrustLevel peer(Address device) {
-        return device().map(board -> board.keys().peer(device)).orElse(TrustLevel.CERTIFIED);
+        return device().map(board -> board.peer(device)).orElse(TrustLevel.CERTIFIED);
     }
 
     /** Where the board's messages go. */

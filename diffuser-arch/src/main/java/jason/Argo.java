@@ -9,7 +9,7 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
-import diffuser.SensorMode;
+import diffuser.board.SensorMode;
 
 /**
  * A {@link Diffuser} by the name, and with the ways, of the public Argo architecture, for which many agents are

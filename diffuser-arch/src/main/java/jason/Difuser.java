@@ -7,9 +7,9 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
-import diffuser.OutgoingMessage;
-import diffuser.SensorMode;
-import diffuser.Texts;
+import diffuser.board.SensorMode;
+import diffuser.gate.Texts;
+import diffuser.mind.OutgoingMessage;
 
 /**
  * An {@link Argo} by the name, and with the ways, of the public Difuser architecture: {@code agentArchClass

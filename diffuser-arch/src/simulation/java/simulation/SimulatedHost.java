@@ -1,10 +1,5 @@
 package simulation;
 
-import diffuser.HostClock;
-import diffuser.HostMessages;
-import diffuser.HostService;
-import diffuser.Sender;
-import diffuser.TrustLevel;
 import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -18,6 +13,13 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+
+import diffuser.board.HostClock;
+import diffuser.board.HostMessages;
+import diffuser.board.HostService;
+import diffuser.board.Sender;
+import diffuser.gate.TrustLevel;
+
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;

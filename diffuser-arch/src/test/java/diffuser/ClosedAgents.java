@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.time.Duration;
 import java.util.Set;
 
+import diffuser.board.HeldPorts;
+
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.DynamicTestInvocationContext;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -41,13 +43,13 @@ public final class ClosedAgents implements AfterEachCallback, InvocationIntercep
     private static void closeAll(String name) throws InterruptedException {
         RunningAgent.closeAll();
         Patience patience = new Patience(Duration.ofSeconds(2));
-        while (!ExclusivePort.HOLDERS.isEmpty() && patience.lasts()) {
+        while (!HeldPorts.names().isEmpty() && patience.lasts()) {
             Thread.sleep(Patience.STEP.toMillis());
         }
-        Set<String> leftBehind = Set.copyOf(ExclusivePort.HOLDERS.keySet());
+        Set<String> leftBehind = HeldPorts.names();
         test = new Object();
         ScriptedDiffuser.endAll();
-        ExclusivePort.HOLDERS.values().forEach(ExclusivePort::leave);
+        HeldPorts.leaveAll();
         assertEquals(Set.of(), leftBehind, "ports that " + name + " leaves behind");
     }
 }

@@ -20,6 +20,9 @@ import jason.asSemantics.Message;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Literal;
 
+import diffuser.gate.TrustLevel;
+import diffuser.mind.Inbox;
+
 import javino.board.ReceivedMessage;
 import javino.fake.FakeBoard;
 import javino.protocol.Address;

@@ -19,6 +19,8 @@ import java.util.stream.Stream;
 import jason.asSemantics.Agent;
 import jason.asSyntax.ASSyntax;
 
+import diffuser.gate.Gate;
+
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 

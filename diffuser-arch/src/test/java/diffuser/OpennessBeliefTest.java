@@ -2,6 +2,9 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import diffuser.mind.Ability;
+import diffuser.mind.Openness;
+
 import javino.fake.FakeBoard;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;

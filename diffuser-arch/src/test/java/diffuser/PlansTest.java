@@ -2,11 +2,13 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import diffuser.gate.Plans;
+
+import javino.fake.FakeBoard;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import javino.fake.FakeBoard;
 
 /** Plans that come by radio, and signals. */
 class PlansTest {

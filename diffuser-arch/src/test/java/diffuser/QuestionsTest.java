@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 
+import diffuser.mind.Questions;
+
 import javino.fake.FakeBoard;
 import javino.protocol.Outcome;
 import javino.protocol.Status;

@@ -33,10 +33,12 @@ import jason.mas2j.ClassParameters;
 import jason.runtime.Settings;
 import jason.util.Config;
 
+import diffuser.report.Warnings;
+
 import javino.fake.FakeBoard;
 
 /** A real Jason agent on its own thread, and what the test waits for. {@link ClosedAgents} closes it after the test. */
-final class RunningAgent {
+public final class RunningAgent {
 
     private static final AtomicInteger COUNT = new AtomicInteger();
     private static final Deque<RunningAgent> OPEN = new ConcurrentLinkedDeque<>();
@@ -206,7 +208,7 @@ final class RunningAgent {
         assertEquals(expected, next(board.requests, "a request"));
     }
 
-    static <T> T next(BlockingQueue<T> queue, String what) {
+    public static <T> T next(BlockingQueue<T> queue, String what) {
         try {
             Patience patience = new Patience();
             T item = null;

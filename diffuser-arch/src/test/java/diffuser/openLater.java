@@ -7,6 +7,8 @@ import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Term;
 
+import diffuser.mind.Intentions;
+
 /** Opens the port {@code board} between two cycles of the agent, as a library may. */
 public class openLater extends DefaultInternalAction {
 

@@ -5,7 +5,7 @@ import java.util.concurrent.CompletableFuture;
 import jason.JasonException;
 
 import diffuser.Diffuser;
-import diffuser.OutgoingMessage;
+import diffuser.mind.OutgoingMessage;
 
 /**
  * <p>Internal action: <b><code>.deliver(<i>To</i>,<i>Performative</i>,<i>Content</i>)</code></b>.

@@ -7,7 +7,7 @@ import jason.asSyntax.Term;
 
 import diffuser.BoardAction;
 import diffuser.Diffuser;
-import diffuser.OutgoingMessage;
+import diffuser.mind.OutgoingMessage;
 
 /**
  * <p>Internal action: <b><code>.diffuse(<i>To</i>,<i>Performative</i>,<i>Content</i>)</code></b>.

@@ -13,8 +13,8 @@ import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
-import diffuser.Filter;
-import diffuser.Names;
+import diffuser.board.Filter;
+import diffuser.gate.Names;
 
 /**
  * <p>Internal action: <b><code>.filter(<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.

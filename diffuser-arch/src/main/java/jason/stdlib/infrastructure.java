@@ -7,10 +7,10 @@ import jason.JasonException;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Term;
 
-import diffuser.Ability;
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
-import diffuser.Names;
+import diffuser.gate.Names;
+import diffuser.mind.Ability;
 
 /**
  * <p>Internal action: <b><code>.infrastructure(<i>Name</i>,<i>Abilities</i>)</code></b>.

@@ -7,8 +7,8 @@ import jason.asSyntax.Term;
 
 import diffuser.BoardAction;
 import diffuser.Diffuser;
-import diffuser.Names;
-import diffuser.SensorMode;
+import diffuser.board.SensorMode;
+import diffuser.gate.Names;
 
 /**
  * <p>Internal action: <b><code>.percepts(<i>S</i>)</code></b>.

@@ -6,8 +6,8 @@ import jason.JasonException;
 import jason.asSyntax.Term;
 
 import diffuser.BoardAction;
-import diffuser.Destinations;
 import diffuser.Diffuser;
+import diffuser.mind.Destinations;
 
 /**
  * <p>Internal action: <b><code>.setMyRFId(<i>Id</i>)</code></b>.

@@ -14,9 +14,9 @@ import jason.JasonException;
 
 import diffuser.BoardService;
 import diffuser.Diffuser;
-import diffuser.Failure;
-import diffuser.HostClock;
-import diffuser.KeyService;
+import diffuser.board.HostClock;
+import diffuser.board.KeyService;
+import diffuser.report.Failure;
 
 import javino.board.Transmission;
 import javino.keyring.DeviceNotes;

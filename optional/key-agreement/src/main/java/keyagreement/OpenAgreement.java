@@ -10,9 +10,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
-import diffuser.Failure;
-import diffuser.HostClock;
-import diffuser.KeyService;
+import diffuser.board.HostClock;
+import diffuser.board.KeyService;
+import diffuser.report.Failure;
 
 import javino.JavinoException;
 import javino.board.LostKeyException;

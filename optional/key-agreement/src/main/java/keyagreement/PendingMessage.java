@@ -2,7 +2,7 @@ package keyagreement;
 
 import java.util.concurrent.CompletableFuture;
 
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 import javino.board.Transmission;
 import javino.protocol.Address;

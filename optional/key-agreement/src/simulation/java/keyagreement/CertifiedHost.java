@@ -13,15 +13,18 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
+
+import diffuser.gate.TrustLevel;
+
+import simulation.Network;
+import simulation.SimulatedHost;
+
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.Performative;
-import diffuser.TrustLevel;
-import simulation.Network;
-import simulation.SimulatedHost;
 
 /** A host that agrees on keys by its certificate: it sends by these alone. */
 public final class CertifiedHost extends SimulatedHost implements SimulatedHost.Program {

@@ -8,6 +8,15 @@ import java.util.logging.Logger;
 
 import jason.asSyntax.ASSyntax;
 
+import diffuser.board.BoardSettings;
+import diffuser.board.Device;
+import diffuser.board.DeviceContext;
+import diffuser.board.ExclusivePort;
+import diffuser.board.HostMessages;
+import diffuser.board.KeyService;
+import diffuser.mind.Inbox;
+import diffuser.report.Warnings;
+
 import javino.board.BoardConfig;
 import javino.board.Transmission;
 import javino.keyring.BoundedClock;
@@ -30,7 +39,7 @@ public final class AgentHost implements AutoCloseable {
     public AgentHost(LinkOpener link, Address id, BoundedClock clock, KeyService keyService) {
         BoardConfig usual = new Diffuser().boardConfig();
         Warnings warnings = new Warnings(() -> SILENT);
-        DeviceContext context = new DeviceContext("agent", new Inbox(null, null, null, warnings),
+        DeviceContext context = new DeviceContext("agent", (message, peer) -> {},
                 new HostMessages(List.of(keyService), warnings::once), warnings, () -> {}, text -> {},
                 Optional.of(keyService));
         BoardSettings settings = BoardSettings.NONE.withRfId(id).withRadio(true);

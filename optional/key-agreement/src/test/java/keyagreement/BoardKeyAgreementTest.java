@@ -4,9 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import diffuser.Sender;
-import diffuser.HostClock;
-import diffuser.KeyService;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +13,11 @@ import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
+
+import diffuser.board.HostClock;
+import diffuser.board.KeyService;
+import diffuser.board.Sender;
+
 import javino.keyring.DeviceNotes;
 import javino.board.BoardOfflineException;
 import javino.board.Transmission;
@@ -26,6 +28,7 @@ import javino.protocol.Key;
 import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
+
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -1,7 +1,5 @@
 package keyagreement;
 
-import diffuser.AgentHost;
-import diffuser.HostClock;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,6 +18,10 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
+
+import diffuser.AgentHost;
+import diffuser.board.HostClock;
+
 import javino.JavinoException;
 import javino.cli.ProvisioningHost;
 import javino.fake.FakeAir;

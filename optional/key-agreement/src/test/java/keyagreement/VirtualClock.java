@@ -1,8 +1,9 @@
 package keyagreement;
 
-import diffuser.HostClock;
 import java.util.Comparator;
 import java.util.PriorityQueue;
+
+import diffuser.board.HostClock;
 
 /** A time of its own, for several hosts: nothing waits. */
 final class VirtualClock {

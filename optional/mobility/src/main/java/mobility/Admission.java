@@ -24,10 +24,10 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 import diffuser.Diffuser;
-import diffuser.Intentions;
-import diffuser.Plans;
-import diffuser.Policy;
-import diffuser.Provenance;
+import diffuser.gate.Plans;
+import diffuser.gate.Policy;
+import diffuser.gate.Provenance;
+import diffuser.mind.Intentions;
 
 /**
  * Whether the agent with the board lets another in: it does when it achieves the goal {@code moveIn(Agent,Protocol)},

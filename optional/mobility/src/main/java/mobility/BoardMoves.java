@@ -19,12 +19,12 @@ import jason.bb.BeliefBase;
 
 import diffuser.BoardService;
 import diffuser.Diffuser;
-import diffuser.Failure;
-import diffuser.HostClock;
-import diffuser.Intentions;
-import diffuser.MoveService;
-import diffuser.Policy;
-import diffuser.Provenance;
+import diffuser.board.HostClock;
+import diffuser.board.MoveService;
+import diffuser.gate.Policy;
+import diffuser.gate.Provenance;
+import diffuser.mind.Intentions;
+import diffuser.report.Failure;
 
 import javino.board.Transitions;
 import javino.protocol.Address;

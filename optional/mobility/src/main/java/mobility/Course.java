@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 
-import diffuser.Failure;
-import diffuser.HostClock;
+import diffuser.board.HostClock;
+import diffuser.report.Failure;
 
 import javino.protocol.Bytes;
 import javino.protocol.Outcome;

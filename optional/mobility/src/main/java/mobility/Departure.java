@@ -8,8 +8,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 
-import diffuser.Failure;
-import diffuser.Texts;
+import diffuser.gate.Texts;
+import diffuser.report.Failure;
 
 import javino.protocol.Bytes;
 

@@ -17,8 +17,8 @@ import jason.bb.BeliefBase;
 import jason.infra.local.BaseLocalMAS;
 import jason.infra.local.LocalAgArch;
 
-import diffuser.Failure;
-import diffuser.Intentions;
+import diffuser.mind.Intentions;
+import diffuser.report.Failure;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;

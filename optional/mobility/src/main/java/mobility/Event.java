@@ -1,6 +1,6 @@
 package mobility;
 
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 /** What may happen to a move: a message of the other side, or something on this one. */
 sealed interface Event permits MoveMessage.Said, Event.Delivered, Event.Undelivered, Event.NotTaken, Event.Accepted,

@@ -22,14 +22,14 @@ import jason.asSyntax.Term;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
 
-import diffuser.Failure;
-import diffuser.Gate;
-import diffuser.MalformedTextException;
-import diffuser.Plans;
-import diffuser.Policy;
-import diffuser.Provenance;
-import diffuser.Terms;
-import diffuser.Texts;
+import diffuser.gate.Gate;
+import diffuser.gate.MalformedTextException;
+import diffuser.gate.Plans;
+import diffuser.gate.Policy;
+import diffuser.gate.Provenance;
+import diffuser.gate.Terms;
+import diffuser.gate.Texts;
+import diffuser.report.Failure;
 
 import javino.protocol.Performative;
 

@@ -24,8 +24,8 @@ import jason.asSyntax.Trigger;
 import jason.bb.BeliefBase;
 import jason.stdlib.suspend;
 
-import diffuser.Failure;
-import diffuser.Texts;
+import diffuser.gate.Texts;
+import diffuser.report.Failure;
 
 /** Writes a running agent as texts. */
 final class ImageWriter {

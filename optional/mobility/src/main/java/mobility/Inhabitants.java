@@ -23,8 +23,8 @@ import jason.runtime.RuntimeServicesFactory;
 import jason.runtime.Settings;
 
 import diffuser.Diffuser;
-import diffuser.Failure;
-import diffuser.Intentions;
+import diffuser.mind.Intentions;
+import diffuser.report.Failure;
 
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;

@@ -29,7 +29,7 @@ import jason.asSyntax.Trigger;
 import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
 
-import diffuser.Terms;
+import diffuser.gate.Terms;
 
 /** The text of one event or intention (SPEC 9.4). */
 final class IntentionText {

@@ -7,7 +7,7 @@ import jason.asSemantics.Agent;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Pred;
 
-import diffuser.Plans;
+import diffuser.gate.Plans;
 
 /** An agent's plans, or those within a plan. The class of a plan library is another one in Jason 3.2 than in 3.3. */
 record Library(Object plans) {

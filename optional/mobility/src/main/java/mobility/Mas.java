@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;

@@ -39,9 +39,9 @@ import jason.asSyntax.VarTerm;
 import jason.bb.BeliefBase;
 import jason.stdlib.suspend;
 
-import diffuser.Failure;
-import diffuser.Intentions;
-import diffuser.Terms;
+import diffuser.gate.Terms;
+import diffuser.mind.Intentions;
+import diffuser.report.Failure;
 
 /** An agent's mind that has been read and checked, and has not entered an agent yet. */
 final class Mind {

@@ -28,7 +28,7 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.bb.BeliefBase;
 
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 /**
  * An agent that can move, and sleeps while it is on its way. Written as {@code agentArchClass mobility.Mobile}, before

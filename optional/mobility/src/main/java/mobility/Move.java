@@ -8,9 +8,9 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-import diffuser.Cast;
-import diffuser.TrustLevel;
-import diffuser.Provenance;
+import diffuser.gate.Cast;
+import diffuser.gate.Provenance;
+import diffuser.gate.TrustLevel;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;

@@ -14,10 +14,10 @@ import java.util.stream.Stream;
 
 import jason.JasonException;
 
-import diffuser.Failure;
-import diffuser.HostClock;
-import diffuser.Policy;
-import diffuser.Provenance;
+import diffuser.board.HostClock;
+import diffuser.gate.Policy;
+import diffuser.gate.Provenance;
+import diffuser.report.Failure;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;

@@ -15,8 +15,8 @@ import jason.asSyntax.Term;
 import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
 
-import diffuser.Plans;
-import diffuser.Terms;
+import diffuser.gate.Plans;
+import diffuser.gate.Terms;
 
 /** The text of a plan or a rule, the same on every side (SPEC 9.4). */
 final class PlanText {

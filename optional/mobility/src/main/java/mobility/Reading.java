@@ -31,12 +31,12 @@ import jason.asSyntax.parser.as2jConstants;
 import jason.asSyntax.parser.as2jTokenManager;
 import jason.bb.BeliefBase;
 
-import diffuser.Gate;
-import diffuser.MalformedTextException;
-import diffuser.Names;
-import diffuser.Plans;
-import diffuser.Terms;
-import diffuser.Texts;
+import diffuser.gate.Gate;
+import diffuser.gate.MalformedTextException;
+import diffuser.gate.Names;
+import diffuser.gate.Plans;
+import diffuser.gate.Terms;
+import diffuser.gate.Texts;
 
 /** Reads the texts of an agent from elsewhere. What is read is looked at, and nothing in it is computed. */
 final class Reading {

@@ -5,8 +5,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
-import diffuser.Failure;
-import diffuser.HostClock;
+import diffuser.board.HostClock;
+import diffuser.report.Failure;
 
 import javino.protocol.Outcome;
 

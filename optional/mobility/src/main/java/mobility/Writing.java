@@ -20,10 +20,10 @@ import jason.asSyntax.VarTerm;
 import jason.asSyntax.directives.FunctionRegister;
 import jason.bb.BeliefBase;
 
-import diffuser.MalformedTextException;
-import diffuser.TermWriter;
-import diffuser.Terms;
-import diffuser.Texts;
+import diffuser.gate.MalformedTextException;
+import diffuser.gate.TermWriter;
+import diffuser.gate.Terms;
+import diffuser.gate.Texts;
 
 /** Writes terms as texts that read back elsewhere, or says why there is none. */
 final class Writing {

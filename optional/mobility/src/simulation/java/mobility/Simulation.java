@@ -15,15 +15,18 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import diffuser.Failure;
-import diffuser.Policy;
+
+import diffuser.gate.Policy;
+import diffuser.report.Failure;
+
+import simulation.Network;
+import simulation.SimulatedHost;
+
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
-import simulation.Network;
-import simulation.SimulatedHost;
 
 /** Some MAS between which agents move. */
 final class Simulation extends Network<SimulatedHost> {

@@ -14,6 +14,8 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
 import diffuser.Victim.Effect;
+import diffuser.gate.Policy;
+import diffuser.gate.TrustLevel;
 
 import javino.board.ReceivedMessage;
 import javino.protocol.Address;

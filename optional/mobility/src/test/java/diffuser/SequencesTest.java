@@ -13,6 +13,7 @@ import diffuser.RightsTest.Of;
 import diffuser.RightsTest.Try;
 import diffuser.RightsTest.Who;
 import diffuser.Victim.Effect;
+import diffuser.mind.Questions;
 
 import javino.protocol.Address;
 

@@ -30,13 +30,19 @@ import jason.infra.local.RunLocalMAS;
 import jason.runtime.Settings;
 import jason.util.Config;
 
+import diffuser.gate.Plans;
+import diffuser.gate.TrustLevel;
+import diffuser.mind.Intentions;
+import diffuser.mind.OutgoingMessage;
+import diffuser.mind.Questions;
+
+import mobility.Guest;
+import mobility.Mobile;
+
 import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
-
-import mobility.Guest;
-import mobility.Mobile;
 
 /** An agent that others act upon, and what comes of it. Its cycles are the test's to run; no board is behind it. */
 final class Victim implements AutoCloseable {

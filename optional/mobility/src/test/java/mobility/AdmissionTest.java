@@ -8,17 +8,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 
+import diffuser.gate.Policy;
+import diffuser.gate.Provenance;
+import diffuser.gate.TrustLevel;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-
-import diffuser.TrustLevel;
-import diffuser.Policy;
-import diffuser.Provenance;
-
-import javino.protocol.Address;
-import javino.protocol.Bytes;
 
 /** Which plans let an agent in, by whose hands it comes and where it is at home. */
 class AdmissionTest {

@@ -8,8 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 
 import diffuser.Diffuser;
-import diffuser.Failure;
-import diffuser.HostClock;
+import diffuser.board.HostClock;
+import diffuser.report.Failure;
 
 import javino.protocol.Address;
 

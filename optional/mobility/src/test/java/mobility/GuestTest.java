@@ -23,7 +23,7 @@ import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
 
-import diffuser.Terms;
+import diffuser.gate.Terms;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -17,7 +17,7 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Trigger;
 
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -18,14 +18,14 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The tables of SPEC 9.3, and that the machines do what they say, for each state and event. */
 class MachinesTest {

@@ -21,15 +21,15 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
+import diffuser.report.Failure;
+
+import javino.protocol.Bytes;
+
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import diffuser.Failure;
-
-import javino.protocol.Bytes;
 
 class MovesTest {
 

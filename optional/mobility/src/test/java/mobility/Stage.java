@@ -19,7 +19,7 @@ import jason.asSyntax.Term;
 import jason.runtime.Settings;
 import jason.util.Config;
 
-import diffuser.Failure;
+import diffuser.report.Failure;
 
 /** An agent whose cycles the test runs, and which tells the test by its actions. */
 final class Stage extends AgArch {

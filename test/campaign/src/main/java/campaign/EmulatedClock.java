@@ -6,7 +6,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import diffuser.HostClock;
+
+import diffuser.board.HostClock;
 
 /** The boards' time for a host, on a thread of its own. */
 final class EmulatedClock implements HostClock {

@@ -23,6 +23,8 @@ import jason.infra.local.RunLocalMAS;
 import jason.runtime.Settings;
 import jason.util.Config;
 
+import diffuser.gate.TrustLevel;
+
 import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 import javino.protocol.Bytes;

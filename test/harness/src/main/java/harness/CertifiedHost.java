@@ -1,10 +1,5 @@
 package harness;
 
-import diffuser.HostClock;
-import diffuser.HostMessages;
-import diffuser.KeyService;
-import diffuser.Sender;
-import diffuser.TrustLevel;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Queue;
@@ -15,6 +10,15 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
+
+import diffuser.board.HostClock;
+import diffuser.board.HostMessages;
+import diffuser.board.KeyService;
+import diffuser.board.Sender;
+import diffuser.gate.TrustLevel;
+
+import keyagreement.BoardKeyAgreement;
+
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -29,7 +33,6 @@ import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.HostMessage;
-import keyagreement.BoardKeyAgreement;
 
 /** A host that agrees on keys as an agent's does, without an agent. */
 public final class CertifiedHost implements KeyService.Host, BoardListener, AutoCloseable {

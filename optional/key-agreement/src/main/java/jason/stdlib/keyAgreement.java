@@ -7,7 +7,7 @@ import jason.asSyntax.Term;
 
 import diffuser.BoardAction;
 import diffuser.Diffuser;
-import diffuser.Names;
+import diffuser.gate.Names;
 
 import keyagreement.BoardKeyAgreement;
 

@@ -11,8 +11,9 @@ import jason.asSemantics.Unifier;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Term;
 
-import diffuser.Destinations;
-import diffuser.Names;
+import diffuser.gate.Names;
+import diffuser.mind.Destinations;
+
 import mobility.Departures;
 import mobility.Protocol;
 

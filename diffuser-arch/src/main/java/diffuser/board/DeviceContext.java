@@ -1,0 +1,26 @@
+package diffuser.board;
+
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+
+import diffuser.gate.TrustLevel;
+import diffuser.report.Warnings;
+
+import javino.board.ReceivedMessage;
+
+/**
+ * The agent around a device.
+ *
+ * @param agent    its name.
+ * @param messages takes its messages, and whom their senders are.
+ * @param hosts    where messages of hosts go.
+ * @param warnings where its user is told what went wrong.
+ * @param wake     ends its sleep.
+ * @param printed  is told what the sketch prints.
+ * @param keyService agrees on keys, if that library is there.
+ */
+public record DeviceContext(String agent, BiConsumer<ReceivedMessage, TrustLevel> messages, HostMessages hosts,
+        Warnings warnings, Runnable wake,
+        Consumer<String> printed, Optional<KeyService> keyService) {
+}

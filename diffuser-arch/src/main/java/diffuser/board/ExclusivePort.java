@@ -1,0 +1,117 @@
+package diffuser.board;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.link.LinkOpener;
+
+/**
+ * Opens a port as soon as who had it before has left it: the agent's own session before, on whichever port, as that may
+ * be the same one by another name; and another agent of this MAS that is about to end. The waiting is done where links
+ * are opened: on the new session's thread, never on the agent's.
+ */
+public final class ExclusivePort implements LinkOpener {
+
+    /** A session ends in a fraction of that, unless its port hangs; then it is no use to wait. */
+    private static final long LONGEST_SECONDS = 2;
+    /** Who has which port, by what the system calls it. */
+    static final Map<String, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
+
+    private final LinkOpener next;
+    private final String agent;
+    private final CompletableFuture<Void> before;
+    private final CompletableFuture<Void> left = new CompletableFuture<>();
+    private volatile String held;
+    private boolean hasWaited;
+
+    /**
+     * A turn at a port, which lasts from its first opening until {@link #leave}.
+     *
+     * @param next   how the link is opened.
+     * @param agent  whose turn it is.
+     * @param before completes when the agent's port before is free.
+     */
+    public ExclusivePort(LinkOpener next, String agent, CompletableFuture<Void> before) {
+        this.next = next;
+        this.agent = agent;
+        this.before = before;
+    }
+
+    @Override
+    public Link open() throws LinkException {
+        await(before);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_SECONDS);
+        ExclusivePort holder = take();
+        // Where agents are killed and others created on their port, one that is killed already may come first.
+        for (long left = end - System.nanoTime(); holder != this && !hasWaited && left > 0; left =
+                end - System.nanoTime()) {
+            await(holder.left, left);
+            holder = take();
+        }
+        hasWaited = true;
+        if (holder != this) {
+            throw new LinkException(name(),
+                    "agent " + holder.agent + " of this MAS has it; give each agent a board of its"
+                            + " own, or end that agent first");
+        }
+        return next.open();
+    }
+
+    /** Takes the port unless somebody has it; says who has it then. */
+    private ExclusivePort take() {
+        String port = systemName(name());
+        if (!port.equals(held)) {
+            release();
+        }
+        ExclusivePort holder = HOLDERS.putIfAbsent(port, this);
+        if (holder == null || holder == this) {
+            held = port;
+            return this;
+        }
+        return holder;
+    }
+
+    private static String systemName(String name) {
+        try {
+            Path path = Path.of(name);
+            boolean isShort = path.getNameCount() == 1 && !Files.exists(path);
+            return (isShort ? Path.of("/dev", name) : path).toRealPath().toString();
+        } catch (IOException | InvalidPathException e) {
+            return name;
+        }
+    }
+
+    private void release() {
+        if (held != null) {
+            HOLDERS.remove(held, this);
+        }
+    }
+
+    /** The session has ended: the port is free for others. */
+    void leave() {
+        release();
+        left.complete(null);
+    }
+
+    @Override
+    public String name() {
+        return next.name();
+    }
+
+    /** Returns when the port is free, or after two seconds. */
+    public static void await(CompletableFuture<Void> free) {
+        await(free, TimeUnit.SECONDS.toNanos(LONGEST_SECONDS));
+    }
+
+    private static void await(CompletableFuture<Void> free, long nanos) {
+        free.copy().completeOnTimeout(null, nanos, TimeUnit.NANOSECONDS).join();
+    }
+}

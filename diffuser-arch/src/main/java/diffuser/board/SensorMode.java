@@ -1,0 +1,11 @@
+package diffuser.board;
+
+/** What becomes of a board's sensors. */
+public enum SensorMode {
+    /** They are read, and are beliefs. */
+    OPEN,
+    /** They are not read; what was believed of them last stays believed. */
+    HELD,
+    /** They are not read, and nothing is believed of them. */
+    BLOCKED
+}

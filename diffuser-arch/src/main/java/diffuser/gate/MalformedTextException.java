@@ -1,0 +1,15 @@
+package diffuser.gate;
+
+/** A text from a board or from the air that is no AgentSpeak of the kind that was expected. */
+public final class MalformedTextException extends Exception {
+
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * @param text   as it came.
+     * @param reason what was wrong with it.
+     */
+    MalformedTextException(String text, String reason) {
+        super("\"" + text + "\": " + reason);
+    }
+}

@@ -1,0 +1,78 @@
+package diffuser.mind;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+
+import jason.asSyntax.Literal;
+
+/** What an agent perceives of its board, of its MAS's openness, and through the architectures behind it, as one. */
+public final class CombinedPercepts {
+
+    /** They answer null as long as it has not changed. */
+    private Collection<Literal> others = List.of();
+    private Now now = new Now(List.of(), null);
+    /** Who waits for the agent to perceive what is there now; the board's thread adds to them. */
+    private final Queue<CompletableFuture<Void>> waiting = new ConcurrentLinkedQueue<>();
+    private final List<CompletableFuture<Void>> perceived = new ArrayList<>();
+
+    /**
+     * What is perceived here; as long as it is the same, it is the same objects.
+     *
+     * @param board    what the board lets the agent perceive.
+     * @param openness how open the MAS is.
+     */
+    public record Now(List<Literal> board, Literal openness) {
+
+        private boolean is(Now other) {
+            return board == other.board && openness == other.openness;
+        }
+    }
+
+    /** Whether nothing has changed here since it was perceived, and nobody waits for the next perception. */
+    public boolean knows(Now present) {
+        return now.is(present) && waiting.isEmpty();
+    }
+
+    /** Completes once all that is here now is believed. For any thread; the agent is to be woken. */
+    public CompletableFuture<Void> belief() {
+        CompletableFuture<Void> belief = new CompletableFuture<>();
+        waiting.add(belief);
+        return belief;
+    }
+
+    /** Before it is looked what there is to perceive. */
+    public void perceiving() {
+        for (CompletableFuture<Void> belief = waiting.poll(); belief != null; belief = waiting.poll()) {
+            perceived.add(belief);
+        }
+    }
+
+    /** The agent has revised its beliefs by what it has perceived. */
+    public void believed() {
+        perceived.forEach(belief -> belief.complete(null));
+        perceived.clear();
+    }
+
+    /**
+     * All that is perceived, or null, as Jason has it, if nothing has changed, neither here nor elsewhere.
+     *
+     * @param elsewhere what the architectures behind perceive; null if that has not changed.
+     */
+    public Collection<Literal> perceive(Collection<Literal> elsewhere, Now present) {
+        if (elsewhere == null && now.is(present)) {
+            return null;
+        }
+        if (elsewhere != null) {
+            others = new ArrayList<>(elsewhere);
+        }
+        now = present;
+        Collection<Literal> all = new ArrayList<>(others);
+        all.addAll(now.board());
+        all.add(now.openness());
+        return all;
+    }
+}
