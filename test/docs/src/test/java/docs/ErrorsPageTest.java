@@ -45,7 +45,7 @@ class ErrorsPageTest {
     @Test
     void gate_eachRefusal_hasAnEntry() {
         assertTexts("In a plan",
-                Stream.of("Gate", "Inbox").flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
+                Stream.of("gate/Gate", "mind/Inbox").flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
                         Repository.text("diffuser-arch/src/main/java/diffuser/" + name + ".java"))));
     }
 
