@@ -40,10 +40,10 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
 
     private final Diffuser diffuser;
     private final HostClock clock;
-    private final Inhabitants inhabitants;
-    private final Admission admission;
+    private final LocalAgents inhabitants;
+    private final MoveInRequest admission;
     private Moves moves;
-    private Folder folder;
+    private MoveStore folder;
     private boolean admits;
     private long looked;
 
@@ -59,11 +59,11 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
     private BoardMoves(Diffuser diffuser) {
         this.diffuser = diffuser;
         clock = diffuser.hostClock();
-        inhabitants = new Inhabitants(diffuser);
-        admission = new Admission(diffuser);
+        inhabitants = new LocalAgents(diffuser);
+        admission = new MoveInRequest(diffuser);
         looked = System.nanoTime() - 2 * LOOK_NANOS;
-        if (!Folder.records(place()).isEmpty() || !Folder.unreadable(place()).isEmpty()) {
-            boolean away = Inhabitants.isAway(name());
+        if (!MoveStore.records(place()).isEmpty() || !MoveStore.unreadable(place()).isEmpty()) {
+            boolean away = LocalAgents.isAway(name());
             if (away) {
                 Mobile.empty(ts());
                 Mobile.of(ts()).fallAsleep();
@@ -94,13 +94,13 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
     }
 
     private Path place() {
-        return Inhabitants.folder(name(), ts().getSettings());
+        return LocalAgents.folder(name(), ts().getSettings());
     }
 
     /** On the thread of the moves. The folder is made when it is needed for the first time. */
     private Moves opened() {
         if (moves == null) {
-            folder = new Folder(place());
+            folder = new MoveStore(place());
             moves = new Moves(clock, folder, this, inhabitants.limits(), new SecureRandom());
             moves.start();
         }
@@ -200,13 +200,13 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
 
     /** Whether an agent that lives here has come by this board. On any thread. */
     boolean hasBrought(String agent) {
-        return Folder.records(place()).stream()
+        return MoveStore.records(place()).stream()
                 .anyMatch(move -> move.state() == Move.State.HERE && move.name().equals(agent));
     }
 
     @Override
     public void check(List<Bytes> texts) throws RefusedException {
-        Inhabitants.mind(texts);
+        LocalAgents.read(texts);
     }
 
     @Override
@@ -254,7 +254,7 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
 
     @Override
     public boolean starts(String agent) {
-        return Inhabitants.isOfProgram(agent);
+        return LocalAgents.isOfProgram(agent);
     }
 
     @Override

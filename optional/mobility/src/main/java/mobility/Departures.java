@@ -41,7 +41,7 @@ public final class Departures {
             throws JasonException {
         BoardMoves moves = door(ts);
         String self = ts.getAgArch().getAgName();
-        if (ts.getAg() instanceof Guest && !agents.equals(List.of(self))) {
+        if (ts.getAg() instanceof GuestAgent && !agents.equals(List.of(self))) {
             throw new Failure("guest", self + " is a guest here, and moves none but itself").toException();
         }
         List<LocalAgArch> others = new ArrayList<>();
@@ -74,7 +74,7 @@ public final class Departures {
     }
 
     private static BoardMoves door(TransitionSystem ts) throws JasonException {
-        return Inhabitants.door(ts.getAgArch())
+        return LocalAgents.door(ts.getAgArch())
                 .orElseThrow(() -> new Failure("no_diffuser", "no agent of this MAS has a board by which "
                         + ts.getAgArch().getAgName() + " could move; give one the architecture diffuser.Diffuser")
                         .toException());
@@ -82,8 +82,8 @@ public final class Departures {
 
     /** An agent that the program starts must know, when it is started again, that it is away. */
     private static void expectMobile(LocalAgArch agent, Protocol protocol) throws JasonException {
-        boolean mobile = protocol == Protocol.CLONING || !Inhabitants.isOfProgram(agent.getAgName())
-                || Mobile.find(agent.getTS()).isPresent() || Inhabitants.board(agent.getFirstAgArch()).isPresent();
+        boolean mobile = protocol == Protocol.CLONING || !LocalAgents.isOfProgram(agent.getAgName())
+                || Mobile.find(agent.getTS()).isPresent() || LocalAgents.board(agent.getFirstAgArch()).isPresent();
         if (!mobile) {
             throw new Failure("not_mobile", "agent " + agent.getAgName() + " cannot move: give it the architecture"
                     + " mobility.Mobile (agentArchClass in a .mas2j, ag-arch in a .jcm), so that it is not started a"
@@ -111,7 +111,7 @@ public final class Departures {
                     + role.get().getTerm(1) + " in the group " + role.get().getTerm(2)
                     + " of an organisation; let it call leaveRole first").toException();
         }
-        return ImageWriter.write(ts, mover);
+        return AgentStateWriter.write(ts, mover);
     }
 
     /** As JaCaMo's groups tell it to who plays a role there: {@code play(Agent,Role,Group)}. */
@@ -132,9 +132,9 @@ public final class Departures {
         }
         String agent = ts.getAgArch().getAgName();
         // The records of the board by which it came tell its home.
-        Optional<BoardMoves> bringer = Inhabitants.bringer(agent);
-        CompletableFuture<String> end = bringer.isEmpty() && ts.getAg() instanceof Guest
-                ? CompletableFuture.failedFuture(Guest.failure(".moveOut without a record").toException())
+        Optional<BoardMoves> bringer = LocalAgents.bringer(agent);
+        CompletableFuture<String> end = bringer.isEmpty() && ts.getAg() instanceof GuestAgent
+                ? CompletableFuture.failedFuture(GuestAgent.failure(".moveOut without a record").toException())
                 : bringer.orElse(moves).depart(agent, protocol, to,
                         List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state())));
         return end.whenComplete((name, thrown) -> {

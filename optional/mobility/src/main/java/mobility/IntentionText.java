@@ -101,7 +101,7 @@ final class IntentionText {
         addVariables(steps, kept, needed);
         List<PlanBody> first = steps.subList(0, steps.size() - kept);
         if (!first.isEmpty()) {
-            text.append("\nD").append(Writing.body(copy(first, needed), this::name));
+            text.append("\nD").append(TermTexts.body(copy(first, needed), this::name));
         }
         Map<VarTerm, Term> values = needed(Frames.values(means.getUnif()), needed);
         append('V', values);
@@ -210,7 +210,7 @@ final class IntentionText {
         step.setTerm(place, new ObjectTermImpl(Stream.concat(left.stream(),
                 StreamSupport.stream(Spliterators.spliteratorUnknownSize(rest, 0), false)).iterator()));
         if (left.size() > MOST_SOLUTIONS) {
-            throw Writing.cannot("a for in it has more than " + MOST_SOLUTIONS + " rounds to go");
+            throw TermTexts.cannot("a for in it has more than " + MOST_SOLUTIONS + " rounds to go");
         }
         ListTerm list = new ListTermImpl();
         for (Object solution : left) {
@@ -264,7 +264,7 @@ final class IntentionText {
         sorted(values).forEach(this::name);
         for (VarTerm variable : sorted(values)) {
             text.append(separator).append(key(variable)).append(',')
-                    .append(Writing.value(values.get(variable), this::name));
+                    .append(TermTexts.value(values.get(variable), this::name));
             separator = ",";
         }
     }
@@ -283,7 +283,7 @@ final class IntentionText {
     }
 
     private VarTerm key(VarTerm variable) throws RefusedException {
-        Writing.check(variable);
+        TermTexts.check(variable);
         return new VarTerm(name(variable).getFunctor());
     }
 
@@ -298,8 +298,8 @@ final class IntentionText {
     private String trigger(Trigger trigger) throws RefusedException {
         Trigger plain = trigger.clone();
         plain.setAsTriggerTerm(false);
-        plain.setLiteral(Writing.withoutSelf(plain.getLiteral()));
-        plain.setLiteral((Literal) Writing.plain(plain.getLiteral()));
-        return Writing.text(plain, this::name);
+        plain.setLiteral(TermTexts.withoutSelf(plain.getLiteral()));
+        plain.setLiteral((Literal) TermTexts.plain(plain.getLiteral()));
+        return TermTexts.text(plain, this::name);
     }
 }

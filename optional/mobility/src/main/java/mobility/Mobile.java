@@ -56,7 +56,7 @@ public class Mobile extends AgArch {
     @Override
     public void init() throws Exception {
         super.init();
-        if (Inhabitants.isAway(getTS().getAgArch().getAgName())) {
+        if (LocalAgents.isAway(getTS().getAgArch().getAgName())) {
             empty(getTS());
             fallAsleep();
         }
@@ -90,7 +90,7 @@ public class Mobile extends AgArch {
         Agent agent = ts.getAg();
         List<Literal> beliefs = new ArrayList<>();
         agent.getBB().forEach(beliefs::add);
-        beliefs.stream().filter(belief -> !ImageWriter.isJasons(belief)).map(Mobile::unperceived)
+        beliefs.stream().filter(belief -> !AgentStateWriter.isJasons(belief)).map(Mobile::unperceived)
                 .forEach(agent.getBB()::remove);
         Library.of(agent).clear();
     }
@@ -106,7 +106,7 @@ public class Mobile extends AgArch {
         return others;
     }
 
-    /** What the agent perceives is an event for a mind that has come, as for each new agent. */
+    /** What the agent perceives is an event for an agent that has come, as for each new agent. */
     static void perceiveAnew(TransitionSystem ts) {
         List<Literal> percepts = new ArrayList<>();
         ts.getAg().getBB().getPercepts().forEachRemaining(percepts::add);
@@ -121,7 +121,7 @@ public class Mobile extends AgArch {
         return sleep != null;
     }
 
-    /** Puts the agent to sleep, after {@link ImageWriter} has written it; nothing if it sleeps already. */
+    /** Puts the agent to sleep, after {@link AgentStateWriter} has written it; nothing if it sleeps already. */
     public void fallAsleep() {
         if (isAsleep()) {
             return;
@@ -222,11 +222,11 @@ public class Mobile extends AgArch {
 
     @Override
     public void act(ActionExec action) {
-        if (!(getTS().getAg() instanceof Guest)) {
+        if (!(getTS().getAg() instanceof GuestAgent)) {
             super.act(action);
             return;
         }
-        Failure why = Guest.failure(action.getActionTerm().getFunctor());
+        Failure why = GuestAgent.failure(action.getActionTerm().getFunctor());
         action.setResult(false);
         action.setFailureReason(ASSyntax.createLiteral("error", ASSyntax.createAtom(why.error())), why.message());
         actionExecuted(action);
@@ -234,7 +234,7 @@ public class Mobile extends AgArch {
 
     @Override
     public void sendMsg(Message message) throws Exception {
-        if (getTS().getAg() instanceof Guest guest) {
+        if (getTS().getAg() instanceof GuestAgent guest) {
             guest.check(message);
         }
         super.sendMsg(message);
@@ -242,7 +242,7 @@ public class Mobile extends AgArch {
 
     @Override
     public void broadcast(Message message) throws Exception {
-        if (getTS().getAg() instanceof Guest guest) {
+        if (getTS().getAg() instanceof GuestAgent guest) {
             guest.check(message);
         }
         super.broadcast(message);
@@ -255,7 +255,7 @@ public class Mobile extends AgArch {
     @Override
     public void stop() {
         if (!isAsleep()) {
-            Inhabitants.ended(getAgName());
+            LocalAgents.ended(getAgName());
         }
     }
 

@@ -16,7 +16,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 /**
- * The record of a move, as it is kept in a {@link Folder} (SPEC 9.3).
+ * The record of a move, as it is kept in a {@link MoveStore} (SPEC 9.3).
  *
  * @param key      which move.
  * @param state    how far it is.

@@ -57,7 +57,7 @@ final class Moves {
     }
 
     final HostClock clock;
-    final Folder folder;
+    final MoveStore folder;
     final Mas mas;
     private final Limits limits;
     private final RandomGenerator random;
@@ -65,7 +65,7 @@ final class Moves {
     private final Map<Move.Key, Course> courses = new LinkedHashMap<>();
     private final Map<Count, Long> counts = new ConcurrentHashMap<>();
 
-    Moves(HostClock clock, Folder folder, Mas mas, Limits limits, RandomGenerator random) {
+    Moves(HostClock clock, MoveStore folder, Mas mas, Limits limits, RandomGenerator random) {
         this.clock = clock;
         this.folder = folder;
         this.mas = mas;
@@ -163,7 +163,7 @@ final class Moves {
         if (came.filter(Move::isOfGuest).map(guest -> Policy.decide(act,
                 Provenance.ofGuest(agent).moving(guest.identity().home(), to, false)))
                 .filter(decision -> decision.verdict() == Policy.Verdict.REFUSED).isPresent()) {
-            throw Guest.failure(".moveOut(" + to + "," + protocol.atom() + ")").toException();
+            throw GuestAgent.failure(".moveOut(" + to + "," + protocol.atom() + ")").toException();
         }
         Optional<Move.Identity> known = came.filter(move -> !move.isClone()).map(Move::identity);
         Move.Identity identity = known.filter(abroad -> !abroad.home().equals(here))

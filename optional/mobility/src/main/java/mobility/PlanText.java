@@ -68,8 +68,8 @@ final class PlanText {
 
     static String of(Rule rule) throws RefusedException {
         Map<Term, VarTerm> names = names(visitor -> Terms.visit(rule, visitor));
-        return Writing.text(Writing.withoutSelf(rule.getHead()), variable -> named(variable, names)) + " :- "
-                + Writing.text(rule.getBody(), variable -> named(variable, names)) + ".";
+        return TermTexts.text(TermTexts.withoutSelf(rule.getHead()), variable -> named(variable, names)) + " :- "
+                + TermTexts.text(rule.getBody(), variable -> named(variable, names)) + ".";
     }
 
     static String of(Plan plan) throws RefusedException {
@@ -77,17 +77,17 @@ final class PlanText {
     }
 
     private static String of(Plan plan, Map<Term, VarTerm> names) throws RefusedException {
-        Writing.Naming naming = variable -> named(variable, names);
+        TermTexts.Naming naming = variable -> named(variable, names);
         StringBuilder text = new StringBuilder(label(plan.getLabel(), naming));
-        text.append(Writing.text(plan.getTrigger(), naming));
+        text.append(TermTexts.text(plan.getTrigger(), naming));
         if (plan.getContext() != null) {
-            text.append(" : ").append(Writing.text(plan.getContext(), naming));
+            text.append(" : ").append(TermTexts.text(plan.getContext(), naming));
         }
         if (plan.getGoalCondition() != null) {
-            text.append(" <: ").append(Writing.text(plan.getGoalCondition(), naming));
+            text.append(" <: ").append(TermTexts.text(plan.getGoalCondition(), naming));
         }
         if (!plan.getBody().isEmptyBody()) {
-            text.append(" <- ").append(Writing.body(plan.getBody(), naming));
+            text.append(" <- ").append(TermTexts.body(plan.getBody(), naming));
         } else if (plan.hasSubPlans()) {
             text.append(" <- true");
         }
@@ -106,18 +106,18 @@ final class PlanText {
         return names.getOrDefault(variable, new VarTerm("_"));
     }
 
-    private static String label(Pred label, Writing.Naming naming) throws RefusedException {
+    private static String label(Pred label, TermTexts.Naming naming) throws RefusedException {
         if (label == null) {
             return "";
         }
-        Pred plain = (Pred) Writing.withoutSelf(label);
+        Pred plain = (Pred) TermTexts.withoutSelf(label);
         // Jason notes there which file it read the plan from.
         plain.delAnnots(plain.getAnnots("url"));
         boolean generated = Plans.GENERATED.matcher(plain.getFunctor()).matches();
         if (!generated) {
-            return "@" + Writing.text(plain, naming) + " ";
+            return "@" + TermTexts.text(plain, naming) + " ";
         }
-        return plain.hasAnnot() ? "@" + Writing.text(plain.getAnnots(), naming) + " " : "";
+        return plain.hasAnnot() ? "@" + TermTexts.text(plain.getAnnots(), naming) + " " : "";
     }
 
     /** The text of a plan's place, for messages. */

@@ -8,7 +8,7 @@ import java.util.Optional;
 public enum Protocol {
     /** The newcomer lives as any agent of the MAS. */
     MUTUALISM,
-    /** The newcomer lives there as a {@link Guest}, without the board. */
+    /** The newcomer lives there as a {@link GuestAgent}, without the board. */
     INQUILINISM,
     /** As mutualism, but the original stays where it is. */
     CLONING,

@@ -123,7 +123,7 @@ final class Simulation extends Network<SimulatedHost> {
         final SimulatedHost host;
         final Address address;
         private final Path place;
-        private Folder folder;
+        private MoveStore folder;
         Moves moves;
         /** The agents that are awake, with what they are. */
         final Map<String, List<Bytes>> awake = new HashMap<>();
@@ -172,7 +172,7 @@ final class Simulation extends Network<SimulatedHost> {
         }
 
         /** A folder before and after whose every change the program may be killed. */
-        private final class Deadly extends Folder {
+        private final class Deadly extends MoveStore {
 
             Deadly(Path place) {
                 super(place);

@@ -36,7 +36,7 @@ import diffuser.mind.Intentions;
 import diffuser.mind.OutgoingMessage;
 import diffuser.mind.Questions;
 
-import mobility.Guest;
+import mobility.GuestAgent;
 import mobility.Mobile;
 
 import javino.board.ReceivedMessage;
@@ -159,7 +159,7 @@ final class Victim implements AutoCloseable {
             diffuser = start(body, NAME, Agent.class, List.of(Mobile.class.getName(), Watched.class.getName()),
                     PROGRAM + (guarded ? GUARDS : ""), Watched.class);
             diffuser.victim = this;
-            start(guest, GUEST, Guest.class, List.of(Mobile.class.getName()), "", Mobile.class);
+            start(guest, GUEST, GuestAgent.class, List.of(Mobile.class.getName()), "", Mobile.class);
             achieve("keep(canary)");
             achieve("keep(mine)");
             run();
@@ -198,7 +198,7 @@ final class Victim implements AutoCloseable {
         }
         lastAsked = message.getMsgId();
         if (message.getReceiver().equals(GUEST)) {
-            ((Guest) guest.getTS().getAg()).selectMessage(new ArrayDeque<>(List.of(message)));
+            ((GuestAgent) guest.getTS().getAg()).selectMessage(new ArrayDeque<>(List.of(message)));
             return;
         }
         OutgoingMessage letter = OutgoingMessage.of(message);

@@ -150,7 +150,7 @@ class EveryCycleTest {
             Stage here = Stage.of(program).run(before);
             Image image;
             try {
-                image = ImageWriter.write(here.ts, null);
+                image = AgentStateWriter.write(here.ts, null);
             } catch (JasonException e) {
                 assertTrue(e.getMessage().contains("waits for say(") || e.getMessage().contains("waits for stumble("),
                         e.getMessage());
@@ -158,7 +158,7 @@ class EveryCycleTest {
             }
             moves++;
             Stage there = Stage.of(image);
-            assertEquals(image, ImageWriter.write(there.ts, null), "the texts after " + before + " cycles");
+            assertEquals(image, AgentStateWriter.write(there.ts, null), "the texts after " + before + " cycles");
             List<String> done = new ArrayList<>(here.done);
             done.addAll(there.run(CYCLES).done);
             assertEquals(atHome, done.stream().map(EveryCycleTest::plain).toList(),

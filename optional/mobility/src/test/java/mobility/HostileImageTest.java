@@ -33,7 +33,7 @@ class HostileImageTest {
     static boolean exploded;
 
     private static String refusal(String program, String state) {
-        RefusedException e = assertThrows(RefusedException.class, () -> Mind.read(new Image(program, state)));
+        RefusedException e = assertThrows(RefusedException.class, () -> AgentStateReader.read(new Image(program, state)));
         assertFalse(e.getMessage().matches("(?s).*[\\p{Cc}\\u2028\\u202e].*"),
                 "it commands a terminal: " + e.getMessage());
         assertTrue(e.getMessage().length() < 300, e.getMessage());
@@ -85,7 +85,7 @@ class HostileImageTest {
     @ParameterizedTest
     @ValueSource(strings = {"+!a(NS) <- NS::p(b)[c].", "+!a(NS) <- if (b) { NS::p } else { ns::p }."})
     void program_plainActionOfSomeNamespace_isRead(String program) throws Exception {
-        assertNotNull(Mind.read(new Image(program, "")));
+        assertNotNull(AgentStateReader.read(new Image(program, "")));
     }
 
     @Test
@@ -95,7 +95,7 @@ class HostileImageTest {
 
     @Test
     void reading_neitherLoadsNorRunsAnything() throws Exception {
-        Mind.read(new Image("+!a : mobility.bomb(1) & X = mobility.bomb <- mobility.bomb(1); .print(1/0).\n"
+        AgentStateReader.read(new Image("+!a : mobility.bomb(1) & X = mobility.bomb <- mobility.bomb(1); .print(1/0).\n"
                 + "a :- mobility.bomb(X).", "Bp(-3)\nI+!a(mobility.bomb(1))\nI\nF0,0,+!a\nVX,mobility.bomb(1)"));
         assertFalse(exploded);
     }
@@ -133,7 +133,7 @@ class HostileImageTest {
     /** @return whether it is an agent. */
     private static boolean read(Image image) {
         try {
-            Stage.of(Mind.read(image), new Agent());
+            Stage.of(AgentStateReader.read(image), new Agent());
             return true;
         } catch (RefusedException e) {
             return false;
@@ -169,7 +169,7 @@ class HostileImageTest {
             for (String program : EveryCycleTest.PROGRAMS.values()) {
                 Stage stage = Stage.of(program).run(cycles);
                 if (!stage.ts.getC().hasPendingAction()) {
-                    images.add(ImageWriter.write(stage.ts, null));
+                    images.add(AgentStateWriter.write(stage.ts, null));
                 }
             }
         }

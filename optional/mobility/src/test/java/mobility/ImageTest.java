@@ -68,7 +68,7 @@ class ImageTest {
                 +!tour(N) <- mobility.leave%s.
                 -!tour(N)[error(E)] <- say(N,E).
                 """.formatted(then)).leave();
-        Stage here = Stage.of(Mind.read(image), new Agent(), Optional.of(new Failure("undelivered", "nobody there")));
+        Stage here = Stage.of(AgentStateReader.read(image), new Agent(), Optional.of(new Failure("undelivered", "nobody there")));
         assertEquals(List.of("say 7 undelivered", "say end"), here.run(20).done);
     }
 
@@ -87,7 +87,7 @@ class ImageTest {
                 +!h(_1,[_1|T],_2) : p(_2) <- a(T).
                 """);
         here.run(3);
-        Image image = ImageWriter.write(here.ts, null);
+        Image image = AgentStateWriter.write(here.ts, null);
         assertEquals("""
                 far(X) :- ((.count(seen(_,_)) > X) | (X = (-3))).
                 near(X,Y) :- (limit(L) & (((X-Y) < L) & not (far(100)))).
@@ -106,7 +106,7 @@ class ImageTest {
                 Bseen(a,1)
                 Btext("a \\"b\\"\\nc")
                 B~wet""", image.state().lines().filter(line -> line.startsWith("B")).collect(Collectors.joining("\n")));
-        assertEquals(image, ImageWriter.write(Stage.of(image).ts, null));
+        assertEquals(image, AgentStateWriter.write(Stage.of(image).ts, null));
     }
 
     @Test
@@ -118,7 +118,7 @@ class ImageTest {
                 .replace("ROMA", "'ROMA'")));
         here.ts.getC().addExternalEv(ASSyntax.parseTrigger("+hot(4)[source(percept)]"));
         here.ts.getC().addExternalEv(ASSyntax.parseTrigger("+hot(5)[source(bob)]"));
-        String state = ImageWriter.write(here.ts, null).state();
+        String state = AgentStateWriter.write(here.ts, null).state();
         assertEquals("Bhot(3)[cast(unicast,'ROMA'),source('ROMA'),source(self)]\nBhot(2)[source(bob)]\n"
                 + "I+hot(5)[source(bob)]", state);
     }
@@ -139,13 +139,13 @@ class ImageTest {
         Event event = new Event(trigger, Intention.EmptyInt);
         event.setOption(new Option(second, second.isRelevant(trigger, null)));
         here.ts.getC().addEvent(event);
-        Stage there = Stage.of(ImageWriter.write(here.ts, null));
+        Stage there = Stage.of(AgentStateWriter.write(here.ts, null));
         assertEquals(List.of("say 7 2"), there.run(5).done);
     }
 
     @Test
     void wait_beginsAnew() throws Exception {
-        Stage there = Stage.of(ImageWriter.write(Stage.of("!go. +!go <- .wait({+over(X)}); say(X).").run(5).ts, null));
+        Stage there = Stage.of(AgentStateWriter.write(Stage.of("!go. +!go <- .wait({+over(X)}); say(X).").run(5).ts, null));
         there.run(5);
         assertEquals(List.of(), there.done);
         there.ts.getAg().addBel(ASSyntax.parseLiteral("over(3)"));
@@ -167,7 +167,7 @@ class ImageTest {
     void agent_thatCannotTravel_saysWhy(String program, String why) {
         Stage stage = Stage.of(program).run(6);
         String before = stage.ts.getC().toString();
-        JasonException e = assertThrows(JasonException.class, () -> ImageWriter.write(stage.ts, null));
+        JasonException e = assertThrows(JasonException.class, () -> AgentStateWriter.write(stage.ts, null));
         assertEquals("[error(cannot_travel)", e.getErrorTerms().toString().substring(0, 21));
         assertTrue(e.getMessage().startsWith("traveller cannot travel: ") && e.getMessage().contains(why),
                 e.getMessage());

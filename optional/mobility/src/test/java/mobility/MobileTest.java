@@ -90,7 +90,7 @@ class MobileTest {
     void sleeper_cannotBeMovedASecondTime() {
         Stage stage = Stage.of("!go. +!go <- say(go).").run(1);
         stage.front(new Mobile()).fallAsleep();
-        JasonException e = assertThrows(JasonException.class, () -> ImageWriter.write(stage.ts, null));
+        JasonException e = assertThrows(JasonException.class, () -> AgentStateWriter.write(stage.ts, null));
         assertEquals("traveller cannot travel: it is on its way already", e.getMessage());
     }
 
@@ -116,9 +116,9 @@ class MobileTest {
         Mobile.empty(stage.ts);
         assertEquals(List.of("dark[source(percept)]", "light(5)[source(percept)]"),
                 StreamSupport.stream(stage.ts.getAg().getBB().spliterator(), false)
-                        .filter(belief -> !ImageWriter.isJasons(belief)).map(Literal::toString).sorted().toList());
+                        .filter(belief -> !AgentStateWriter.isJasons(belief)).map(Literal::toString).sorted().toList());
         Image image = new Image("+light(X)[source(percept)] <- say(light,X).\n+dark <- say(dark).", "");
-        assertDoesNotThrow(() -> Mind.read(image)).enter(stage.ts, Optional.empty());
+        assertDoesNotThrow(() -> AgentStateReader.read(image)).enter(stage.ts, Optional.empty());
         Mobile.perceiveAnew(stage.ts);
         assertEquals(List.of("say dark", "say light 5"), stage.run(5).done.stream().sorted().toList());
     }

@@ -300,7 +300,7 @@ class MovesTest {
         bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
         until(() -> isIn(bus, Move.State.GONE));
         assertEquals(Set.of(Move.State.GONE, Move.State.LEFT),
-                Folder.records(folder.resolve("SUBB")).stream().map(Move::state).collect(Collectors.toSet()));
+                MoveStore.records(folder.resolve("SUBB")).stream().map(Move::state).collect(Collectors.toSet()));
     }
 
     @Test
@@ -358,8 +358,8 @@ class MovesTest {
         for (String line : lines) {
             Files.write(record, lines.stream().filter(each -> !each.equals(line)).toList());
             boolean comment = line.startsWith("#");
-            assertEquals(comment ? 1 : 0, Folder.records(record.getParent()).size(), line);
-            assertEquals(comment ? 0 : 1, Folder.unreadable(record.getParent()).size(), line);
+            assertEquals(comment ? 1 : 0, MoveStore.records(record.getParent()).size(), line);
+            assertEquals(comment ? 0 : 1, MoveStore.unreadable(record.getParent()).size(), line);
         }
     }
 
@@ -376,8 +376,8 @@ class MovesTest {
         station.depart("other", Protocol.MUTUALISM, Simulation.BUS);
         simulation.runUntil(60_000);
         bus.host.kill();
-        Move move = Folder.records(folder.resolve("SUBB")).get(0);
-        assertEquals(2, Folder.records(folder.resolve("SUBB")).size());
+        Move move = MoveStore.records(folder.resolve("SUBB")).get(0);
+        assertEquals(2, MoveStore.records(folder.resolve("SUBB")).size());
         Path part = folder.resolve("SUBB").resolve("parts").resolve(move.parts().get(0).hex());
         byte[] good = Files.readAllBytes(part);
         Files.write(part, new byte[0]);
@@ -405,7 +405,7 @@ class MovesTest {
     void go_againWhileItIsToLeave_doesNotWakeIt() {
         move();
         simulation.runUntil(30_000);
-        int number = Folder.records(folder.resolve("SUBB")).get(0).key().number();
+        int number = MoveStore.records(folder.resolve("SUBB")).get(0).key().number();
         bus.depart(AGENT, Protocol.MUTUALISM, Simulation.STATION);
         until(() -> isIn(bus, Move.State.OFFERED));
         simulation.contact = false;
@@ -448,7 +448,7 @@ class MovesTest {
         try (Stream<Path> parts = Files.list(folder.resolve("SUBB").resolve("parts"))) {
             assertTrue(parts.count() <= 64, "they do not fill the disk");
         }
-        assertEquals(List.of(), Folder.records(folder.resolve("SUBB")));
+        assertEquals(List.of(), MoveStore.records(folder.resolve("SUBB")));
         assertTrue(bus.moves.count(Moves.Count.REFUSED) >= 150, "" + bus.moves.count(Moves.Count.REFUSED));
         station.awake.put(AGENT, TEXTS);
         move();

@@ -59,7 +59,7 @@ class ReturnsTest {
     }
 
     private Move record(Simulation.Side side, Move.State state) {
-        return Folder.records(folder.resolve(side.address.toString())).stream().filter(move -> move.state() == state)
+        return MoveStore.records(folder.resolve(side.address.toString())).stream().filter(move -> move.state() == state)
                 .findFirst().orElseThrow();
     }
 

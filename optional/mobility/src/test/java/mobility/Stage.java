@@ -68,15 +68,15 @@ final class Stage extends AgArch {
 
     /** An agent as its texts make it. */
     static Stage of(Image image) throws RefusedException {
-        return of(Mind.read(image), new Agent());
+        return of(AgentStateReader.read(image), new Agent());
     }
 
-    static Stage of(Mind mind, Agent agent) {
+    static Stage of(AgentState mind, Agent agent) {
         return of(mind, agent, Optional.empty());
     }
 
     /** @param why it was to leave and has stayed. */
-    static Stage of(Mind mind, Agent agent, Optional<Failure> why) {
+    static Stage of(AgentState mind, Agent agent, Optional<Failure> why) {
         try {
             Stage stage = new Stage(agent);
             agent.loadInitialAS(null);
@@ -110,14 +110,14 @@ final class Stage extends AgArch {
             ts.reasoningCycle();
             mover = ts.getC().getPendingIntentions().get("leave");
         }
-        return ImageWriter.write(ts, mover);
+        return AgentStateWriter.write(ts, mover);
     }
 
     /** The agent when it has left and arrived, its texts having been looked at. */
     Stage moved() throws Exception {
         Image image = leave();
         Stage there = of(image);
-        Image again = ImageWriter.write(there.ts, null);
+        Image again = AgentStateWriter.write(there.ts, null);
         org.junit.jupiter.api.Assertions.assertEquals(image.program(), again.program());
         // There it is an intention as any other.
         org.junit.jupiter.api.Assertions.assertEquals(image.state().replaceAll("(?m)^M$", "I"), again.state());

@@ -39,7 +39,7 @@ import diffuser.gate.Terms;
 import diffuser.gate.Texts;
 
 /** Reads the texts of an agent from elsewhere. What is read is looked at, and nothing in it is computed. */
-final class Reading {
+final class TermReader {
 
     /** The one function that belongs to each agent, and not to Jason as a whole. */
     static final String COUNT = ".count";
@@ -59,17 +59,17 @@ final class Reading {
     /** The variables without a name, by their numbers. */
     private final List<UnnamedVar> fresh = new ArrayList<>();
 
-    private Reading(boolean numbersVariables) {
+    private TermReader(boolean numbersVariables) {
         this.numbersVariables = numbersVariables;
     }
 
     /** What belongs together in the state of an agent: a belief, or an event with its intention. */
-    static Reading ofState() {
-        return new Reading(true);
+    static TermReader ofState() {
+        return new TermReader(true);
     }
 
-    private static Reading ofProgram() {
-        return new Reading(false);
+    private static TermReader ofProgram() {
+        return new TermReader(false);
     }
 
     static Rule rule(String text) throws RefusedException {
@@ -78,7 +78,7 @@ final class Reading {
 
     static Plan plan(String text) throws RefusedException {
         Plan plan = parsed(text, as2j::plan);
-        Reading reading = ofProgram();
+        TermReader reading = ofProgram();
         for (Plan part : Library.all(plan)) {
             refuseJasonsOwn(text, part);
             if (part.getGoalCondition() != null) {
@@ -222,7 +222,7 @@ final class Reading {
 
     private static void refuseJasonsOwn(String text, Term term) throws RefusedException {
         try {
-            Gate.refuseJasonsOwn(Terms.<RuntimeException>replace(term.clone(), Reading::withPlainActions));
+            Gate.refuseJasonsOwn(Terms.<RuntimeException>replace(term.clone(), TermReader::withPlainActions));
         } catch (Gate.RefusedException e) {
             throw refused(text, e.getMessage());
         }
@@ -253,7 +253,7 @@ final class Reading {
                 // Jason takes _1 for the same variable wherever it stands, also in other plans.
                 expect(variable.myId > 0, text, "a variable has a number");
             } else if (part instanceof VarTerm variable && numbersVariables && Variables.numberOf(variable) >= 0) {
-                return Writing.like(variable, fresh(Variables.numberOf(variable)));
+                return TermTexts.like(variable, fresh(Variables.numberOf(variable)));
             }
             if (part instanceof InternalActionLiteral action) {
                 expectAction(text, action.getFunctor());
@@ -273,7 +273,7 @@ final class Reading {
     private static void expectAction(String text, String name) throws RefusedException {
         try {
             Class<?> action = Class.forName(name.startsWith(".") ? STDLIB + name : name, false,
-                    Reading.class.getClassLoader());
+                    TermReader.class.getClassLoader());
             expect(InternalAction.class.isAssignableFrom(action), text, name + " is no internal action");
         } catch (ClassNotFoundException | LinkageError e) {
             throw new RefusedException("lacks", "this MAS lacks the internal action " + name);
@@ -318,7 +318,7 @@ final class Reading {
     }
 
     private static RefusedException refused(String text, String why) {
-        return new RefusedException("bad_agent", Writing.brief(ASSyntax.createString(text)) + ": "
-                + Writing.brief(ASSyntax.createString(why)));
+        return new RefusedException("bad_agent", TermTexts.brief(ASSyntax.createString(text)) + ": "
+                + TermTexts.brief(ASSyntax.createString(why)));
     }
 }

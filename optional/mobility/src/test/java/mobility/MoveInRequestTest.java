@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Which plans let an agent in, by whose hands it comes and where it is at home. */
-class AdmissionTest {
+class MoveInRequestTest {
 
     private static final Address HERE = Address.parse("ROMA");
     private static final Address FROM = Address.parse("SUPO");
@@ -45,7 +45,7 @@ class AdmissionTest {
         Stage stage = Stage.of("+!moveIn(Agent, mutualism)[" + marks + "] <- welcome.");
         CompletableFuture<Void> answer = new CompletableFuture<>();
         try {
-            Admission.pursue(stage.ts, move, of, decision, answer);
+            MoveInRequest.pursue(stage.ts, move, of, decision, answer);
         } catch (RefusedException e) {
             return e.getMessage();
         }
@@ -83,12 +83,12 @@ class AdmissionTest {
         Move move = offer(Protocol.MUTUALISM, "CAFE");
         Provenance of = from(TrustLevel.PROVISIONED, move, false);
         CompletableFuture<Void> answer = new CompletableFuture<>();
-        Admission.pursue(stage.ts, move, of, Policy.decide(Policy.Act.OFFER, of), answer);
+        MoveInRequest.pursue(stage.ts, move, of, Policy.decide(Policy.Act.OFFER, of), answer);
         stage.run(10);
         assertEquals(List.of("welcome"), stage.done);
         Move other = offer(Protocol.MUTUALISM, "SUBB");
         Provenance elsewhere = from(TrustLevel.PROVISIONED, other, false);
-        assertThrows(RefusedException.class, () -> Admission.pursue(stage.ts, other, elsewhere,
+        assertThrows(RefusedException.class, () -> MoveInRequest.pursue(stage.ts, other, elsewhere,
                 Policy.decide(Policy.Act.OFFER, elsewhere), new CompletableFuture<>()));
     }
 

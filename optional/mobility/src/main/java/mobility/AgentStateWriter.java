@@ -28,7 +28,7 @@ import diffuser.gate.Texts;
 import diffuser.report.Failure;
 
 /** Writes a running agent as texts. */
-final class ImageWriter {
+final class AgentStateWriter {
 
     /** The rules of the plans with which Jason handles messages are in it; each agent has them. */
     private static final String JASONS_NAMESPACE = "kqml";
@@ -43,7 +43,7 @@ final class ImageWriter {
     private final List<String> plans = new ArrayList<>();
     private final List<String> intentions = new ArrayList<>();
 
-    private ImageWriter(TransitionSystem ts, Intention mover) {
+    private AgentStateWriter(TransitionSystem ts, Intention mover) {
         agent = ts.getAg();
         circumstance = ts.getC();
         this.mover = mover;
@@ -60,10 +60,10 @@ final class ImageWriter {
     static Image write(TransitionSystem ts, Intention mover) throws JasonException {
         try {
             if (Mobile.find(ts).filter(Mobile::isAsleep).isPresent()) {
-                throw Writing.cannot("it is on its way already");
+                throw TermTexts.cannot("it is on its way already");
             }
-            Image image = new ImageWriter(ts, mover).image();
-            Mind.read(image);
+            Image image = new AgentStateWriter(ts, mover).image();
+            AgentStateReader.read(image);
             return image;
         } catch (RefusedException e) {
             throw new Failure("cannot_travel", ts.getAgArch().getAgName() + " cannot travel: "
@@ -99,7 +99,7 @@ final class ImageWriter {
         try {
             return part.text();
         } catch (RefusedException e) {
-            throw Writing.cannot(where + ": " + e.getMessage());
+            throw TermTexts.cannot(where + ": " + e.getMessage());
         }
     }
 
@@ -113,7 +113,7 @@ final class ImageWriter {
                 .toList();
         for (Literal belief : all) {
             if (belief instanceof Rule rule) {
-                program.add(within("the rule for " + Writing.brief(rule.getHead()), () -> PlanText.of(rule)));
+                program.add(within("the rule for " + TermTexts.brief(rule.getHead()), () -> PlanText.of(rule)));
             } else {
                 writeBelief(belief);
             }
@@ -126,8 +126,8 @@ final class ImageWriter {
         known.delAnnot(BeliefBase.TPercept);
         if (known.hasSource()) {
             Variables variables = new Variables();
-            beliefs.add("B" + within("the belief " + Writing.brief(belief),
-                    () -> Writing.value(Writing.withoutSelf(known), variables::name)));
+            beliefs.add("B" + within("the belief " + TermTexts.brief(belief),
+                    () -> TermTexts.value(TermTexts.withoutSelf(known), variables::name)));
         }
     }
 
@@ -202,8 +202,8 @@ final class ImageWriter {
     }
 
     private static RefusedException waitsFor(Intention intention, Term what) {
-        return Writing.cannot("its intention for " + Writing.brief(bottom(intention)) + " waits for "
-                + Writing.brief(what));
+        return TermTexts.cannot("its intention for " + TermTexts.brief(bottom(intention)) + " waits for "
+                + TermTexts.brief(what));
     }
 
     private static Term bottom(Intention intention) {
@@ -222,15 +222,15 @@ final class ImageWriter {
 
     private String text(Trigger event, Intention intention, boolean suspended) throws RefusedException {
         if (intention == null || intention.isFinished()) {
-            return within("the event " + Writing.brief(event), () -> new IntentionText(numbers, plans).of(event,
+            return within("the event " + TermTexts.brief(event), () -> new IntentionText(numbers, plans).of(event,
                     List.of(), suspended));
         }
         boolean shared = intention.getClass() != Intention.class || intention.getGIntention() != null;
         if (shared) {
-            throw Writing.cannot("its intention for " + Writing.brief(bottom(intention))
+            throw TermTexts.cannot("its intention for " + TermTexts.brief(bottom(intention))
                     + " is one of several that share their goals (by |&|, ||| or a plan within a plan)");
         }
-        return within("its intention for " + Writing.brief(bottom(intention)), () -> {
+        return within("its intention for " + TermTexts.brief(bottom(intention)), () -> {
             List<IntentionText.Frame> frames = new ArrayList<>();
             for (IntendedMeans frame : intention) {
                 boolean done = frames.isEmpty() && isDone(intention);

@@ -22,7 +22,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 @DisabledOnOs(OS.WINDOWS)
-class FolderTest {
+class MoveStoreTest {
 
     private static final Bytes TEXT = Bytes.ofText("+!start <- .print(hello).");
 
@@ -37,7 +37,7 @@ class FolderTest {
 
     @Test
     void textsAndNotes_areForTheirUserOnly() throws IOException {
-        try (Folder folder = new Folder(place.resolve("moves"))) {
+        try (MoveStore folder = new MoveStore(place.resolve("moves"))) {
             folder.keep(Part.hash(TEXT), TEXT);
             folder.append(Bytes.ofText("another"), TEXT);
             folder.keepBoard("ttyACM0", Address.parse("ROMA"));
@@ -56,7 +56,7 @@ class FolderTest {
 
     @Test
     void texts_wherePermissionsCannotBeKept_areNotWritten() throws IOException {
-        try (Folder folder = new Folder(new NoPermissionsFileSystem().of(place))) {
+        try (MoveStore folder = new MoveStore(new NoPermissionsFileSystem().of(place))) {
             for (Runnable each : List.<Runnable>of(() -> folder.keep(Part.hash(TEXT), TEXT),
                     () -> folder.append(Part.hash(TEXT), TEXT),
                     () -> folder.keepBoard("ttyACM0", Address.parse("ROMA")))) {

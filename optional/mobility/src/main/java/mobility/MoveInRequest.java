@@ -33,7 +33,7 @@ import diffuser.mind.Intentions;
  * Whether the agent with the board lets another in: it does when it achieves the goal {@code moveIn(Agent,Protocol)},
  * by a plan of its own.
  */
-record Admission(Diffuser diffuser) {
+record MoveInRequest(Diffuser diffuser) {
 
     private static final String GOAL = "moveIn";
 

@@ -26,7 +26,7 @@ import diffuser.gate.Terms;
 import diffuser.gate.Texts;
 
 /** Writes terms as texts that read back elsewhere, or says why there is none. */
-final class Writing {
+final class TermTexts {
 
     /** As CArtAgO calls what its artifacts hand to agents. */
     private static final Pattern HANDLE = Pattern.compile("cobj_\\d+");
@@ -37,7 +37,7 @@ final class Writing {
         VarTerm of(UnnamedVar variable);
     }
 
-    private Writing() {
+    private TermTexts() {
     }
 
     /** @param why something has no text that could travel, in one line. */
@@ -60,7 +60,7 @@ final class Writing {
 
     /** With numbers in place of what Jason's parser takes for an expression, as {@code -3}. */
     static Term plain(Term term) throws RefusedException {
-        return Reading.datum(brief(term), term.clone());
+        return TermReader.datum(brief(term), term.clone());
     }
 
     /** The steps of a body, without braces around them. */
@@ -110,7 +110,7 @@ final class Writing {
             throw cannot("a variable's name is " + part + ", by which others travel; rename it");
         }
         boolean unknown = part instanceof ArithFunctionTerm function && !(part instanceof ArithExpr)
-                && !function.getFunctor().equals(Reading.COUNT)
+                && !function.getFunctor().equals(TermReader.COUNT)
                 && FunctionRegister.getFunction(function.getFunctor(), function.getArity()) == null;
         if (unknown) {
             throw cannot("it uses a function that is registered here, " + brief(part));

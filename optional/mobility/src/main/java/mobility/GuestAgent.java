@@ -38,7 +38,7 @@ import javino.protocol.Performative;
  * The table in SECURITY.md says what that is. Its architecture must be a {@link Mobile}, which sees to its actions
  * and messages.
  */
-public class Guest extends Agent {
+public class GuestAgent extends Agent {
 
     private static final long serialVersionUID = 1L;
 
@@ -120,7 +120,7 @@ public class Guest extends Agent {
                     Texts.asFromTheAir(performative.get(), message.getInReplyTo() != null, Gate.admit(said)));
         } catch (Gate.RefusedException | MalformedTextException | ParseException | TokenMgrError e) {
             throw failure(".send(_," + message.getIlForce() + ",_) of that: "
-                    + Writing.brief(ASSyntax.createString(e.getMessage()))).toException();
+                    + TermTexts.brief(ASSyntax.createString(e.getMessage()))).toException();
         }
     }
 
@@ -147,7 +147,7 @@ public class Guest extends Agent {
             note(message);
         }
         if (message != null && message.getPropCont() instanceof Term said) {
-            message.setPropCont(Terms.replace(said.clone(), Guest::unknown));
+            message.setPropCont(Terms.replace(said.clone(), GuestAgent::unknown));
         }
         return message;
     }
@@ -159,7 +159,7 @@ public class Guest extends Agent {
             return action;
         }
         if (part instanceof Plan plan) {
-            Plans.within(plan).forEach(inner -> Terms.replace(inner, Guest::unknown));
+            Plans.within(plan).forEach(inner -> Terms.replace(inner, GuestAgent::unknown));
         }
         return part;
     }

@@ -31,7 +31,7 @@ import javino.protocol.Bytes;
  *
  * <p>All methods throw {@link UncheckedIOException} where the disk fails.
  */
-class Folder implements AutoCloseable {
+class MoveStore implements AutoCloseable {
 
     private static final String RECORD = ".move";
     private static final String PARTIAL = ".part";
@@ -58,7 +58,7 @@ class Folder implements AutoCloseable {
     }
 
     /** Opens a folder, which is made if it is not there; fails too if another MAS has it. */
-    Folder(Path place) {
+    MoveStore(Path place) {
         this.place = place;
         lock = on(() -> {
             PrivateFile.createFolder(place.resolve("parts"));

@@ -30,7 +30,7 @@ import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
 /** The agents of the MAS: makes those that come, ends those that have gone. */
-record Inhabitants(Diffuser diffuser) {
+record LocalAgents(Diffuser diffuser) {
 
     private static final String FOLDER = "moves";
     private static final String ARCHITECTURES = "newcomers";
@@ -68,12 +68,12 @@ record Inhabitants(Diffuser diffuser) {
         return usual;
     }
 
-    static Mind mind(List<Bytes> texts) throws RefusedException {
+    static AgentState read(List<Bytes> texts) throws RefusedException {
         if (texts.size() != 2) {
             throw new RefusedException("damaged", "an agent has two texts, not " + texts.size());
         }
         try {
-            return Mind.read(new Image(texts.get(0).text(), texts.get(1).text()));
+            return AgentStateReader.read(new Image(texts.get(0).text(), texts.get(1).text()));
         } catch (ProtocolException e) {
             throw new RefusedException("damaged", e.getMessage());
         }
@@ -89,14 +89,14 @@ record Inhabitants(Diffuser diffuser) {
     void settle(Move move, List<Bytes> texts, List<Move> records, Optional<Failure> why, Consumer<String> named) {
         boolean guest = move.isGuest(records);
         try {
-            Mind mind = mind(texts);
+            AgentState state = read(texts);
             boolean isPredator = move.protocol() == Protocol.PREDATION && !move.key().out();
             if (isPredator) {
                 endOthers();
             }
             if (isPredator || move.isOurs() && move.name().equals(own()) && !guest) {
                 named.accept(own());
-                takeBody(mind, why);
+                takeBody(state, why);
                 return;
             }
             RuntimeServices services = RuntimeServicesFactory.get();
@@ -104,9 +104,9 @@ record Inhabitants(Diffuser diffuser) {
             Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs() && !guest);
             MAKING.set(true);
             String name = services.createAgent(freeName(move, records), null,
-                    guest ? Guest.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
-                    architectures(ours, guest), null, ours.map(Inhabitants::settings).orElseGet(Settings::new), null);
-            enter(mind, agent(name).orElseThrow().getTS(), why);
+                    guest ? GuestAgent.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
+                    architectures(ours, guest), null, ours.map(LocalAgents::settings).orElseGet(Settings::new), null);
+            enter(state, agent(name).orElseThrow().getTS(), why);
             named.accept(name);
             services.startAgent(name);
         } catch (RefusedException e) {
@@ -145,14 +145,14 @@ record Inhabitants(Diffuser diffuser) {
     }
 
     /**
-     * Lets a mind enter an agent. An architecture may have a goal before all others already, as that of JaCaMo has to
-     * focus on artifacts. Jason has one place for such a goal, in which the mind's own would replace it: then it waits
+     * Lets a state enter an agent. An architecture may have a goal before all others already, as that of JaCaMo has to
+     * focus on artifacts. Jason has one place for such a goal, in which the state's own would replace it: then it waits
      * its turn.
      */
-    private static void enter(Mind mind, TransitionSystem ts, Optional<Failure> why) {
+    private static void enter(AgentState state, TransitionSystem ts, Optional<Failure> why) {
         Circumstance circumstance = ts.getC();
         Event first = circumstance.removeAtomicEvent();
-        mind.enter(ts, why);
+        state.enter(ts, why);
         if (first != null) {
             if (circumstance.hasAtomicIntention() || circumstance.getAtomicEvent() != null) {
                 first.getIntention().setAtomic(0);
@@ -164,7 +164,7 @@ record Inhabitants(Diffuser diffuser) {
     /** As the program says, for its architectures as well: JaCaMo's have from there what the agent focuses on. */
     private static Settings settings(AgentParameters ours) {
         Settings settings = ours.getAsSetts(false, false);
-        // It comes with a mind.
+        // It comes with a state.
         settings.removeUserParameter(Settings.INIT_BELS);
         settings.removeUserParameter(Settings.INIT_GOALS);
         return settings;
@@ -183,12 +183,12 @@ record Inhabitants(Diffuser diffuser) {
         }
     }
 
-    /** A mind lives on in the agent with the board, in the place of what was there. */
-    private void takeBody(Mind mind, Optional<Failure> why) {
+    /** A state lives on in the agent with the board, in the place of what was there. */
+    private void takeBody(AgentState state, Optional<Failure> why) {
         Intentions.inNextCycle(diffuser.getTS(), () -> {
             Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
-            mind.enter(diffuser.getTS(), why);
+            state.enter(diffuser.getTS(), why);
             Mobile.perceiveAnew(diffuser.getTS());
         });
     }
@@ -217,14 +217,14 @@ record Inhabitants(Diffuser diffuser) {
     /** Whether the records say that an agent which the program starts is elsewhere, or is to be made anew. */
     static boolean isAway(String name) {
         return !MAKING.get() && isOfProgram(name) && project().stream()
-                .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))
+                .filter(each -> each.getAgArchClasses().stream().anyMatch(LocalAgents::isDiffuser))
                 .anyMatch(each -> isAway(name, each.name, folder(each.name, each.getAsSetts(false, false))));
     }
 
     private static boolean isAway(String name, String door, Path records) {
         // Any of them may be about this agent, but about the one with the board only if it has ever left.
-        boolean unknown = !Folder.unreadable(records).isEmpty() && (!name.equals(door) || Folder.hasBoard(records));
-        return unknown || Folder.records(records).stream()
+        boolean unknown = !MoveStore.unreadable(records).isEmpty() && (!name.equals(door) || MoveStore.hasBoard(records));
+        return unknown || MoveStore.records(records).stream()
                 // Under whatever name it may live here since it came back.
                 .anyMatch(move -> move.isOurs() && List.of(move.name(), move.identity().name()).contains(name)
                         && move.state() != Move.State.READY && move.state() != Move.State.LEFT);

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What an agent may do that has come under inquilinism. */
-class GuestTest {
+class GuestAgentTest {
 
     private static final String PROGRAM = """
             +!try <- !it; +was(done).
@@ -44,7 +44,7 @@ class GuestTest {
 
     private static String outcome(String step) throws Exception {
         Image image = new Image(PROGRAM.formatted(step).trim(), "I+!try");
-        Stage stage = Stage.of(Mind.read(image), new Guest());
+        Stage stage = Stage.of(AgentStateReader.read(image), new GuestAgent());
         stage.front(new Mobile());
         Literal was = null;
         for (int i = 0; i < PATIENCE && was == null; i++) {
@@ -88,12 +88,12 @@ class GuestTest {
             "signal # go[error(x)] # go"})
     void message_leavesWhatAnotherDeviceCouldSay(String performative, String said, String left) throws Exception {
         Message message = new Message(performative, "guest", "bob", ASSyntax.parseTerm(said));
-        new Guest().check(message);
+        new GuestAgent().check(message);
         assertEquals(left, message.getPropCont().toString());
     }
 
-    private static Guest asked(String performative, String id) {
-        Guest guest = new Guest();
+    private static GuestAgent asked(String performative, String id) {
+        GuestAgent guest = new GuestAgent();
         guest.selectMessage(
                 new ArrayDeque<>(List.of(new Message(performative, "bob", "guest", ASSyntax.createAtom("p"), id))));
         return guest;
@@ -128,7 +128,7 @@ class GuestTest {
 
     @Test
     void answer_twice_isRefused() throws Exception {
-        Guest guest = asked("askOne", "samid1");
+        GuestAgent guest = asked("askOne", "samid1");
         guest.check(answer("tell", "bob", "1", "samid1"));
         Message again = answer("tell", "bob", "2", "samid1");
         assertThrows(JasonException.class, () -> guest.check(again));
@@ -140,7 +140,7 @@ class GuestTest {
         Stage host = Stage.of("b(" + said + ").");
         Term known = host.ts.getAg().findBel(ASSyntax.parseLiteral("b(_)"), new Unifier()).getTerm(0);
         Queue<Message> messages = new ArrayDeque<>(List.of(new Message("tell", "bob", "guest", known)));
-        Message message = new Guest().selectMessage(messages);
+        Message message = new GuestAgent().selectMessage(messages);
         List<InternalActionLiteral> found = new ArrayList<>();
         Terms.visit((Term) message.getPropCont(), part -> {
             if (part instanceof InternalActionLiteral action) {
@@ -161,7 +161,7 @@ class GuestTest {
         try (InputStream plans = Agent.class.getResourceAsStream("/asl/kqmlPlans.asl")) {
             List<String> refused = Pattern.compile("(?<![\\w)\\]])\\.[a-z_]+(?=\\()")
                     .matcher(new String(plans.readAllBytes(), StandardCharsets.UTF_8)).results()
-                    .map(found -> found.group()).distinct().filter(name -> !Guest.allows(name)).toList();
+                    .map(found -> found.group()).distinct().filter(name -> !GuestAgent.allows(name)).toList();
             assertEquals(List.of(), refused);
         } catch (IOException e) {
             throw new IllegalStateException(e);
