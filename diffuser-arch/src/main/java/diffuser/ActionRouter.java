@@ -24,7 +24,7 @@ import diffuser.report.Warnings;
  * <p>The board's is what its sketch has named: a board tells the names when it is greeted, and they hold while it is
  * away. While it is not known yet whether a board is there, a plain action waits, for 5 s at most. All else goes
  * behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace from the intention that
- * is selected then. Where nothing is behind, the board is asked in any case.
+ * is selected then. If nothing is behind, the board is asked in any case.
  */
 final class ActionRouter {
 

@@ -12,19 +12,19 @@ import diffuser.board.KeyService;
 import diffuser.board.MoveService;
 
 /**
- * What a library on the class path does by an agent's board, such as those that are a {@link MoveService} or a
- * {@link KeyService}, too. It is found by Java's {@link java.util.ServiceLoader}.
+ * A service that a library on the class path offers by an agent's board, often also a {@link MoveService} or a
+ * {@link KeyService}. Java's {@link java.util.ServiceLoader} finds it.
  */
 public interface BoardService {
 
-    /** Makes the one for an agent with a board. */
+    /** Makes the service of an agent with a board. */
     interface Maker {
 
-        /** @param diffuser whose board it uses; called when that one is made, before its agent runs. */
+        /** @param diffuser the owner of the board; the call comes when it is made, before its agent runs. */
         BoardService of(Diffuser diffuser);
     }
 
-    /** What it adds to the agent's status. */
+    /** Its entries in the agent's status. */
     Map<String, Object> status();
 
     /** Counters as a status has them, such as {@code movesCame}. */

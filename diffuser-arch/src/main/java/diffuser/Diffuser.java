@@ -227,7 +227,7 @@ public class Diffuser extends AgArch {
     /**
      * The longest wait for sensors that take their time.
      *
-     * @param patience of the plan.
+     * @param patience the plan's.
      */
     protected Duration longestReading(Duration patience) {
         return patience;
@@ -393,17 +393,17 @@ public class Diffuser extends AgArch {
         }
     }
 
-    /** What a library on the class path does by this board, if it is there. */
+    /** The service of that kind by this board, if a library for it is on the class path. */
     public <T> Optional<T> service(Class<T> kind) {
         return services.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
-    /** What a device is from which something came sealed; without a board, certified only. For any thread. */
+    /** The trust level of a device from which a sealed message came; certified without a board. For any thread. */
     public TrustLevel peer(Address device) {
         return device().map(board -> board.peer(device)).orElse(TrustLevel.CERTIFIED);
     }
 
-    /** Where the board's messages go. */
+    /** The inbox for the board's messages. */
     Inbox inbox() {
         return inbox;
     }

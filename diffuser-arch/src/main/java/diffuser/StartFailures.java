@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  */
 public final class StartFailures implements Filter {
 
-    /** Of RunLocalMAS, which JaCaMo's launcher extends: an agent that is created later ends no others. */
+    /** Methods of RunLocalMAS, which JaCaMo's launcher extends: an agent that is created later ends no others. */
     private static final Pattern STARTING = Pattern.compile("createAgs|init");
     private static final Pattern PARSING =
             Pattern.compile("(?:as2j: error parsing \"|Error parsing file )(?:file:)?([^\"!]+)[\"!].*", Pattern.DOTALL);
@@ -45,7 +45,7 @@ public final class StartFailures implements Filter {
                         && frame.getClassName().contains(".infra.")));
     }
 
-    /** Nothing has begun that is to be ended; and who logs has locked what an orderly end would wait for. */
+    /** Nothing has begun that is to be ended; and the logging thread has locked what an orderly end would wait for. */
     private static void end(String line) {
         System.err.println(line);
         Runtime.getRuntime().halt(1);

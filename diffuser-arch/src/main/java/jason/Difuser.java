@@ -50,7 +50,7 @@ public class Difuser extends Argo {
      * Sends a term to all.
      *
      * @return completes when the board has taken it.
-     * @throws JasonException what {@link #perform} and {@link OutgoingMessage#of} throw.
+     * @throws JasonException as {@link #perform} and {@link OutgoingMessage#of} throw it.
      */
     public CompletableFuture<?> transmit(Term content) throws JasonException {
         Literal message = ASSyntax.createLiteral(MESSAGE, content);

@@ -18,24 +18,24 @@ import javino.protocol.Key;
  * Hosts with boards, and the air between them, in memory and in a time of its own. Messages are lost, damaged, come
  * twice or late; hosts are killed and boards reset between any two steps; an attacker sends anything.
  *
- * @param <H> what its hosts are.
+ * @param <H> the class of its hosts.
  */
 public class Network<H extends SimulatedHost> {
 
     private record Event(long at, long order, Runnable what) {
     }
 
-    /** What befalls a host: its program is killed, or its board boots, by which session keys are gone. */
+    /** A fault of a host: its program is killed, or its board boots and loses the session keys. */
     public enum Fault {
         KILL, RESET
     }
 
     public final Random random;
     public final SimulatedChannel air = new SimulatedChannel(this);
-    /** Of what hosts are told by broadcast, this comes twice or late. */
+    /** Shares of the broadcasts that a host receives twice or late. */
     public double twice;
     public double late;
-    /** Of a unicast: it is lost; it comes, but is told undelivered. */
+    /** Shares of the unicasts that are lost, or that come but are reported as undelivered. */
     public double lost;
     public double untold;
     public boolean contact = true;
@@ -43,7 +43,7 @@ public class Network<H extends SimulatedHost> {
     public int longest = Integer.MAX_VALUE;
     /** Told of each broadcast that a board hears. */
     public Consumer<SimulatedChannel.Packet> listener = packet -> {};
-    /** What is not as it must be. */
+    /** Violations of the properties that must hold. */
     public final List<String> wrong = new ArrayList<>();
     /** A fault at the so-manieth step of a host from now on; negative for none. */
     public int faultAfter = -1;

@@ -31,7 +31,7 @@ public final class SimulatedChannel {
     private long freeSince;
     /** Share of bits that are wrong. */
     public double errors;
-    /** That have been on the air. */
+    /** Bits that have been on the air. */
     public long bits;
     /** Unicasts that have ended, and that nobody has taken. */
     public long lost;
@@ -46,7 +46,7 @@ public final class SimulatedChannel {
         /** Null for a broadcast. */
         final Key key;
         final long nonce;
-        /** Of a host's; else null. */
+        /** The outcome of a host's packet; else null. */
         private final CompletableFuture<Outcome> end;
         int attempt;
         private long start;
@@ -98,7 +98,7 @@ public final class SimulatedChannel {
         if (packet.slots < 0) {
             packet.slots = network.random.nextInt(WINDOW << Math.min(packet.attempt, 3));
         } else if (packet.start > began) {
-            // Of the slots, those are left that were not quiet.
+            // Slots that were quiet are used up.
             packet.slots = (int) Math.min(packet.slots, (packet.start - began) / SLOT_MILLIS);
         }
         packet.start = free ? now : Math.max(now, freeSince + SLOT_MILLIS * (QUIET_SLOTS + packet.slots));
@@ -133,7 +133,7 @@ public final class SimulatedChannel {
                             packet.key == null ? 0 : packet.attempt);
             taken |= heard && host.board.hear(packet);
         }
-        // What was acknowledged is known to the sender unless that is lost.
+        // The sender knows of the delivery unless the acknowledgement is lost.
         boolean known = taken && !isSpoilt(300, 2) && !packet.isUntold;
         packet.isTaken |= taken;
         long rest = packet.key == null ? 0 : taken ? ACKNOWLEDGED_MILLIS : UNACKNOWLEDGED_MILLIS;

@@ -28,10 +28,10 @@ import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 
-/** A computer with a board, which is killed and started again. What it is to do is not done by a later life of it. */
+/** A computer with a board, which is killed and started again. Its later life does not do what is left to do. */
 public class SimulatedHost implements HostClock {
 
-    /** What a host needs for what comes, and a board for a request, in ms. */
+    /** Times that a host needs for a message, and a board for a request, in ms. */
     private static final int HOST_MILLIS = 30;
     private static final int BOARD_MILLIS = 10;
     private static final int ATTEMPTS = 8;
@@ -40,10 +40,10 @@ public class SimulatedHost implements HostClock {
     /** How long a board is away, on the average. */
     private static final long LOST_MILLIS = 60_000;
 
-    /** What is thrown where a program is killed. */
+    /** Thrown where a program is killed. */
     private static final Error KILLED = new Error("killed");
 
-    /** What a host runs. */
+    /** A program that a host runs. */
     public interface Program extends HostService {
 
         /** The host has started, and has nothing of before but what is on its disk. */
@@ -60,7 +60,7 @@ public class SimulatedHost implements HostClock {
     protected final Network<?> network;
     protected HostMessages hosts;
     protected Sender sender;
-    /** What others are to it, by the keys of its board. */
+    /** The trust level of all others, by the keys of its board. */
     public TrustLevel trust = TrustLevel.PROVISIONED;
     public boolean on;
     public long killedAt = -1;
@@ -101,7 +101,7 @@ public class SimulatedHost implements HostClock {
         });
     }
 
-    /** Where there may be a fault: before and after each thing that it does to the simulation. */
+    /** A point at which a fault may come: before and after each thing that it does to the simulation. */
     public void fault(String where) {
         if (address.equals(network.victim) && network.faultAfter >= 0 && network.faultAfter-- == 0) {
             network.faults.merge(where, 1, Integer::sum);
@@ -194,7 +194,7 @@ public class SimulatedHost implements HostClock {
     public final class Board {
 
         public final Map<Address, Key> keys = new LinkedHashMap<>();
-        /** Of these, those that it has again when it has booted. */
+        /** The devices whose keys it has again when it has booted. */
         public final Set<Address> stored = new HashSet<>();
         private final Set<Key> had = new HashSet<>();
         private final Map<Address, Long> newest = new HashMap<>();
@@ -279,7 +279,7 @@ public class SimulatedHost implements HostClock {
             }
             newest.remove(device);
             if (keys.put(device, key) != null) {
-                // What is sealed with the key that was replaced is undelivered.
+                // Messages sealed with the replaced key are undelivered.
                 drop(packet -> packet.to.equals(device)).forEach(packet -> later(() -> packet.end(false)));
                 next();
             }

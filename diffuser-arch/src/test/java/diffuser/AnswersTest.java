@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import javino.fake.FakeBoard;
 
-/** What an agent answers other devices. */
+/** An agent's answers to other devices. */
 class AnswersTest {
 
     private static final String PROGRAM = """

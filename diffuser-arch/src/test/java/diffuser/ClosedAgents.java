@@ -20,7 +20,7 @@ public final class ClosedAgents implements AfterEachCallback, InvocationIntercep
 
     private static volatile Object test = new Object();
 
-    /** What differs from test to test. */
+    /** An object that is another one in each test. */
     static Object test() {
         return test;
     }

@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 
 import javino.fake.FakeBoard;
 
-/** What a test needs of questions and answers on the line to a fake board. */
+/** Questions and answers on the line to a fake board, for tests. */
 final class Conversing {
 
     private static final Pattern REQUEST = Pattern.compile("(\\S+ \\w+)#([A-Za-z0-9+/]{3});(.*)");

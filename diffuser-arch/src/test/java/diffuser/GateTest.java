@@ -36,7 +36,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What comes from the air against a running agent: the rows of SECURITY.md's table, and attempts to get past it. */
+/** Messages from the air against a running agent: the rows of SECURITY.md's table, and attempts to get past it. */
 class GateTest {
 
     private static final String ALL = "////";
@@ -290,7 +290,7 @@ class GateTest {
         assertEquals(2, refused(agent));
     }
 
-    /** Of a broadcast's goal, also what handles its failure must ask for it. */
+    /** Failure plans of a broadcast's goal must ask for it, too. */
     @Test
     void pass_goalOfABroadcastThatFails_runsFailurePlansThatAskOnly() {
         String program = PROGRAM + """
@@ -325,7 +325,7 @@ class GateTest {
         assertEquals("q(1)[cast(unicast,ROMB),peer(certified,ROMB),source(ROMB)]", belief(agent, "q(_)"));
     }
 
-    /** What it believes when it is asked, it may believe no longer when it looks. */
+    /** An agent may lose a belief between a question about it and its look for it. */
     @Test
     void pass_questionAboutABeliefThatGoes_isForPlansToRefuseToo() {
         String program = PROGRAM + DOOR + """
@@ -632,7 +632,7 @@ class GateTest {
         assertTrue(text.codePoints().noneMatch(c -> Character.isISOControl(c) || c == 0x202E), text);
     }
 
-    /** What reaches the log, which asks its formatter alone, as the window of Jason does. */
+    /** A log that asks its formatter alone, as the window of Jason does, and keeps all that reaches it. */
     private static final class PlainLog extends StreamHandler implements AutoCloseable {
 
         final List<LogRecord> lines = new CopyOnWriteArrayList<>();

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What an agent hears of the messages that it sent with {@code .diffuse} and {@code .send}. */
+/** The outcomes that an agent hears of messages that it sent with {@code .diffuse} and {@code .send}. */
 class OutcomeTest {
 
     /** Notes all that it hears, and that none of it is believed. */

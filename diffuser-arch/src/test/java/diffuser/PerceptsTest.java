@@ -116,7 +116,7 @@ class PerceptsTest {
         openLater.opened.get();
     }
 
-    /** Where readings are rare, a plan does not wait for the next one. */
+    /** If readings are rare, a plan does not wait for the next one. */
     @Test
     void percepts_openedAgainLongBeforeTheNextReading_goesOn() {
         RunningAgent agent = RunningAgent.run("""

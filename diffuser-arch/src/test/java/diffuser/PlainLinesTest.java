@@ -24,7 +24,7 @@ class PlainLinesTest {
 
     private final ByteArrayOutputStream out = new ByteArrayOutputStream();
 
-    /** What a log with this formatter writes. */
+    /** The output of a log with this formatter. */
     private String written(Formatter formatter, LogRecord line) {
         StreamHandler handler = new StreamHandler(out, formatter);
         Logger root = Logger.getLogger("");

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What an agent asks other devices, and what it makes of their answers. */
+/** An agent's questions to other devices, and its use of their answers. */
 class QuestionsTest {
 
     private static final String SPEED = "ROMA askOne;speed\\(\\w+\\)";

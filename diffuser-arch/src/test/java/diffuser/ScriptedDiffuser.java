@@ -18,7 +18,7 @@ public class ScriptedDiffuser extends Diffuser {
     private static final long serialVersionUID = 1L;
 
     private static final Map<String, FakeBoard> BOARDS = new ConcurrentHashMap<>();
-    /** Who has opened a port last; a link is opened on its session's thread. */
+    /** The thread that has opened each port last; a link is opened on its session's thread. */
     private static final Map<String, Thread> SESSIONS = new ConcurrentHashMap<>();
 
     static void plug(FakeBoard board) {

@@ -36,7 +36,7 @@ class StartFailuresTest {
         return run(folder, status, mas, program);
     }
 
-    /** What a MAS in this folder has written until its end. */
+    /** The output of a MAS in this folder until its end. */
     static String run(Path folder, int status, String mas, String program) throws IOException, InterruptedException {
         Files.writeString(folder.resolve("robot.mas2j"), mas);
         Files.createDirectories(folder.resolve("src/agt"));

@@ -119,7 +119,7 @@ class WrongArgumentsTest {
     private static final Set<String> ENDS =
             Set.of("done", "wrong_arguments", "bad_address", "bad_content", "receiver_not_found");
 
-    /** Where anything goes wrong, the step fails by an error that the page names, and nothing else. */
+    /** If anything goes wrong, the step fails by an error that the page names, and nothing else. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
             ".percepts|open", ".limit|1", ".filter|except|light(Z)|Z > 3", ".silence|0", ".infrastructure|lte|[com]",

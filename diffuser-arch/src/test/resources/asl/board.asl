@@ -1,5 +1,5 @@
-// What an agent can count on when its board is there. Each +!test_… runs in an agent of its own, whose board perceives
-// p(1) and p(-2), knows no action fly, refuses jump, has no key for NOKE, hears "tell;q(7)" from ROMA, and delivers all.
+// Behaviour an agent can count on with a board. Each +!test_… runs in an agent of its own, whose board perceives p(1)
+// and p(-2), knows no action fly, refuses jump, has no key for NOKE, hears "tell;q(7)" from ROMA, and delivers all.
 
 +!test_port_isBelieved
     <- ?port("desk", on)[source(percept)].

@@ -31,7 +31,7 @@ final class BoardKeys implements KeyService.Host {
     private final DeviceContext context;
     private volatile List<StoredKey> told = List.of();
     private final Set<Address> stored = ConcurrentHashMap.newKeySet();
-    /** Who has had a session key since the port was opened: nobody gets both kinds of keys meanwhile. */
+    /** Devices that had a session key since the port was opened: no device gets both kinds of keys meanwhile. */
     private final Set<Address> certified = ConcurrentHashMap.newKeySet();
     private volatile Set<Address> met = Set.of();
     private volatile boolean known;
@@ -107,7 +107,7 @@ final class BoardKeys implements KeyService.Host {
         return known && needsKey && !stored.contains(to);
     }
 
-    /** What a device is from which something came sealed; as long as that is not known, certified only. */
+    /** The trust level of a device from which a sealed message came; certified as long as the keys are not known. */
     TrustLevel peer(Address from) {
         return known && !certified.contains(from) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
     }

@@ -8,12 +8,11 @@ import java.util.Optional;
 import javino.protocol.Address;
 
 /**
- * What the agent wants of its board. Remembered, so that it can be said before a board is there, and holds again when
- * a board comes back.
+ * The agent's wishes for its board. They can be set before a board is there, and hold again when a board comes back.
  *
  * @param rfId     the device's address, if the agent has set one.
  * @param radio    whether radio messages are wanted; boards start without.
- * @param percepts what becomes of sensors; they are blocked at first.
+ * @param percepts the mode of the sensors; they are blocked at first.
  * @param filters  which sensors are believed: those that pass all of them.
  * @param limit    the least time between two readings of the sensors; zero means as often as the board is polled.
  * @param silence  the radio silence from which on communicability counts as lost; zero means that it never does.
@@ -21,7 +20,7 @@ import javino.protocol.Address;
 public record BoardSettings(Optional<Address> rfId, boolean radio, SensorMode percepts, List<Filter> filters,
         Duration limit, Duration silence) {
 
-    /** What holds until the agent says otherwise. */
+    /** The settings until the agent changes them. */
     public static final BoardSettings NONE = new BoardSettings(Optional.empty(), false, SensorMode.BLOCKED, List.of(),
             Duration.ZERO, Duration.ZERO);
 
@@ -33,7 +32,7 @@ public record BoardSettings(Optional<Address> rfId, boolean radio, SensorMode pe
         return new BoardSettings(rfId, open, percepts, filters, limit, silence);
     }
 
-    /** Where nothing is believed, there is nothing to be held. */
+    /** Blocked percepts stay blocked if they are to be held, as nothing of them is believed. */
     public BoardSettings withPercepts(SensorMode wanted) {
         boolean nothing = wanted == SensorMode.HELD && percepts == SensorMode.BLOCKED;
         return new BoardSettings(rfId, radio, nothing ? percepts : wanted, filters, limit, silence);

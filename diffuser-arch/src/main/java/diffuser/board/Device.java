@@ -30,8 +30,8 @@ import javino.protocol.PollReply;
 import javino.protocol.Status;
 
 /**
- * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
- * agent finds it in its next cycle; then the agent is woken.
+ * The board on one port, as one agent sees it. The session's thread puts what happens at the board where the agent
+ * finds it in its next cycle, and wakes the agent.
  */
 public final class Device implements BoardListener {
 
@@ -50,7 +50,7 @@ public final class Device implements BoardListener {
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
     private volatile BoardSettings settings;
     private volatile boolean online;
-    /** What the board said of itself when it was greeted last. */
+    /** The board's answer when it was greeted last. */
     private volatile Optional<BoardInfo> info = Optional.empty();
     private volatile boolean closed;
 
@@ -139,7 +139,7 @@ public final class Device implements BoardListener {
         return begun;
     }
 
-    /** What a device is from which something came sealed. */
+    /** The trust level of a device from which a sealed message came. */
     public TrustLevel peer(Address from) {
         return keys.peer(from);
     }
@@ -207,7 +207,7 @@ public final class Device implements BoardListener {
         return session.thenCompose(board -> board.reading(within));
     }
 
-    /** What became of a message that the board has transmitted. */
+    /** The outcome of a message that the board has transmitted. */
     private void ended(Outcome outcome) {
         if (outcome == Outcome.DELIVERED) {
             communicability.heard();

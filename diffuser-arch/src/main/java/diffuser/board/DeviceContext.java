@@ -13,9 +13,9 @@ import javino.board.ReceivedMessage;
  * The agent around a device.
  *
  * @param agent    its name.
- * @param messages takes its messages, and whom their senders are.
- * @param hosts    where messages of hosts go.
- * @param warnings where its user is told what went wrong.
+ * @param messages takes its messages, with the trust level of each sender.
+ * @param hosts    takes messages of hosts.
+ * @param warnings tells its user what went wrong.
  * @param wake     ends its sleep.
  * @param printed  is told what the sketch prints.
  * @param keyService agrees on keys, if that library is there.

@@ -22,7 +22,7 @@ public final class ExclusivePort implements LinkOpener {
 
     /** A session ends in a fraction of that, unless its port hangs; then it is no use to wait. */
     private static final long LONGEST_SECONDS = 2;
-    /** Who has which port, by what the system calls it. */
+    /** The holder of each port, by the system's name for it. */
     static final Map<String, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
 
     private final LinkOpener next;
@@ -36,7 +36,7 @@ public final class ExclusivePort implements LinkOpener {
      * A turn at a port, which lasts from its first opening until {@link #leave}.
      *
      * @param next   how the link is opened.
-     * @param agent  whose turn it is.
+     * @param agent  the agent that has the turn.
      * @param before completes when the agent's port before is free.
      */
     public ExclusivePort(LinkOpener next, String agent, CompletableFuture<Void> before) {
@@ -50,7 +50,7 @@ public final class ExclusivePort implements LinkOpener {
         await(before);
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_SECONDS);
         ExclusivePort holder = take();
-        // Where agents are killed and others created on their port, one that is killed already may come first.
+        // If agents are killed and others created on their port, one that is killed already may come first.
         for (long left = end - System.nanoTime(); holder != this && !hasWaited && left > 0; left =
                 end - System.nanoTime()) {
             await(holder.left, left);

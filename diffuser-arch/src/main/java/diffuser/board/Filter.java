@@ -15,7 +15,7 @@ import jason.asSyntax.LogicalFormula;
  */
 public record Filter(Kind kind, List<Literal> patterns, LogicalFormula condition) {
 
-    /** What a filter does with percepts that match. */
+    /** The treatment of percepts that match. */
     public enum Kind {
         /** Only they are believed. */
         EXCEPT,

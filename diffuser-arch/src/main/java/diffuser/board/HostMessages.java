@@ -38,7 +38,7 @@ public final class HostMessages {
      * Takes a message, or drops and counts it.
      *
      * @param to   this device, or all.
-     * @param peer what is known of the sender: of a broadcast, of the device in whose name it came.
+     * @param peer the trust level of the sender; of a broadcast, that of the device in whose name it came.
      */
     public void receive(Address from, Address to, TrustLevel peer, HostMessage message) {
         try {
@@ -50,7 +50,7 @@ public final class HostMessages {
             services.get(use).received(from, message);
         } catch (Gate.RefusedException e) {
             refused.incrementAndGet();
-            // What anybody can broadcast, in any name, is counted only.
+            // Broadcasts, which anybody can send in any name, are only counted.
             if (Cast.of(to) != Cast.BROADCAST) {
                 warn.accept("dropped a " + message + " from " + from + ": " + e.getMessage());
             }

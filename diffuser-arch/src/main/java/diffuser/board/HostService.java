@@ -5,7 +5,7 @@ import java.util.Set;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
 
-/** What a library does with messages of other hosts. */
+/** A library's service for messages of other hosts. */
 public interface HostService {
 
     /** Which messages are for it. */

@@ -15,8 +15,8 @@ import javino.protocol.Reply;
 import javino.protocol.Message;
 
 /**
- * What finds keys for devices with which the board has none (SPEC 11). Without one, a message to such a device fails
- * with {@code no_key}. All methods are called on any thread, and return at once.
+ * Finds keys for devices with which the board has none (SPEC 11). Without it, a message to such a device fails with
+ * {@code no_key}. All methods are called on any thread, and return at once.
  */
 public interface KeyService extends HostService {
 

@@ -19,13 +19,13 @@ import diffuser.gate.Texts;
 import diffuser.report.Warnings;
 
 /**
- * What a board lets its agent perceive: {@code port(P,on)} or {@code port(P,off)}, with which devices it
- * shares keys, and its sensors where they are open.
- * The board's thread changes it; the agent's reads an immutable snapshot, and so never waits.
+ * The percepts of a board: {@code port(P,on)} or {@code port(P,off)}, the devices with which it shares keys, and its
+ * sensors where they are open. The board's thread changes them; the agent's reads an immutable snapshot, and so never
+ * waits.
  */
 final class Percepts {
 
-    /** What the agent perceives of this architecture and of the libraries for it, not of a sketch. */
+    /** Percepts of this architecture and of the libraries for it, not of a sketch. */
     private static final Set<String> OWN = Set.of("port/2", "openness/1", "peer/2", "delivered/3", "undelivered/3",
             "movedIn/2", "movedOut/2", "movingIn/3", "movingOut/3");
 
@@ -36,7 +36,7 @@ final class Percepts {
     private List<Literal> peers = List.of();
     /** By their texts, so that only those that changed are parsed: that takes a third of a millisecond each. */
     private Map<String, Literal> sensors = Map.of();
-    /** Of the sensors, what the agent is to believe. */
+    /** The sensors that the agent is to believe. */
     private List<Literal> shown = List.of();
     private SensorMode sensing;
     private List<Filter> filters = List.of();
@@ -44,7 +44,7 @@ final class Percepts {
 
     /**
      * @param port    as beliefs name it.
-     * @param sensing what becomes of the sensors.
+     * @param sensing the mode of the sensors.
      */
     Percepts(Term port, SensorMode sensing, Warnings warnings) {
         this.port = port;

@@ -26,7 +26,7 @@ public final class Sender {
 
     private final BiFunction<Address, Message, Transmission> board;
     private final AtomicLong notSent = new AtomicLong();
-    /** Of each address the first is under way. */
+    /** Messages for each address; the first of them is under way. */
     private final Map<Address, Deque<Sending>> sendings = new HashMap<>();
 
     private record Sending(HostMessage message, Transmission transmission) {

@@ -1,6 +1,6 @@
 package diffuser.board;
 
-/** What becomes of a board's sensors. */
+/** The agent's use of a board's sensors. */
 public enum SensorMode {
     /** They are read, and are beliefs. */
     OPEN,

@@ -95,33 +95,33 @@ public final class Gate implements CircumstanceListener {
 
         private final String kind;
 
-        /** @param why what was wrong. */
+        /** @param why the reason. */
         public RefusedException(String why) {
             super(why);
             kind = why;
         }
 
         /**
-         * @param kind   what was wrong, in words that are the same each time.
-         * @param detail what differs from message to message.
+         * @param kind   the reason, in words that are the same each time.
+         * @param detail the part that differs from message to message.
          */
         public RefusedException(String kind, String detail) {
             super(kind + detail);
             this.kind = kind;
         }
 
-        /** What was wrong, in words of which there are few: an attacker must not fill the log. */
+        /** The reason without its detail. There are few of these, so that an attacker cannot fill the log. */
         public String kind() {
             return kind;
         }
     }
 
     /**
-     * Has the agent handle a message as far as the policy goes. What awaits an answer, and what Jason marks itself, is
+     * Has the agent handle a message as far as the policy goes. Answers, and content that Jason marks itself, are
      * handed on as a message; all else as the goal by which Jason has an agent handle it, with the marks, so that plans
-     * can refuse it. Of these goals the plan is chosen here, by how things are now.
+     * can refuse it. The plan for such a goal is chosen here, by how things are now.
      *
-     * @param message what goes with its performative, as a term; of a list of literals, one.
+     * @param message its content is the term that goes with its performative; of a list of literals, one.
      * @throws RefusedException if nothing of it passes.
      */
     public void pass(Message message, Provenance of) throws RefusedException {
@@ -214,7 +214,7 @@ public final class Gate implements CircumstanceListener {
         waiting.getUnif().clone().unifies(send.getTerm(ANSWER_OF_SEND), answer);
     }
 
-    /** What an answer's variable becomes: of plans a list, as Jason sends them. */
+    /** The value of an answer's variable: for plans a list, as Jason sends them. */
     private static Term asList(Term answer) {
         if (!(answer instanceof Plan)) {
             return answer;
@@ -276,8 +276,8 @@ public final class Gate implements CircumstanceListener {
     }
 
     /**
-     * {@inheritDoc} Where plans had to ask for a goal, its failure plans have to ask for the same. What the agent does
-     * not believe that was asked, its plans are to find out: that goal has the marks of the question.
+     * {@inheritDoc} If plans had to ask for a goal, its failure plans have to ask for the same. If the agent does not
+     * believe what was asked, its plans are to find it out: that goal has the marks of the question.
      */
     @Override
     public void eventAdded(Event event) {
@@ -334,7 +334,7 @@ public final class Gate implements CircumstanceListener {
         taken.clearAnnots();
         taken.addAnnot(mark);
         if (alsoOtherwise) {
-            // What the sender has said sealed stands; so the belief keeps its source, and nothing has happened to it.
+            // The sender's sealed message stands; so the belief keeps its source, and nothing has happened to it.
             ag.getBB().remove(taken);
         } else {
             handOn(message, taken);
@@ -344,7 +344,7 @@ public final class Gate implements CircumstanceListener {
     // Jason's own
 
     /**
-     * What comes from outside an agent, such as a message or a board's percept, as the agent may have it: without the
+     * A term from outside an agent, such as a message or a board's percept, as the agent may have it: without the
      * annotations to which an architecture gives a meaning.
      *
      * @throws RefusedException if it names what is Jason's own.
@@ -374,7 +374,7 @@ public final class Gate implements CircumstanceListener {
         }
     }
 
-    /** What the plans that come with Jason, and handle its messages, are for. */
+    /** The goals of the plans that come with Jason and handle its messages. */
     private static Set<String> jasonsGoals() {
         Set<String> goals = new HashSet<>(Set.of(Config.get().getKqmlFunctor()));
         try (InputStream plans = Agent.class.getResourceAsStream("/asl/kqmlPlans.asl")) {

@@ -7,7 +7,7 @@ public final class MalformedTextException extends Exception {
 
     /**
      * @param text   as it came.
-     * @param reason what was wrong with it.
+     * @param reason the fault in it.
      */
     MalformedTextException(String text, String reason) {
         super("\"" + text + "\": " + reason);

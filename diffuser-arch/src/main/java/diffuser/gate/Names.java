@@ -14,7 +14,7 @@ import jason.asSyntax.Term;
 public final class Names {
 
     /**
-     * What Jason puts before the name of a variable that it renames, as it does when the variable goes through a goal:
+     * Jason's prefix to the name of a variable that it renames, as it does when the variable goes through a goal:
      * {@code _12COM5}. By default it drops the name altogether, and only {@code _12} is left.
      */
     private static final Pattern RENAMING = Pattern.compile("^(_\\d+)+");

@@ -63,7 +63,7 @@ public final class Plans {
         return list;
     }
 
-    /** What a method returns that Jason 3.2 and 3.3 have under one name, but with other classes. */
+    /** Calls a method that Jason 3.2 and 3.3 have under one name, but with other classes. */
     public static Object call(Object target, String method, Object... arguments) {
         try {
             for (var candidate : target.getClass().getMethods()) {

@@ -19,19 +19,19 @@ import javino.protocol.HostMessage;
 import javino.protocol.Performative;
 
 /**
- * Who may do what: the one place that decides about acts that come from outside an agent. It is a table; what is in no
+ * Access control: the one place that decides about acts that come from outside an agent. It is a table; an act in no
  * row is refused. SECURITY.md has the same table, and says what its words mean.
  *
  * <p>Four decisions are in no row, as others than the receiving agent have made them before the act comes:
  * <ul>
- * <li>Who gives a group its key. All certified devices have the same rights here; the authority names the one that
+ * <li>The giver of a group's key. All certified devices have the same rights here; the authority names the one that
  * gives it, by a flag of the certificate. The host refuses the key from any other.</li>
- * <li>Whose revocation list counts. It is the authority's word, which its signature proves, whoever hands it on; and a
- * sender without rights must be able to take rights from a device that is revoked.</li>
- * <li>What a newcomer becomes. The offer says it by its protocol, and the plan that admits the offer has seen it; a row
+ * <li>The revocation list. It is the authority's word, which its signature proves, whoever hands it on; and a sender
+ * without rights must be able to take rights from a device that is revoked.</li>
+ * <li>The role of a newcomer. The offer says it by its protocol, and the plan that admits the offer has seen it; a row
  * that said another thing would let an agent in that its plan has not admitted.</li>
- * <li>Which guests may go. The rows say how and where to, by the guest's home. Only the record by which it came tells
- * that home: so a guest without one stays, and none moves another agent, of which that record tells nothing.</li>
+ * <li>The guests that may go. The rows say how and where to, by the guest's home. Only the record by which it came
+ * tells that home: so a guest without one stays, and none moves another agent, of which that record tells nothing.</li>
  * </ul>
  */
 public final class Policy {
@@ -75,7 +75,7 @@ public final class Policy {
 
     private static final List<Row> ROWS = TABLE.lines().skip(2).map(Row::of).toList();
 
-    /** What is done; first, what messages do. */
+    /** The acts; first, those of messages. */
     public enum Act {
         TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY,
         /** To answer something, whatever that is. */
@@ -107,16 +107,16 @@ public final class Policy {
         ALLOWED, ITS_OWN, IF_A_PLAN_ASKS, REFUSED
     }
 
-    /** What a plan has to ask for. */
+    /** The kinds of mark that a plan may have to ask for. */
     enum Demand {
         CAST, PEER, HOME
     }
 
     /**
-     * What was decided.
+     * A decision.
      *
      * @param reason why it is refused, or why a plan must ask.
-     * @param marks  where a plan must ask, all that its trigger must have, with whatever name of a device.
+     * @param marks  all marks that the trigger of a plan that must ask has to have, with whatever name of a device.
      */
     public record Decision(Verdict verdict, String reason, List<Structure> marks) {
 
@@ -150,7 +150,7 @@ public final class Policy {
             }
         }
 
-        /** What is noted in a goal, if anything is. */
+        /** The decision that is noted in a goal, if one is. */
         static Optional<Decision> notedIn(Literal goal) {
             return Optional.ofNullable(goal.getAnnot(DEMANDED)).map(noted -> new Decision(Verdict.IF_A_PLAN_ASKS, "",
                     noted.getTerms().stream().map(Structure.class::cast).toList()));

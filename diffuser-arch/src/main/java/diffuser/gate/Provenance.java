@@ -11,13 +11,13 @@ import javino.protocol.Address;
 import javino.protocol.Performative;
 
 /**
- * Where an act comes from that the agent has not begun itself: all that {@link Policy} decides by.
+ * The origin of an act that the agent has not begun itself: all that {@link Policy} decides by.
  *
  * @param cast    how it came; of an answer, how its question went, as all who were asked can give it.
  * @param from    the device that sent it, or the guest of this MAS.
- * @param peer    what the key says about the device; that of one that a broadcast names proves nothing.
- * @param answers what it answers.
- * @param home    of an agent that moves, where it is at home, as seen from the move.
+ * @param peer    the trust level of the device, by its key; that of one that a broadcast names proves nothing.
+ * @param answers the question that it answers.
+ * @param home    the home of an agent that moves, as seen from the move.
  * @param address the same as an address; none if no agent moves.
  * @param away    whether the agent that it concerns has moved elsewhere.
  */
@@ -44,7 +44,7 @@ public record Provenance(Cast cast, String from, TrustLevel peer, Question answe
         }
     }
 
-    /** Where an agent is at home that moves. */
+    /** The home of an agent that moves. */
     public enum Home {
         /** No agent moves. */
         NOBODY, SENDER, DESTINATION,
@@ -53,15 +53,15 @@ public record Provenance(Cast cast, String from, TrustLevel peer, Question answe
     }
 
     /**
-     * What came by radio.
+     * An act that came by radio.
      *
-     * @param peer what the key says about the sender; of a broadcast, about the one that it names.
+     * @param peer the trust level of the sender, by its key; of a broadcast, that of the device that it names.
      */
     public static Provenance of(Address from, Cast cast, TrustLevel peer) {
         return new Provenance(cast, from.toString(), peer, Question.NOTHING, Home.NOBODY, Optional.empty(), false);
     }
 
-    /** What a guest of this MAS does. */
+    /** An act of a guest of this MAS. */
     public static Provenance ofGuest(String name) {
         return new Provenance(Cast.LOCAL, name, TrustLevel.NONE, Question.NOTHING, Home.NOBODY, Optional.empty(),
                 false);
@@ -75,8 +75,8 @@ public record Provenance(Cast cast, String from, TrustLevel peer, Question answe
     /**
      * The same of an agent that moves.
      *
-     * @param at          where it is at home.
-     * @param destination where it moves to: of one that comes, this device.
+     * @param at          its home.
+     * @param destination its destination: of an agent that comes, this device.
      * @param proven      whether it has proved to be the one that has left its home.
      */
     public Provenance moving(Address at, Address destination, boolean proven) {

@@ -18,7 +18,7 @@ import jason.asSyntax.Term;
  */
 public final class TermWriter {
 
-    /** What Jason's parser takes for a string; of its escapes it resolves only \n and \". */
+    /** Texts that Jason's parser takes for a string; of its escapes it resolves only \n and \". */
     private static final Pattern STRING =
             Pattern.compile("(?:[^\"\\\\\\n\\r]|\\\\(?:[ntbrf\\\\'\"]|[0-3][0-7]{2}|[0-7]{1,2}))*+");
     private static final Pattern ATOM = Pattern.compile("(?:[a-z]|\\.\\w)(?:\\w|\\.\\w)*+|'[^']*'");

@@ -21,9 +21,9 @@ public final class Terms {
     }
 
     /**
-     * What becomes of a part of a term.
+     * Replaces a part of a term.
      *
-     * @param <E> why it cannot become anything.
+     * @param <E> why it cannot.
      */
     public interface Change<E extends Exception> {
         Term of(Term part) throws E;

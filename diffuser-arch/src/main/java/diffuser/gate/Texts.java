@@ -71,7 +71,7 @@ public final class Texts {
     }
 
     /**
-     * What one agent says to another.
+     * The content of a message from one agent to another.
      *
      * @throws JasonException bad_content if the term is not what goes with the performative, its text does not read
      * back, or every gate refuses it; too_long if it is longer than any message.
@@ -90,7 +90,7 @@ public final class Texts {
     }
 
     /**
-     * What an agent is about to say, where it is given as a text.
+     * A term that an agent is about to send and gives as a text.
      *
      * @throws JasonException bad_content if it is no term.
      */
@@ -103,7 +103,7 @@ public final class Texts {
     }
 
     /**
-     * What an agent of this MAS says that is trusted no more than another device: as it would come from there.
+     * A term from an agent of this MAS that is trusted no more than another device: as it would come from there.
      *
      * @param answer whether it answers a question.
      * @param said   admitted by the gate.
@@ -250,12 +250,12 @@ public final class Texts {
         }
     }
 
-    /** What holds of a term, or of all in a list. A variable is an instance of ListTerm, too. */
+    /** Whether a condition holds of a term, or of all in a list. A variable is an instance of ListTerm, too. */
     private static boolean all(Term term, Predicate<Term> condition) {
         return term.isList() ? ((ListTerm) term).stream().allMatch(condition) : condition.test(term);
     }
 
-    /** What a question may be answered with, as Jason's askOne binds anything to the variable that waits. */
+    /** Whether a question may be answered with it: Jason's askOne binds anything to the variable that waits. */
     private static boolean isDatum(Term term) {
         return all(term, single -> isBelief(single) || single instanceof NumberTermImpl || single.isString()
                 || single.isList() && isDatum(single));
@@ -288,7 +288,7 @@ public final class Texts {
         } else {
             expect(!(term instanceof InternalActionLiteral), text, "an internal action cannot be sent");
             for (Term part : parts(term)) {
-                // What a plan calls, it calls when it runs.
+                // An internal action in a plan is called only when the plan runs.
                 boolean call = term instanceof PlanBody && part instanceof InternalActionLiteral;
                 for (Term read : call ? parts(part) : List.of(part)) {
                     expectNoFunction(read, text);
@@ -297,7 +297,7 @@ public final class Texts {
         }
     }
 
-    /** What a term is made of. */
+    /** The parts of a term. */
     public static List<Term> parts(Term term) {
         Stream<Term> parts = Stream.of();
         if (term instanceof Plan plan) {
@@ -323,7 +323,7 @@ public final class Texts {
     /**
      * One of Jason's parsers.
      *
-     * @param <T> what it makes of a text.
+     * @param <T> the result for a text.
      */
     public interface Parser<T> {
         /** @throws ParseException if it is no such text. */

@@ -6,7 +6,7 @@ import jason.asSyntax.Structure;
 
 import javino.protocol.Address;
 
-/** What a device is to this one, by the key that they share. */
+/** The trust in another device, by the key that it shares with this one. */
 public enum TrustLevel {
     /** Somebody has put the key on both boards. */
     PROVISIONED,

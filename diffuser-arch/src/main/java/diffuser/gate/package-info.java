@@ -1,2 +1,2 @@
-/** What may come from outside an agent: texts are read, and each act is decided by {@link diffuser.gate.Policy}. */
+/** The gate for input from outside an agent: it reads texts, and asks {@link diffuser.gate.Policy} for each act. */
 package diffuser.gate;

@@ -9,20 +9,20 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 
 import jason.asSyntax.Literal;
 
-/** What an agent perceives of its board, of its MAS's openness, and through the architectures behind it, as one. */
+/** Percepts of an agent's board, of its MAS's openness, and of the architectures behind it, as one. */
 public final class CombinedPercepts {
 
     /** They answer null as long as it has not changed. */
     private Collection<Literal> others = List.of();
     private Now now = new Now(List.of(), null);
-    /** Who waits for the agent to perceive what is there now; the board's thread adds to them. */
+    /** Waits for the agent to perceive what is there now; the board's thread adds to them. */
     private final Queue<CompletableFuture<Void>> waiting = new ConcurrentLinkedQueue<>();
     private final List<CompletableFuture<Void>> perceived = new ArrayList<>();
 
     /**
-     * What is perceived here; as long as it is the same, it is the same objects.
+     * The percepts here; as long as they are the same, they are the same objects.
      *
-     * @param board    what the board lets the agent perceive.
+     * @param board    those of the board.
      * @param openness how open the MAS is.
      */
     public record Now(List<Literal> board, Literal openness) {
@@ -60,7 +60,7 @@ public final class CombinedPercepts {
     /**
      * All that is perceived, or null, as Jason has it, if nothing has changed, neither here nor elsewhere.
      *
-     * @param elsewhere what the architectures behind perceive; null if that has not changed.
+     * @param elsewhere percepts of the architectures behind; null if they have not changed.
      */
     public Collection<Literal> perceive(Collection<Literal> elsewhere, Now present) {
         if (elsewhere == null && now.is(present)) {

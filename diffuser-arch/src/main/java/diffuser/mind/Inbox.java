@@ -46,7 +46,7 @@ public final class Inbox {
      * @param message  as it came.
      * @param of       how it came.
      * @param receiver the agent.
-     * @param term     what it says.
+     * @param term     its content.
      */
     private record IncomingMessage(ReceivedMessage message, Provenance of, String receiver, Term term) {
 
@@ -85,7 +85,7 @@ public final class Inbox {
         }
     }
 
-    /** Of a list, each literal passes the gate or does not; answers and plans are the asker's to take as a whole. */
+    /** Each literal of a list passes the gate or does not; answers and plans are the asker's to take as a whole. */
     private static List<Term> apart(Term term, Content content) {
         boolean whole = content.performative().requiresSeal() || content.isAnswer() || !term.isList();
         return whole ? List.of(term) : (ListTerm) term;
@@ -119,7 +119,7 @@ public final class Inbox {
         } catch (Gate.RefusedException e) {
             refuse(incoming.message(), e.kind(), e.getMessage());
         } catch (RuntimeException e) {
-            // Where a term makes Jason stumble, that costs the message, not the agent's intentions.
+            // A term that makes Jason stumble costs the message, not the agent's intentions.
             refuse(incoming.message(), e.getClass().getName(), "Jason cannot handle it: " + e);
         }
         return Optional.empty();

@@ -12,7 +12,7 @@ import javino.protocol.Conversation;
  * Another device's question, as the id of Jason's message carries it through the plans that answer: so the answer finds
  * back without a memory of questions.
  *
- * @param conversation what the asker calls it.
+ * @param conversation the asker's name for it.
  * @param ofGroup      whether a whole group was asked.
  */
 public record IncomingQuestion(Conversation conversation, boolean ofGroup) {

@@ -30,7 +30,7 @@ public final class Infrastructures {
      * {@code openness(S)}; the same object as long as it says the same. Asked in each cycle, so quick where nothing has
      * changed.
      *
-     * @param byRadio what the board's radio allows.
+     * @param byRadio the abilities by the board's radio.
      */
     public Literal belief(Set<Ability> byRadio) {
         if (!byRadio.equals(radio)) {

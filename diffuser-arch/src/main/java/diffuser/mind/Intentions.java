@@ -36,11 +36,11 @@ public final class Intentions {
     }
 
     /**
-     * That an intention waits for an answer.
+     * A wait of an intention for an answer.
      *
-     * @param messageId of the question, under which Jason has it.
-     * @param step      at which it waits: where {@code .send} has failed after all, Jason has it still, at another step
-     *                  or at none.
+     * @param messageId the question's, under which Jason has the intention.
+     * @param step      its step while it waits: if {@code .send} has failed after all, Jason has it still, at another
+     *                  step or at none.
      */
     public record Waiting(String messageId, PlanBody step) {
     }

@@ -48,12 +48,12 @@ public enum Openness {
         return Arrays.stream(values()).filter(state -> state.abilities.equals(abilities)).findFirst().orElseThrow();
     }
 
-    /** What an agent calls it, as in {@code openness(totallyClosed)}. */
+    /** Its name in beliefs, as in {@code openness(totallyClosed)}. */
     public String atom() {
         return atom;
     }
 
-    /** What a MAS in this state can do (table 1). */
+    /** Abilities of a MAS in this state (table 1). */
     public Set<Ability> abilities() {
         return abilities;
     }

@@ -49,7 +49,7 @@ public final class Outbox {
     }
 
     /**
-     * Sends an answer. Where a group was asked, those who know nothing keep silent: their answers would fill the air.
+     * Sends an answer. If a group was asked, those who know nothing keep silent: their answers would fill the air.
      *
      * @throws JasonException if it cannot be sent; the asker is told so, as it would else wait for it.
      */
@@ -102,7 +102,7 @@ public final class Outbox {
         return outcome;
     }
 
-    /** That a message to all or to a group was sent is nothing to tell. */
+    /** Tells the agent the outcome of a unicast; that of other messages only if they were not sent. */
     private void tell(OutgoingMessage outgoing, Outcome outcome) {
         Optional<Literal> event = switch (outcome) {
             case SENT -> Optional.empty();

@@ -44,7 +44,7 @@ public final class OutgoingMessage {
      *
      * @param to      as {@link Destinations#of} reads it.
      * @param performative an atom, as {@link Texts#content} reads it.
-     * @param content what goes with the performative.
+     * @param content a term that goes with the performative.
      * @throws JasonException bad_address, wrong_arguments, bad_content, too_long or not_sealed.
      */
     public static OutgoingMessage of(Term to, Term performative, Term content) throws JasonException {
@@ -73,7 +73,7 @@ public final class OutgoingMessage {
         return of(to, performative, answers ? Optional.of(conversation) : Optional.empty(), said(message));
     }
 
-    /** That a message cannot be sent as an answer, and why. */
+    /** Tells the asker that a message cannot be sent as an answer, and why. */
     public static OutgoingMessage sorry(Message answer, Conversation conversation, Failure why) throws JasonException {
         return of(receiver(answer), Performative.SORRY, Optional.of(conversation), ASSyntax.createString(why.brief()));
     }
@@ -88,7 +88,7 @@ public final class OutgoingMessage {
                             + " broadcast, which anyone can send in anyone's name")
                     .toException();
         }
-        // Where a variable's name was meant, the variable itself would match anything.
+        // A variable whose name was meant would itself match anything.
         Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();
         return new OutgoingMessage(address, Texts.content(performative, conversation, content),
                 List.of(named, ASSyntax.createAtom(performative.toString()), content.clone()));
@@ -108,12 +108,12 @@ public final class OutgoingMessage {
         return content instanceof Term term ? term : Texts.said(String.valueOf(content));
     }
 
-    /** Whom it is for. */
+    /** Its receiver. */
     public Address to() {
         return to;
     }
 
-    /** What travels. */
+    /** The content that travels. */
     public Content content() {
         return content;
     }
@@ -152,7 +152,7 @@ public final class OutgoingMessage {
         return event;
     }
 
-    /** What it says to whom, for messages to people. */
+    /** Its content and receiver, for messages to people. */
     @Override
     public String toString() {
         return content + " to " + to;

@@ -35,13 +35,13 @@ public final class Questions {
     /**
      * A question that was asked.
      *
-     * @param outgoing what was asked of whom.
+     * @param outgoing the question, and whom it asks.
      * @param waiting  the intention that waits for the answer; empty if none does.
-     * @param answered who has answered.
+     * @param answered the devices that have answered.
      */
     record Question(OutgoingMessage outgoing, Optional<Intentions.Waiting> waiting, Set<Address> answered) {
 
-        /** Where an answer of a device comes from: as the question went. */
+        /** The provenance of a device's answer, by the cast of the question. */
         Provenance answered(Address by, TrustLevel peer) {
             return Provenance.of(by, Cast.of(outgoing.to()), peer).answering(
                     Provenance.Question.of(outgoing.content().performative(), waiting.isPresent()));
@@ -84,7 +84,7 @@ public final class Questions {
         remember(outgoing, Optional.of(waiting));
         outbox.deliver(outgoing, board).exceptionally(thrown -> {
             Failure failure = Failure.of(thrown);
-            // What is undelivered may have arrived all the same, and the answer still come in time.
+            // An undelivered question may have arrived all the same, and the answer still come in time.
             if (!limited || !failure.isUndelivered()) {
                 intentions.fail(waiting, failure);
             }

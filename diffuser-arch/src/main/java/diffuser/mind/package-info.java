@@ -1,2 +1,2 @@
-/** What of its board an agent knows and wants: messages, questions, intentions that wait, openness. */
+/** An agent's knowledge and wishes of its board: messages, questions, intentions that wait, openness. */
 package diffuser.mind;

@@ -1,2 +1,2 @@
-/** What plans and users are told of what went wrong. It depends on no other package of this module. */
+/** Error reports to plans and users. It depends on no other package of this module. */
 package diffuser.report;

@@ -43,7 +43,7 @@ class HostMessagesTest {
         return plain ? HostMessage.fragments(kind, SUPO, body).get(0) : new HostMessage(kind, body);
     }
 
-    /** What SPEC 3.1 says of each kind, and nothing else: handshakes broadcast, all else sealed for this device. */
+    /** SPEC 3.1's rule for each kind, and no other: handshakes come broadcast, all else sealed for this device. */
     @Test
     void receive_eachKindByEachCastAndKey_reachesItsLibraryOnlyAsTheSpecificationSays() {
         HostMessages messages = messages(HostMessage.Use.values());

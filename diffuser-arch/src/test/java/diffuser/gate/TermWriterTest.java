@@ -122,7 +122,7 @@ class TermWriterTest {
             };
         }
 
-        /** Of any size; none below zero, which Jason's parser takes for something to compute. */
+        /** A number of any size; none below zero, which Jason's parser takes for something to compute. */
         private double number() {
             double number = Math.abs(Double.longBitsToDouble(random.nextLong()));
             return Double.isFinite(number) ? number : 0;

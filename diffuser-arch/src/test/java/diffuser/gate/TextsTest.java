@@ -166,7 +166,7 @@ class TextsTest {
         Texts.readContent(new Content(Performative.TELL, "p(\"\u00e9\u4e2d\u0627\ud83d\ude00\")"));
     }
 
-    /** What Jason's parser prints where it stumbles is nobody's to see; that it has stumbled is known. */
+    /** The output of Jason's parser when it stumbles is nobody's to see; that it has stumbled is known. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {"tell | { +!a <- { +!a <- { a } } }",
             "tell | p({ +!a <- { +!a <- { a } } })", "tellHow | { +!a <- { +!b <- c } }",
