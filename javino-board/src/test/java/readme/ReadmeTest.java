@@ -77,7 +77,7 @@ class ReadmeTest {
         return folder;
     }
 
-    /** What the example writes. */
+    /** The text that the example writes. */
     private static String run(Path classes, LinkOpener port) throws Exception {
         PrintStream out = System.out;
         ByteArrayOutputStream written = new ByteArrayOutputStream();

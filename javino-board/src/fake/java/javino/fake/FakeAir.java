@@ -63,7 +63,7 @@ public final class FakeAir {
             return Status.OK;
         }
         boolean unicast = to.kind() == Address.Kind.DEVICE;
-        // Who is told that a nonce is stale goes on above it (SPEC 7.3).
+        // A sender that learns that its nonce is stale goes on above it (SPEC 7.3).
         for (int attempt = 0; attempt < 2; attempt++) {
             Keys.Drawn drawn = from.keys.draw(to.toString());
             if (drawn.status() != Status.OK) {

@@ -63,7 +63,7 @@ public final class FakeBoard {
     private final Set<Integer> underWay = ConcurrentHashMap.newKeySet();
     private int relays;
 
-    /** What is in its EEPROM. */
+    /** The content of its EEPROM. */
     public record Eeprom(String rfId, Keys.Image keys) {
 
         /** The check values of its keys. */
@@ -318,7 +318,7 @@ public final class FakeBoard {
         return heard;
     }
 
-    /** What is in its EEPROM, to be {@link #load}ed later, perhaps by another board. */
+    /** The content of its EEPROM, to be {@link #load}ed later, perhaps by another board. */
     public Eeprom eeprom() {
         return new Eeprom(rfId, keys.image());
     }

@@ -16,7 +16,7 @@ import javino.link.LinkOpener;
 /** The port of a fake board, which one program at a time can open. */
 public final class FakePort implements LinkOpener {
 
-    /** What boards do later than in the host's write, all of them on one thread. */
+    /** The one thread on which boards do all that they do later than in the host's write. */
     static final ScheduledExecutorService TIMER = Executors.newSingleThreadScheduledExecutor(task -> {
         Thread thread = new Thread(task, "fake boards");
         thread.setDaemon(true);

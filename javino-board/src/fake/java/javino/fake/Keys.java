@@ -36,11 +36,11 @@ public final class Keys {
     private int epoch = 9_000_000;
     private boolean corrupt;
 
-    /** Where the nonce of a key and an origin is remembered. */
+    /** The key and the origin that a nonce is remembered for. */
     private record Place(String address, Bytes check, String origin) {
     }
 
-    /** What becomes of a sealed message. */
+    /** The fate of a sealed message. */
     public enum Heard {
         /** It is for others, under another key, or not new. */
         REFUSED,
@@ -54,7 +54,7 @@ public final class Keys {
     record Drawn(Status status, Bytes key, long nonce) {
     }
 
-    /** What is in EEPROM. */
+    /** The content of EEPROM. */
     record Image(Map<String, StoredKey> keys, Set<String> doubted, Map<Place, Long> floors, int epoch) {
 
         Set<Bytes> checks() {
@@ -224,7 +224,7 @@ public final class Keys {
         return Heard.TAKEN;
     }
 
-    /** What is in EEPROM now. */
+    /** The content of EEPROM now. */
     synchronized Image image() {
         Map<String, StoredKey> stored = new LinkedHashMap<>(keys);
         stored.values().removeIf(StoredKey::isSession);

@@ -20,10 +20,11 @@ import javino.protocol.PollReply;
 public final class PacketLine implements FakePort.Device {
 
     /**
-     * What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all.
+     * The message that ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive
+     * or of all.
      */
     private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
-    /** What the boot loader answers to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */
+    /** The boot loader's answer to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */
     private static final Bytes PROGRAMMING_LEFT = Bytes.of(0x1B, 0x01, 0x00, 0x02, 0x0E, 0x11, 0x00, 0x07);
     /** The time between the bytes of a reading that is halted. */
     private static final long BYTE_NANOS = 10_000_000;
@@ -85,7 +86,7 @@ public final class PacketLine implements FakePort.Device {
         boolean leaves = Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
         bootLoaderQuestions += leaves ? 1 : 0;
         if (loading) {
-            // What comes in one piece with the boot loader's end is lost with it.
+            // Bytes that come in one piece with the boot loader's end are lost with it.
             loading = !leaves;
             write(loading ? Bytes.EMPTY : PROGRAMMING_LEFT);
             return;
@@ -135,7 +136,7 @@ public final class PacketLine implements FakePort.Device {
         return Math.min(heldSince + poll.holdNanos() - System.nanoTime(), board.percepts.nanosUntilReading(poll));
     }
 
-    /** What a board sends that has booted, or the rest of a reading. */
+    /** Asks again after a boot, and writes more of a reading that is halted. */
     private void writeWhatWaits(boolean byteCame) {
         if (booted) {
             booted = false;

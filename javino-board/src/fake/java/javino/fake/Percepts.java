@@ -3,7 +3,7 @@ package javino.fake;
 import java.util.List;
 import javino.protocol.Bytes;
 
-/** What a fake board perceives, and the reading that it told last. */
+/** The percepts of a fake board, and the reading that it told last. */
 final class Percepts {
 
     private List<Bytes> current = List.of();

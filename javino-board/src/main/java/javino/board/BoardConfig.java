@@ -26,7 +26,7 @@ import javino.protocol.Request;
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
  * @param queueCapacity  how many requests may wait, at least 1; 512 by default.
- * @param notes          what is noted of boards, so that no nonce and no lost key comes again; nothing by default.
+ * @param notes          notes about boards, by which no nonce and no lost key comes again; none by default.
  * @param clock          by which epochs are raised; the system's by default.
  */
 public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration actionTime,

@@ -56,7 +56,7 @@ final class Exchange {
     private Deadline bound;
     private boolean warned;
 
-    /** @param firstSequence that of the first request, 0…255. */
+    /** @param firstSequence the sequence number of the first request, 0…255. */
     Exchange(Link link, int firstSequence, SessionContext context) {
         this.link = link;
         this.context = context;
@@ -169,7 +169,7 @@ final class Exchange {
         return PollReply.isReading(sequence, decoder.begun(PollReply.FLAGS_END));
     }
 
-    /** What became of the replies to the polls before; to be said in the next one. */
+    /** The state of the replies to the polls before; to be said in the next one. */
     Request.LastReply takeLastReply() {
         if (replyLost) {
             replyLost = false;
@@ -306,7 +306,7 @@ final class Exchange {
     private void print(String text) {
         counters.count(SessionCounter.PRINTED_TEXTS);
         context.listener().tell(listener -> listener.printed(text));
-        // What setup() prints harms nobody.
+        // Text that setup() prints harms nobody.
         if (saysTaken && !warned) {
             warned = true;
             String line = text.replaceAll("\\s+", " ");

@@ -16,7 +16,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 
 /**
- * What a session knows of the epochs and keys of boards, by its host's notes too: so that no nonce comes again, and no
+ * The epochs and keys of boards that a session knows, by its host's notes too: so that no nonce comes again, and no
  * key that was lost (SPEC 5.1). For the session's thread only.
  */
 final class KnownState {

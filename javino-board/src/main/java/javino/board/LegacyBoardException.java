@@ -14,7 +14,7 @@ public final class LegacyBoardException extends JavinoException {
 
     /**
      * @param request describes what was asked.
-     * @param remedy  what the older protocol lacks, and what to do.
+     * @param remedy  the lack of the older protocol, and what to do.
      */
     LegacyBoardException(String request, String remedy) {
         super(request + " was not performed: the board speaks the older protocol, " + remedy);

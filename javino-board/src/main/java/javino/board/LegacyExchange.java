@@ -71,7 +71,7 @@ final class LegacyExchange {
         return Optional.empty();
     }
 
-    /** Of several answers the last is the one to this request. */
+    /** The answer to this request: the last, if several have come. */
     private LegacyMessage last(List<LegacyMessage> first) throws LinkException {
         List<LegacyMessage> answers = new ArrayList<>(first);
         if (awaitsLateOne) {

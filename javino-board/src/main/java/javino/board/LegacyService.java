@@ -68,7 +68,7 @@ final class LegacyService {
         } catch (LegacyBoardException e) {
             pending.fail(e);
         } catch (RequestFailedException | ProtocolException e) {
-            // What is missing is more than an address.
+            // The board lacks more for this request than an address.
             pending.fail(new LegacyBoardException(pending.description()));
         } catch (LinkException e) {
             pending.fail(new OutcomeUnknownException(pending.description(), e.getMessage()));

@@ -8,7 +8,7 @@ public final class LostKeyException extends JavinoException {
 
     private static final long serialVersionUID = 1L;
 
-    /** @param with whom it was shared. */
+    /** @param with the address that the key was for. */
     LostKeyException(Address with) {
         super("the board has lost the key for " + with + ", and does not get the same again: recorded messages could "
                 + "be replayed; make a new one");

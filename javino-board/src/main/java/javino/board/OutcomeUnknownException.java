@@ -9,7 +9,7 @@ public final class OutcomeUnknownException extends JavinoException {
 
     /**
      * @param request describes what was asked.
-     * @param why     what happened meanwhile.
+     * @param why     the event meanwhile, in one line.
      */
     public OutcomeUnknownException(String request, String why) {
         super(why + "; it is not known whether " + request + " was performed");

@@ -14,7 +14,7 @@ import javino.protocol.ProtocolException;
 
 /**
  * Knows what is wanted of percepts, tells the listener when they have changed, and those who wait for a reading that it
- * was taken. What is wanted is set by any thread; the rest is for the session's.
+ * was taken. Any thread sets what is wanted; the rest is for the session's.
  */
 final class Perception {
 
@@ -24,10 +24,10 @@ final class Perception {
     private volatile Duration interval = Duration.ZERO;
     private final Queue<Reading> waiting = new ConcurrentLinkedQueue<>();
     private final List<Reading> underWay = new ArrayList<>();
-    /** What was told last; null where nothing holds. */
+    /** The percepts that were told last; null where nothing holds. */
     private List<Bytes> percepts;
     private boolean leftOut;
-    /** In place of which percepts a cause was told last. */
+    /** The causes that were told last, each in place of a percept. */
     private Set<String> unwritable = Set.of();
     /** When they came last, on the monotonic clock. */
     private long told;

@@ -119,7 +119,7 @@ final class Polling {
      * The poll to make now.
      *
      * @param hold      how long the board may hold its reply at most.
-     * @param lastReply what became of the replies to the polls before.
+     * @param lastReply the state of the replies to the polls before.
      */
     Request nextPoll(Duration hold, Request.LastReply lastReply) {
         perception.update();

@@ -22,7 +22,7 @@ import javino.protocol.Status;
 /** Serves requests and polls a board that was greeted, until it is lost. For the session's thread only. */
 final class Service {
 
-    /** What a board may take to write to its EEPROM, beyond the time for a reply (SPEC 4.2). */
+    /** The time that a board may take to write to its EEPROM, beyond that for a reply (SPEC 4.2). */
     private static final Duration EEPROM_TIME = Duration.ofMillis(400);
 
     /** From one poll to the next at most, while requests follow each other. */
@@ -37,7 +37,7 @@ final class Service {
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
     private boolean pollFirst;
 
-    /** What is to be done when the board has got an address. */
+    /** A step to take when the board has got an address. */
     interface Renamed {
         void to(Address id) throws LinkException, LostException, ProtocolException;
     }

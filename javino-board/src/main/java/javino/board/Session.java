@@ -14,7 +14,7 @@ import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
 
-/** What the session's thread does: opens the link, greets the board, has it served, and begins again. */
+/** The work of the session's thread: opens the link, greets the board, has it served, and begins again. */
 final class Session implements Runnable {
 
     private final LinkOpener opener;
@@ -210,7 +210,7 @@ final class Session implements Runnable {
             abandoning = Deadline.in(context.config().patience());
             context.queue().drain().forEach(request -> request.failOffline(why));
         }
-        // Who closed the session knows it.
+        // Whoever closed the session knows it.
         if (!context.queue().isClosed()) {
             tellOffline(why);
         }

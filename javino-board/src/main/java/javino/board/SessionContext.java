@@ -3,12 +3,12 @@ package javino.board;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * What the parts of a session share.
+ * The objects that the parts of a session share.
  *
  * @param name       the link's, for error lines.
- * @param config     of the session.
+ * @param config     the session's.
  * @param queue      the requests that wait, and the sign that the session was closed.
- * @param perception what the board perceives, and what of it is wanted.
+ * @param perception the board's percepts, and what of them is wanted.
  * @param radio      whether the radio is to be open; null where nobody said so yet.
  * @param overhear   whether the board is to overhear; null where nobody said so yet.
  * @param counters   the session's.

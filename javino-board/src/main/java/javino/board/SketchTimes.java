@@ -34,7 +34,7 @@ public final class SketchTimes {
         return time > (counter == Counter.RADIO_LATE_MICROS ? LATE_MICROS : WITH_RADIO_MILLIS);
     }
 
-    /** What took too long, of these counters of a board. */
+    /** The parts of a sketch that took too long, by these counters of its board. */
     public static List<Slow> slow(Map<Counter, Long> counters, boolean hasRadio) {
         int most = hasRadio ? WITH_RADIO_MILLIS : WITHOUT_RADIO_MILLIS;
         List<Slow> found = new ArrayList<>();

@@ -98,7 +98,7 @@ final class StateGuard {
         return status;
     }
 
-    /** @param status of what raised the epoch; null if nothing did. */
+    /** @param status the reply to the request to raise the epoch; null if there was none. */
     private void tell(BoardInfo board, Status status, boolean isOlder, boolean isUsedUp, int epoch, String why) {
         boolean raised = status == Status.OK;
         if (board.hasLostEpoch()) {

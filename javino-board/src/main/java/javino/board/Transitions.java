@@ -6,7 +6,7 @@ import java.util.logging.Logger;
 import javino.protocol.Address;
 
 /**
- * Where the state machines of a host tell what they do, for diagnosis: as {@link Level#FINE} of the logger
+ * The log in which the state machines of a host tell what they do, for diagnosis: as {@link Level#FINE} of the logger
  * {@value #LOGGER}. For any thread.
  */
 public final class Transitions {
@@ -22,9 +22,9 @@ public final class Transitions {
      * Tells in which state a machine is. To be called behind each of its steps: when what is recorded is on the disk,
      * and before anything is said that follows from it.
      *
-     * @param machine what it is, such as {@code departure}.
+     * @param machine its kind, such as {@code departure}.
      * @param host    the address of this host's board.
-     * @param peer    that of the other side.
+     * @param peer    the address of the other side's board.
      * @param id      which one it is of all such machines with that peer.
      */
     public static void log(String machine, Address host, Address peer, String id, Enum<?> state) {

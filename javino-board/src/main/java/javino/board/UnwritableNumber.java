@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What a board tells in place of a number that it cannot write (SPEC 4.3). */
+/** The end of a percept that tells, in place of a number, why a board cannot write it (SPEC 4.3). */
 enum UnwritableNumber {
     NO_NUMBER("(NaN)", "it is no number (NaN), as of a sensor that does not answer"),
     INFINITE("(Inf)", "its number is infinite (Inf), as after a division by zero"),

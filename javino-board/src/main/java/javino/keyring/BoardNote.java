@@ -13,16 +13,16 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 
 /**
- * What a keyring knows of a board.
+ * A keyring's note about a board.
  *
  * @param lost  whether the board has lost what it was given, and has no new keys yet.
  * @param epoch the highest that it is known to have had.
- * @param keys  that it had when it was last provisioned, by whom it shares them with.
+ * @param keys  those that it had when it was last provisioned, by whom it shares them with.
  * @param former check values of the last 16 keys for each address that it had beside these, the latest last.
  */
 public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Map<Address, List<Bytes>> former) {
 
-    /** Of a board that was never provisioned. */
+    /** The note about a board that was never provisioned. */
     public static final BoardNote NONE = new BoardNote(false, 0, Map.of(), Map.of());
 
     private static final String FORM = "what a board has is written as SUPO: epoch 470012, ROMA 3640e0, and so on";
@@ -31,7 +31,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
     private static final String FORMER = "former ";
     private static final int MOST_FORMER = 16;
 
-    /** What it had for an address. */
+    /** The keys that it had for an address. */
     public HeldKeys held(Address address) {
         return keys.getOrDefault(address, HeldKeys.NONE);
     }
@@ -107,7 +107,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
     /**
      * After it was provisioned.
      *
-     * @param found  what it has.
+     * @param found  the keys that it has.
      * @param wanted with whom it is to share keys; what it still lacks of these is kept in mind.
      */
     public BoardNote withKeys(Map<Address, HeldKeys> found, Set<Address> wanted) {

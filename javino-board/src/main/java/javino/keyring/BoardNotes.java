@@ -9,10 +9,10 @@ import java.util.stream.Stream;
 import javino.JavinoException;
 import javino.protocol.Address;
 
-/** What is noted of boards in a private file, so that none gets a nonce or a lost key again (SPEC 5.1). */
+/** Notes about boards in a private file, so that none gets a nonce or a lost key again (SPEC 5.1). */
 public interface BoardNotes {
 
-    /** What is noted of a board; {@link BoardNote#NONE} if nothing is. */
+    /** The note about a board; {@link BoardNote#NONE} if there is none. */
     BoardNote of(Address board) throws IOException;
 
     /** Changes that; does nothing where nothing is to be noted of the board. */

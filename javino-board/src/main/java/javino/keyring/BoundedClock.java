@@ -12,7 +12,7 @@ import javino.protocol.BoardInfo;
  * This computer's clock, as far as it is believed: one that is years ahead by mistake must not use up what cannot be
  * given back, such as a board's epochs (SPEC 5.1) or the days of an authority.
  *
- * @param source  of the time.
+ * @param source  the clock that tells the time.
  * @param isRight whether a person has said that it is right, whatever it says.
  */
 public record BoundedClock(InstantSource source, boolean isRight) {

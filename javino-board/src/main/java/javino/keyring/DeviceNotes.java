@@ -12,7 +12,7 @@ import javino.protocol.Address;
  * The notes of devices with certificates: for each a file beside its identity, {@code SUPO.note}, with a line as a
  * keyring has it.
  *
- * @param folder of the identities.
+ * @param folder the folder of the identities.
  */
 public record DeviceNotes(Path folder) implements BoardNotes {
 
@@ -21,7 +21,7 @@ public record DeviceNotes(Path folder) implements BoardNotes {
 
     private static final String IDENTITY = ".identity";
 
-    /** Where {@code javino enroll} puts identities unless told otherwise: {@code ~/.javino}. */
+    /** The folder in which {@code javino enroll} puts identities unless told otherwise: {@code ~/.javino}. */
     public static Path defaultFolder() {
         return Path.of(System.getProperty("user.home"), ".javino");
     }
@@ -31,7 +31,7 @@ public record DeviceNotes(Path folder) implements BoardNotes {
         return new DeviceNotes(Path.of(System.getProperty(FOLDER_PROPERTY, defaultFolder().toString())));
     }
 
-    /** Where the identity of a device is. */
+    /** The file of a device's identity. */
     public static Path identity(Path folder, Address device) {
         return beside(folder, device, IDENTITY);
     }

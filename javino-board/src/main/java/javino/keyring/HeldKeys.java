@@ -14,9 +14,9 @@ import javino.protocol.Reply.StoredKey;
 /**
  * The check values of a board's keys for one address, each 3 bytes, or null.
  *
- * @param current  of the key that seals; null where there is none for the address.
- * @param next     of the one that is to seal next.
- * @param previous of the one that did so before.
+ * @param current  that of the key that seals; null where there is none for the address.
+ * @param next     that of the key that is to seal next.
+ * @param previous that of the key that sealed before.
  */
 public record HeldKeys(Bytes current, Bytes next, Bytes previous) {
 

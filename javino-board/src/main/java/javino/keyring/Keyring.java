@@ -32,7 +32,7 @@ public final class Keyring {
     private final Map<Address, BoardNote> boards = new LinkedHashMap<>();
 
     /**
-     * Who shares a key.
+     * The two devices, or the group, that share a key.
      *
      * @param first  a device, or a group's multicast address.
      * @param second the other device; null for a group.
@@ -55,7 +55,7 @@ public final class Keyring {
             return new Members(group, null);
         }
 
-        /** Whom a device shares the key with: the other device or the group; nothing where it is no member. */
+        /** The address that a device has the key for: the other device or the group; nothing where it is no member. */
         public Optional<Address> sharedWith(Address device) {
             if (second == null) {
                 return first.reaches(device) ? Optional.of(first) : Optional.empty();
@@ -73,8 +73,8 @@ public final class Keyring {
     /**
      * A line of the file: of a key, of a board, or of neither.
      *
-     * @param members whose key; null where it is not a key's.
-     * @param board   of which board; null where it is not a board's.
+     * @param members those that share the key; null where the line is not a key's.
+     * @param board   the board; null where the line is not a board's.
      * @param rest    the comment, with what is before it; or all of the line.
      */
     private record Line(Members members, Address board, String rest) {
@@ -103,7 +103,7 @@ public final class Keyring {
         return keyring;
     }
 
-    /** What is changed in a keyring. */
+    /** A change to make in a keyring. */
     public interface Change {
         void apply(Keyring keyring);
     }
@@ -179,7 +179,7 @@ public final class Keyring {
         keys.put(members, new SharedKey(keys.get(members).key(), next));
     }
 
-    /** Ends the renewals that each board has finished. @return whose. */
+    /** Ends the renewals that each board has finished. @return the members of these keys. */
     public List<Members> settle() {
         List<Members> settled = keys.keySet().stream().filter(members -> keys.get(members).next() != null
                 && boardsWith(members).stream().allMatch(board -> hasOnly(board, members, keys.get(members).next())))
@@ -193,7 +193,7 @@ public final class Keyring {
         return held.sealsWith(key.check()) && held.previous() == null && held.next() == null;
     }
 
-    /** What a board was given for a key. */
+    /** The keys that a board was given to share with these members. */
     public HeldKeys heldBy(Address board, Members members) {
         return note(board).held(members.sharedWith(board).orElse(members.first));
     }
@@ -209,7 +209,7 @@ public final class Keyring {
         return known.filter(board -> !note(board).lost()).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
-    /** What is known of a board. */
+    /** The note about a board. */
     public BoardNote note(Address board) {
         return boards.getOrDefault(board, BoardNote.NONE);
     }

@@ -37,7 +37,7 @@ public final class PrivateFile {
     private static final Set<PosixFilePermission> OWNERS = PosixFilePermissions.fromString("rwx------");
     private static final Set<PosixFilePermission> OF_A_FILE = PosixFilePermissions.fromString("rw-------");
     private static final String NEW = ".new";
-    /** What this program changes: the system would give a lock up if its file was opened and closed once more. */
+    /** Parts that this program is writing: the system would give a lock up if its file was opened and closed again. */
     private static final Set<Path> CLAIMED = ConcurrentHashMap.newKeySet();
     private static final int TRIES = 200;
     private static final int PAUSE_MILLIS = 50;
@@ -99,7 +99,7 @@ public final class PrivateFile {
         }
     }
 
-    /** Adds to a file, which is made if it is not there. What is added is not flushed. */
+    /** Adds to a file, which is made if it is not there. The bytes added are not flushed. */
     public static void append(Path file, byte[] bytes) throws IOException {
         mustBeFile(file);
         boolean isThere = Files.exists(file, LinkOption.NOFOLLOW_LINKS);
@@ -207,7 +207,7 @@ public final class PrivateFile {
         }
     }
 
-    /** What tells a file from others that have had its name; equal to no other if there is none. */
+    /** A mark that tells a file from others that have had its name; equal to no other if there is none. */
     private static Object key(Path file) throws IOException {
         try {
             return Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS).fileKey();

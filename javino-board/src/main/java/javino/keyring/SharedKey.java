@@ -6,8 +6,8 @@ import javino.protocol.Key;
 /**
  * The key that a pair or a group shares.
  *
- * @param key  the one so far.
- * @param next the one that it is being renewed to; null where it is not.
+ * @param key  the key so far.
+ * @param next the key that it is being renewed to; null where it is not.
  */
 public record SharedKey(Key key, Key next) {
 

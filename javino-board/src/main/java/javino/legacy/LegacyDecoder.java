@@ -16,7 +16,7 @@ public final class LegacyDecoder {
     private static final Pattern BEGINNING = Pattern.compile(LegacyMessage.PREAMBLE + "([0-9A-Fa-f]{2})");
     private static final int HEXADECIMAL = 16;
 
-    /** What has come before the text of the message under way. */
+    /** The characters before the text of the message under way. */
     private final StringBuilder beginning = new StringBuilder();
     /** The text, as far as {@link #length}; null before its size is known. */
     private byte[] text;

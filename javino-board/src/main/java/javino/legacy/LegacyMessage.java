@@ -35,7 +35,7 @@ public record LegacyMessage(Bytes text) {
     }
 
     /**
-     * What a board perceives, if this is its answer: AgentSpeak literals by the board's word, without blanks around.
+     * The board's percepts, if this is its answer: AgentSpeak literals by the board's word, without blanks around.
      */
     public List<Bytes> percepts() {
         List<Bytes> percepts = new ArrayList<>();

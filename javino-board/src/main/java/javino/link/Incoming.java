@@ -32,7 +32,7 @@ final class Incoming {
         }
     }
 
-    /** What was added before can still be read; the first reason given stands. */
+    /** Ends what comes. Bytes added before can still be read; the first reason given stands. */
     void end(String why) {
         if (endedWhy == null) {
             endedWhy = why;

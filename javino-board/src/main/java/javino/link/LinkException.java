@@ -11,7 +11,7 @@ public final class LinkException extends JavinoException {
 
     /**
      * @param port   the link's name.
-     * @param reason what happened, with the system's error if there is one.
+     * @param reason the failure, with the system's error if there is one.
      */
     public LinkException(String port, String reason) {
         super(port + ": " + reason);

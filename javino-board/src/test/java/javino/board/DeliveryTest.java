@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javino.protocol.Bytes;
 import org.junit.jupiter.api.Test;
 
-/** What a session does with messages so that its board can acknowledge them (SPEC 4.3, 7.2). */
+/** A session handles messages so that its board can acknowledge them (SPEC 4.3, 7.2). */
 class DeliveryTest extends BoardFixture {
 
     private static final String POLL = "5000";

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a session does with a board that has lost the state on which security rests. */
+/** A session serves a board that has lost the state on which security rests. */
 class LostStateTest extends BoardFixture {
 
     private static final Instant AUTUMN = Instant.parse("2026-11-22T12:30:00Z");

@@ -251,7 +251,7 @@ class TakenRequestTest extends BoardFixture {
         failure(OutcomeUnknownException.class, action);
     }
 
-    /** Of an action whose request is lost so often, for which the board asks again. */
+    /** An action is performed though its request is lost so often: the board asks again. */
     private void assertActIsPerformed(int losses) throws Exception {
         AtomicInteger lost = new AtomicInteger();
         fake.line.setLoses(message -> {

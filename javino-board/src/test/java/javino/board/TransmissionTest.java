@@ -24,7 +24,7 @@ import javino.protocol.Outcome;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 
-/** What a session tells of the ends of transmissions (SPEC 4.3, 7.2). */
+/** A session tells the ends of transmissions (SPEC 4.3, 7.2). */
 class TransmissionTest extends BoardFixture {
 
     private void openAndAwaitOnline(Duration hold) throws Exception {

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 class DeviceNotesTest {
 
-    /** What emulated boards have would be noted of the user's. */
+    /** Notes about emulated boards would stand among the user's. */
     @Test
     void named_inTests_isNotTheUsersFolder() {
         assertNotEquals(DeviceNotes.defaultFolder(), DeviceNotes.named().folder());

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What other users left in the folders that jSerialComm would use; each time in a Java virtual machine of its own. */
+/** Files of other users in the folders that jSerialComm would use; each time in a Java virtual machine of its own. */
 @EnabledOnOs(OS.LINUX)
 class NativeLibraryTest {
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What needs no port; the whole-system tests talk through real pseudo-terminals. */
+/** Tests that need no port; the whole-system tests talk through real pseudo-terminals. */
 class SerialLinkTest {
 
     @ParameterizedTest
