@@ -12,7 +12,7 @@ public class JavinoException extends Exception {
 
     /**
      * @param message one line: what was wrong, and where it helps, what to do.
-     * @param cause   what was caught, or null.
+     * @param cause   the exception that was caught, or null.
      */
     public JavinoException(String message, Throwable cause) {
         super(message, cause);

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 /** Text from outside, made fit for a terminal or a log. */
 public final class Printable {
 
-    /** What nobody sees, beside formats: Unicode's Default_Ignorable_Code_Point, which Java does not know. */
+    /** Invisible characters, beside formats: Unicode's Default_Ignorable_Code_Point, which Java does not know. */
     private static final Pattern IGNORABLE = Pattern.compile("[\\u034F\\u115F\\u1160\\u17B4\\u17B5\\u180B-\\u180F"
             + "\\u2065\\u3164\\uFE00-\\uFE0F\\uFFA0\\uFFF0-\\uFFF8\\x{E0000}-\\x{E0FFF}]");
 

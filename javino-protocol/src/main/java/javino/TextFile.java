@@ -18,7 +18,7 @@ public final class TextFile {
     private TextFile() {
     }
 
-    /** What some editors put before a text; it belongs to no text. */
+    /** The mark that some editors put before a text; it belongs to no text. */
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
     /**

@@ -14,20 +14,20 @@ public record Address(int value) {
     /** {@code ////}: every device in range. */
     public static final Address BROADCAST = parse("////");
 
-    /** Of {@code ++++}; a number, as {@link #SERIAL} itself may still be under construction where it is needed. */
+    /** The value of {@code ++++}; a number, as {@link #SERIAL} itself may be under construction where it is needed. */
     private static final int SERIAL_VALUE = 0xFBEFBE;
 
-    /** Of {@code +F}, and of {@code +K}: the first 12 bits of a fragment's and of an acknowledgement's address. */
+    /** The first 12 bits of a fragment's address, {@code +F}, and of an acknowledgement's, {@code +K}. */
     private static final int FRAGMENT_GROUP = 0xF85;
     private static final int ACKNOWLEDGEMENT_GROUP = 0xF8A;
 
-    /** Of {@code self}, {@code true}, {@code else} and {@code elif}: words of AgentSpeak, which no sender may be. */
+    /** The values of {@code self}, {@code true}, {@code else} and {@code elif}: words of AgentSpeak, no senders. */
     private static final int SELF = 0xB1E95F;
     private static final int TRUE = 0xB6BB9E;
     private static final int ELSE = 0x7A5B1E;
     private static final int ELIF = 0x7A589F;
 
-    /** What an address stands for. */
+    /** The kind of thing that an address stands for. */
     public enum Kind {
         /** One device: {@code AAAA}…{@code 9///}. */
         DEVICE,
@@ -92,16 +92,16 @@ public record Address(int value) {
     }
 
     /**
-     * Where a fragment of a frame goes (SPEC 7.1).
+     * The address of a fragment of a frame (SPEC 7.1).
      *
-     * @param id    of the frame, 0…63.
-     * @param index of the fragment, 0…7, and 8 more if it asks for an answer.
+     * @param id    the number of the frame, 0…63.
+     * @param index the number of the fragment, 0…7, and 8 more if it asks for an answer.
      */
     public static Address fragment(int id, int index) {
         return new Address(FRAGMENT_GROUP << 12 | id << 6 | index);
     }
 
-    /** Where the answer to a frame goes (SPEC 7.3). @param lastBits the last 12 bits of its nonce. */
+    /** The address of the answer to a frame (SPEC 7.3). @param lastBits the last 12 bits of its nonce. */
     public static Address acknowledgement(int lastBits) {
         return new Address(ACKNOWLEDGEMENT_GROUP << 12 | lastBits);
     }
@@ -123,7 +123,7 @@ public record Address(int value) {
         return new Address(value);
     }
 
-    /** What the address stands for. */
+    /** The kind of thing that the address stands for. */
     public Kind kind() {
         int plus = Digits.value('+');
         int slash = Digits.value('/');

@@ -11,17 +11,17 @@ public final class Airtime {
     private Airtime() {
     }
 
-    /** @param length of the payload, in bytes. */
+    /** The bits of a packet. @param length the payload's, in bytes. */
     public static int bits(int length) {
         return FRAMING_BITS + BITS_A_BYTE * length;
     }
 
-    /** Of a serial module's packet (SPEC 6.2). @param length of the payload, in bytes. */
+    /** The bits of a serial module's packet (SPEC 6.2). @param length the payload's, in bytes. */
     public static int moduleBits(int length) {
         return 8 * (MODULE_BYTES + length);
     }
 
-    /** The time at 2000 bit/s, in ms. @param length of the payload, in bytes. */
+    /** The time at 2000 bit/s, in ms. @param length the payload's, in bytes. */
     public static long millis(int length) {
         return bits(length) / BITS_A_MILLI;
     }

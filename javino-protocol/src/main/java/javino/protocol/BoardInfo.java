@@ -5,13 +5,13 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What a board says of itself when it is greeted (SPEC 4.3, hello and list actions).
+ * The facts that a board tells of itself when it is greeted (SPEC 4.3, hello and list actions).
  *
  * @param protocolVersion the board's, 1…255; {@link #LEGACY_VERSION} where it speaks the older protocol.
  * @param rfId            its address on the radio, if it has one.
  * @param bootEpoch       the epoch of its nonces, raised in each boot; 0xFFFFFF where none is left, 0 where it is lost,
  *                        or where the board has no memory.
- * @param capabilities    what it has; none where it speaks the older protocol.
+ * @param capabilities    its capabilities; none where it speaks the older protocol.
  * @param firmware        the sketch's name.
  * @param actions         the names of the sketch's actions in its order; none where it speaks the older protocol, which
  * cannot tell.
@@ -21,7 +21,7 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpo
 
     /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;
-    /** The last epoch that nonces have; what a board says that has none left is one more. */
+    /** The last epoch that nonces have; a board that has none left tells one more. */
     public static final int LAST_EPOCH = 0xFFFFFE;
 
     private static final int ID_OFFSET = 1;

@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** What a board says in hello that it has (SPEC 4.3). */
+/** A capability that a board tells in hello (SPEC 4.3). */
 public enum Capability {
     /** A radio, and so an address and keys. */
     RADIO(1),
@@ -13,7 +13,7 @@ public enum Capability {
     /** It says when it has taken a request; all boards do but those of an earlier library. */
     SAYS_TAKEN(0);
 
-    /** What a board of an earlier library has, which says nothing of it. */
+    /** The capabilities of a board of an earlier library, which does not tell them. */
     public static final Set<Capability> OF_EARLIER_LIBRARY = Collections.unmodifiableSet(EnumSet.of(RADIO, MEMORY));
 
     private final int bit;

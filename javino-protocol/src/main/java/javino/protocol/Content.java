@@ -3,10 +3,10 @@ package javino.protocol;
 import java.util.Optional;
 
 /**
- * What one agent says to another: {@code performative;term} in UTF-8, or {@code performative#conversation;term} for
+ * A message of one agent to another: {@code performative;term} in UTF-8, or {@code performative#conversation;term} for
  * questions and answers (SPEC 3).
  *
- * @param performative what the message is meant to do.
+ * @param performative the purpose of the message.
  * @param conversation the number that joins a question and its answer; else empty.
  * @param term         an AgentSpeak term; the whole content has at most 494 bytes.
  */

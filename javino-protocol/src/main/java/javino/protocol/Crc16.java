@@ -4,7 +4,7 @@ package javino.protocol;
 public final class Crc16 {
 
     private static final int REFLECTED_POLYNOMIAL = 0x8408;
-    /** What each value of the low byte adds: bit by bit it would be most of the time that a packet takes. */
+    /** The change by each value of the low byte: bit by bit it would be most of the time that a packet takes. */
     private static final char[] TABLE = table();
 
     private Crc16() {

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What one host says to another, and no agent sees (SPEC 3.1). Its first byte is 0x80…0xBF, with which no UTF-8 text
- * begins: so no content is a host message.
+ * A message of one host to another, which no agent sees (SPEC 3.1). Its first byte is 0x80…0xBF, with which no UTF-8
+ * text begins: so no content is a host message.
  *
- * @param kind     what it is.
- * @param to       whom a broadcast is for; of a unicast nothing.
+ * @param kind     its kind.
+ * @param to       the receiver of a broadcast; of a unicast nothing.
  * @param fragment which fragment it is, from 0; of a kind that has no fragments, 0.
  * @param body     the rest. The whole has at most 494 bytes.
  */
@@ -22,11 +22,11 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
     private static final int FIRST = 0x80;
     private static final int TO_LENGTH = 3;
 
-    /** What a host message is for, by which it is decided who may send it. */
+    /** The purpose of a host message, by which it is decided who may send it. */
     public enum Use {
         /** To come to a key, in a broadcast. */
         HANDSHAKE,
-        /** What a key that hosts have agreed on protects. */
+        /** To use a key that hosts have agreed on, which protects it. */
         KEY_AGREEMENT,
         /** To move an agent. */
         MOVE
@@ -34,17 +34,17 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
 
     /** The kinds, in the order of their numbers on the air. */
     public enum Kind {
-        /** Of EDHOC, from whom begins. */
+        /** EDHOC's first message, from the side that begins. */
         MESSAGE_1(Use.HANDSHAKE, 37),
-        /** From whom answers: two fragments. */
+        /** The second, from the side that answers: two fragments. */
         MESSAGE_2(Use.HANDSHAKE, 88),
-        /** From whom began. */
+        /** The third, from the side that began. */
         MESSAGE_3(Use.HANDSHAKE, 63),
-        /** Of a renewal, as the three above. */
+        /** A renewal's first message, from the side that begins. */
         RENEWAL_1(Use.HANDSHAKE, 16),
-        /** From whom answers. */
+        /** The second, from the side that answers. */
         RENEWAL_2(Use.HANDSHAKE, 16),
-        /** From whom began. */
+        /** The third, from the side that began. */
         RENEWAL_3(Use.HANDSHAKE, 8),
         /** Asks for a message of a handshake: its first byte and fragment. */
         WANT(Use.HANDSHAKE, 2),
@@ -91,7 +91,7 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
             this.length = length;
         }
 
-        /** What it is for. */
+        /** The purpose of the message. */
         public Use use() {
             return use;
         }

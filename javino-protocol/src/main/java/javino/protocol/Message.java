@@ -1,6 +1,6 @@
 package javino.protocol;
 
-/** What a device transmits to another: for its agent, or for its host (SPEC 3). */
+/** A message of one device to another: for its agent, or for its host (SPEC 3). */
 public sealed interface Message permits Content, HostMessage {
 
     /** Its bytes, 1…494, before the board seals them. */

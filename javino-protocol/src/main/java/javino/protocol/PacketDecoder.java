@@ -7,7 +7,7 @@ import java.util.Optional;
 
 /**
  * Finds packets in the bytes of a serial line, however they are split (SPEC 4.1).
- * What is damaged is refused as one result, and the next packet is found after its 0x00. Not for several threads.
+ * Damage is refused as one result, and the next packet is found after its 0x00. Not for several threads.
  */
 public final class PacketDecoder {
 
@@ -27,7 +27,7 @@ public final class PacketDecoder {
     private int missing;
     /** Whether a zero follows the block, if another block does. */
     private boolean withZero;
-    /** What has come since the last zero or text, as far as it is a text and a packet. */
+    /** The bytes since the last zero or text, as far as they can be a text and a packet. */
     private final byte[] raw = new byte[2 * LONGEST_TEXT + Cobs.FULL_BLOCK];
     private int rawLength;
     /** How many of these bytes can be text, up to the first that cannot. */
@@ -35,7 +35,7 @@ public final class PacketDecoder {
     /** Whether the beginning of the text was told already. */
     private boolean textTold;
 
-    /** What was found in the bytes. */
+    /** The result for a part of the bytes. */
     public sealed interface Result {
     }
 
@@ -106,7 +106,7 @@ public final class PacketDecoder {
         return abandoned;
     }
 
-    /** Where a block's data ends, if nothing is damaged: at the limit, or else before a zero. */
+    /** The end of a block's data, if nothing is damaged: at the limit, or else before a zero. */
     private static int endOfData(byte[] bytes, int from, int limit) {
         int end = from;
         while (end < limit && bytes[end] != 0) {

@@ -3,7 +3,7 @@ package javino.protocol;
 import java.nio.charset.StandardCharsets;
 
 /**
- * What crosses the air in one packet, as far as it can be read without keys (SPEC 2, 5 and 7): it may be anything.
+ * The bytes of one packet on the air, as far as they can be read without keys (SPEC 2, 5 and 7): any bytes.
  *
  * @param kind  by its bytes; if these are only the beginning of a frame, by its header.
  * @param bytes all of it.
@@ -14,7 +14,7 @@ public record Payload(Kind kind, Bytes bytes) {
     public static final int PART_LENGTH = 67;
     /** The same over an E32 (SPEC 6.2). */
     public static final int E32_PART_LENGTH = 42;
-    /** Of a sealed message: the nonce before its content. */
+    /** The length of the nonce before the content of a sealed message. */
     public static final int NONCE_LENGTH = 6;
     /** The tag behind a sealed content; also the proof at the end of an acknowledgement. */
     public static final int TAG_LENGTH = 8;
@@ -22,7 +22,7 @@ public record Payload(Kind kind, Bytes bytes) {
     private static final int SIZE_OFFSET = 2 * Address.LENGTH;
     private static final int ASKS = 8;
 
-    /** What a payload is, named as in a trace of the emulator. */
+    /** The kind of a payload, named as in a trace of the emulator. */
     public enum Kind {
         UNICAST("unicast"), MULTICAST("multicast"), BROADCAST("broadcast"), FRAGMENT("fragment"),
         ACKNOWLEDGEMENT("acknowledgement"), RESERVED("reserved"), NO_FRAME("no frame");
@@ -88,7 +88,7 @@ public record Payload(Kind kind, Bytes bytes) {
         return isFrame() ? text(bytes, Address.LENGTH) : "";
     }
 
-    /** What follows the header of a frame; else all. */
+    /** The bytes behind the header of a frame; else all. */
     public Bytes message() {
         return isFrame() ? bytes.from(Frame.HEADER_LENGTH) : bytes;
     }
@@ -110,12 +110,12 @@ public record Payload(Kind kind, Bytes bytes) {
         return Digits.value(bytes.at(at));
     }
 
-    /** Of a fragment: the number of its frame, 0…63. */
+    /** The number of a fragment's frame, 0…63. */
     public int fragmentId() {
         return digit(2);
     }
 
-    /** Of a fragment: which it is, 0…7; else 0. */
+    /** The number of a fragment, 0…7; else 0. */
     public int index() {
         return isFragment() ? digit(3) % ASKS : 0;
     }
@@ -125,12 +125,12 @@ public record Payload(Kind kind, Bytes bytes) {
         return !isFragment() || digit(3) >= ASKS;
     }
 
-    /** Of an acknowledgement: the last 12 bits of the nonce that it answers. */
+    /** The last 12 bits of the nonce that an acknowledgement answers. */
     public int answered() {
         return digit(2) << 6 | digit(3);
     }
 
-    /** What it is part of: of a first fragment the frame whose header it holds, as far as it is there; else itself. */
+    /** The frame whose header a first fragment holds, as far as it is there; of other payloads these themselves. */
     public Payload whole() {
         boolean begins = isFragment() && index() == 0 && message().length() >= Frame.HEADER_LENGTH;
         return begins ? new Payload(kindOfFrame(text(message(), 0)), message()) : this;
@@ -141,7 +141,7 @@ public record Payload(Kind kind, Bytes bytes) {
         return (kind == Kind.UNICAST || kind == Kind.MULTICAST) && message().length() >= NONCE_LENGTH;
     }
 
-    /** Of a message with room for nonce and tag: the nonce in hexadecimal digits; else empty. */
+    /** The nonce of a message with room for nonce and tag, in hexadecimal digits; else empty. */
     public String nonce() {
         return message().length() < NONCE_LENGTH + TAG_LENGTH ? "" : message().slice(0, NONCE_LENGTH).hex();
     }

@@ -19,7 +19,7 @@ import java.util.OptionalInt;
 public record PollReply(boolean more, boolean leftOut, boolean reading, boolean damaged, OptionalInt takenTimer,
         List<Item> records) {
 
-    /** Where the flags of a poll's reply end in its packet. */
+    /** The end of a poll reply's flags in its packet. */
     public static final int FLAGS_END = 1 + Frame.HEADER_LENGTH + 2;
     private static final int MORE = 1;
     private static final int LEFT_OUT = 2;

@@ -11,7 +11,7 @@ public final class ProtocolException extends JavinoException {
 
     /**
      * @param error    in which way the bytes are wrong.
-     * @param evidence what was found and what was expected, in one line.
+     * @param evidence the bytes found and those expected, in one line.
      */
     public ProtocolException(ProtocolError error, String evidence) {
         super(error + ": " + evidence);

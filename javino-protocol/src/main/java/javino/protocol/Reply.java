@@ -37,7 +37,7 @@ public record Reply(Status status, Bytes body) {
         }
     }
 
-    /** What a board does with a key (SPEC 4.3, renew key). The ordinal is the value on the line. */
+    /** The role of a key on a board (SPEC 4.3, renew key). The ordinal is the value on the line. */
     public enum Role {
         /** It seals. */
         CURRENT,

@@ -6,7 +6,7 @@ import java.time.Duration;
  * A request of a host to its board (SPEC 4.3). {@code toString} describes it for error lines and never shows a key.
  *
  * @param command     which request it is.
- * @param frame       that carries it.
+ * @param frame       the frame that carries it.
  * @param description for error lines.
  */
 public record Request(Command command, Frame frame, String description) {
@@ -113,7 +113,7 @@ public record Request(Command command, Frame frame, String description) {
         return Command.HELLO.with(Bytes.of(PROTOCOL_VERSION), "hello");
     }
 
-    /** What a poll asks of percepts. */
+    /** The percepts that a poll asks for. */
     public enum Percepts {
         /** None. */
         NONE(0),
@@ -129,7 +129,7 @@ public record Request(Command command, Frame frame, String description) {
         }
     }
 
-    /** What a host knows of the replies to its polls before. */
+    /** The state of the replies to a host's polls before, as far as the host knows it. */
     public enum LastReply {
         /** All are here: what they told may be forgotten. */
         HERE(0),
@@ -148,11 +148,11 @@ public record Request(Command command, Frame frame, String description) {
     /**
      * {@link Command#POLL}.
      *
-     * @param percepts  what is wanted of them.
+     * @param percepts  the percepts that are wanted.
      * @param holdMillis how long the board may hold its reply while it has nothing to tell, 0…65 535 ms.
      * @param leastMillis the least time from one reading told to the next, 0…16 777 215 ms.
      * @param taken     the number of the last message that the host has taken, 0…255, or {@link #NOTHING_TAKEN}.
-     * @param lastReply what became of the replies to the polls before.
+     * @param lastReply the state of the replies to the polls before.
      * @throws IllegalArgumentException if a number is out of its range.
      */
     public static Request poll(Percepts percepts, int holdMillis, int leastMillis, int taken, LastReply lastReply) {
@@ -218,7 +218,7 @@ public record Request(Command command, Frame frame, String description) {
     /**
      * {@link Command#RELAY}.
      *
-     * @param frame of another device, as it was on the air: of 10…77 bytes if the radio is the usual one.
+     * @param frame another device's, as it was on the air: of 10…77 bytes if the radio is the usual one.
      * @throws IllegalArgumentException if the frame is too long for any packet of a radio.
      */
     public static Request relay(Frame frame) {
@@ -282,7 +282,7 @@ public record Request(Command command, Frame frame, String description) {
     /**
      * {@link Command#SET_SESSION_KEY}.
      *
-     * @param device that the key is shared with.
+     * @param device the device that the key is shared with.
      * @param key    fresh: agreed on with the device just now, and never set before.
      * @throws IllegalArgumentException if the address is no device's.
      */

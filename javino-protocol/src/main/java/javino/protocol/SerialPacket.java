@@ -1,7 +1,7 @@
 package javino.protocol;
 
 /**
- * What travels on the serial line: a frame with its sequence byte (SPEC 4.1).
+ * A packet on the serial line: a frame with its sequence byte (SPEC 4.1).
  *
  * @param sequence 0…255; a reply has that of its request.
  * @param frame    a request or a reply.

@@ -61,7 +61,7 @@ public enum Status {
         return value >= 0 && value < VALUES.length ? Optional.of(VALUES[value]) : Optional.empty();
     }
 
-    /** What it means and, where something can be done, what; for people. */
+    /** Its meaning and, where something can be done, what; for people. */
     public String explanation() {
         return explanation;
     }

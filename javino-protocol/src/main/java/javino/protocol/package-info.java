@@ -1,2 +1,2 @@
-/** What hosts read and write of SPEC.md: addresses, frames, packets, commands, contents. No I/O; immutable values. */
+/** SPEC.md as hosts read and write it: addresses, frames, packets, commands, contents. No I/O; immutable values. */
 package javino.protocol;

@@ -124,7 +124,7 @@ class ContentTest {
     @Test
     void limit_longestContent_fitsOnePollReply() {
         assertEquals(494, Content.MAX_LENGTH);
-        // Of a poll reply with one message: status and flags, type and length, number, two addresses, id.
+        // The rest of a poll reply with one message: status and flags, type and length, number, two addresses, id.
         int besidesContent = 2 + 3 + 1 + 2 * Address.LENGTH + 3;
         assertEquals(Frame.MAX_MESSAGE_LENGTH, Content.MAX_LENGTH + besidesContent);
     }

@@ -12,7 +12,7 @@ final class ReplyFields {
     private ReplyFields() {
     }
 
-    /** What the reply to a command says, in the form of the vectors. */
+    /** The fields of the reply to a command, in the form of the vectors. */
     static JsonObject read(String name, Reply reply) throws ProtocolException {
         JsonObject fields = new JsonObject();
         switch (name) {

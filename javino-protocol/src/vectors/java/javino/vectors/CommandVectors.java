@@ -96,7 +96,7 @@ final class CommandVectors {
                 "message", Wire.hex(text(content)));
     }
 
-    /** What a greeted board without a key answers to commands that are none. */
+    /** Requests that are no commands, and the answers of a greeted board without a key. */
     private static List<Map<String, Object>> badRequests() {
         return List.of(
                 badRequest(bytes('Z'), "UNKNOWN_COMMAND"),
