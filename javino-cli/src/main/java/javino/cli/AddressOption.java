@@ -45,14 +45,14 @@ public abstract class AddressOption implements ITypeConverter<Address> {
         }
     }
 
-    /** Whom a key can be shared with. */
+    /** An address that a key can be shared with. */
     static final class KeyHolder extends AddressOption {
         KeyHolder() {
             super(EnumSet.of(Kind.DEVICE, Kind.MULTICAST), "a device such as SUPO or a group such as //SU");
         }
     }
 
-    /** Whom a message can be for. */
+    /** An address that a message can be for. */
     static final class Destination extends AddressOption {
         Destination() {
             super(EnumSet.of(Kind.DEVICE, Kind.MULTICAST, Kind.BROADCAST),

@@ -66,10 +66,10 @@ final class Doctor {
      * Examines the board.
      *
      * @param id     the RF id that it should have; null where any will do.
-     * @param keys   that it should have; none where any will do.
+     * @param keys   the keys that it should have; none where any will do.
      * @param noted  the boot epoch that it has had by the keyring; 0 where that is not known.
      * @param listen how long to wait for a radio packet.
-     * @return what is not well.
+     * @return the troubles found.
      * @throws JavinoException if the board went while it was examined.
      */
     List<String> examine(Address id, Map<Address, SharedKey> keys, int noted, Duration listen)

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javino.Printable;
 
-/** What an examination finds, written a line each: ok, or what to do. */
+/** The findings of an examination, written a line each: ok, or what to do. */
 final class Findings {
 
     private final PrintWriter out;
@@ -24,7 +24,7 @@ final class Findings {
         line(what, remedy);
     }
 
-    /** What was not ok. */
+    /** The findings that were not ok. */
     List<String> troubles() {
         return troubles;
     }

@@ -19,7 +19,7 @@ final class LatencyTimer {
 
     /**
      * @param port  a path, whose symbolic links are followed, or the system's name of a port.
-     * @param sysfs where the system shows its devices, {@code /sys}.
+     * @param sysfs the folder in which the system shows its devices, {@code /sys}.
      */
     LatencyTimer(String port, Path sysfs) {
         this.port = port;

@@ -19,7 +19,7 @@ import picocli.CommandLine.Help.Ansi.Style;
 /** Writes what a board tells, a line each: when, of what kind, what. */
 final class Monitor implements BoardListener {
 
-    /** What each poll counts. */
+    /** The counter that each poll raises. */
     private static final Counter ROUTINE = Counter.SERIAL_REQUESTS;
     /** Counters of what is no loss. */
     private static final Set<Counter> NO_LOSS = EnumSet.of(Counter.SERIAL_REPEATS, Counter.RADIO_RECEIVED,

@@ -39,7 +39,7 @@ final class NewCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    /** What runs the agent; Jason unless JaCaMo is chosen. */
+    /** The platform that runs the agent; Jason unless JaCaMo is chosen. */
     private static final class Which {
 
         @Option(names = "--jason", required = true, description = "Jason runs the agent; this is the default.")

@@ -17,8 +17,8 @@ import javino.JavinoException;
 /**
  * A project to be written: its files are the resources under {@code project/}, in which some words are replaced.
  *
- * @param name       of the project.
- * @param kind       what runs its agent.
+ * @param name       its name.
+ * @param kind       the platform that runs its agent.
  * @param model      its board.
  * @param javinoHome Javino's folder, from which the project has the emulator and the library for sketches.
  */
@@ -28,7 +28,7 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
             List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
                     ".gitignore", "logging.properties", "board.json", "sketch/Robot/Robot.ino");
 
-    /** What runs the agent of a project. */
+    /** The platform that runs the agent of a project. */
     enum Kind {
         JASON("jason", "robot.mas2j", "", List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl")),
         JACAMO("jacamo", "robot.jcm", """

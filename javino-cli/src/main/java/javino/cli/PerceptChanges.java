@@ -5,7 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** What has changed from one set of percepts to the next, in the signs of AgentSpeak's events. */
+/** The changes from one set of percepts to the next, in the signs of AgentSpeak's events. */
 final class PerceptChanges {
 
     private Set<String> present = Set.of();

@@ -17,7 +17,7 @@ import javino.link.SerialLink;
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
 
-/** Where the board is. */
+/** The option that says where the board is. */
 final class PortOption {
 
     private final Function<String, LinkOpener> links;
@@ -30,7 +30,7 @@ final class PortOption {
 
     /**
      * @param links  the way to the board, by the port's name.
-     * @param config of the sessions.
+     * @param config the settings of the sessions.
      * @param system the folder in which the system shows its devices ({@code sys}) and processes ({@code proc}).
      */
     PortOption(Function<String, LinkOpener> links, BoardConfig config, Path system) {

@@ -21,7 +21,7 @@ final class PortTakers {
 
     private final Path procfs;
 
-    /** @param procfs where the system shows its processes, {@code /proc}. */
+    /** @param procfs the folder in which the system shows its processes, {@code /proc}. */
     PortTakers(Path procfs) {
         this.procfs = procfs;
     }

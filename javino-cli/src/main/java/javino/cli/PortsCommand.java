@@ -35,8 +35,8 @@ final class PortsCommand implements Callable<Integer> {
     }
 
     /**
-     * @param ports       what the system says of each, by its name.
-     * @param stableNames by the name of the port that each leads to.
+     * @param ports       the system's description of each, by its name.
+     * @param stableNames the stable names, by the name of the port that each leads to.
      */
     static void print(SortedMap<String, String> ports, Map<String, String> stableNames, PrintWriter out) {
         if (ports.isEmpty()) {

@@ -28,7 +28,7 @@ import javino.protocol.Status;
 
 /**
  * Gives a board its epoch, its address and its keys, takes the step of their renewal that is due, and proves that they
- * are there. What the board then has is noted in the keyring.
+ * are there. It notes in the keyring what the board then has.
  */
 final class Provisioning {
 
@@ -47,7 +47,7 @@ final class Provisioning {
     /**
      * @param port  for error lines.
      * @param clock as the board's session has it.
-     * @param id   that the board is to have.
+     * @param id   the address that the board is to have.
      * @param file the keyring; null where there is none.
      * @param out  told a line for each thing that was done; never a key.
      */
@@ -153,7 +153,7 @@ final class Provisioning {
         }
     }
 
-    /** What the board is given is noted before it has a key; the session that was greeted has raised it. */
+    /** Notes the board's epoch before the board has a key; the session that was greeted has raised it. */
     private void noteEpoch(Keyring ring) throws IOException, JavinoException, InterruptedException {
         BoardInfo info = board.info().orElseThrow();
         if (info.hasLostEpoch()) {
@@ -162,7 +162,7 @@ final class Provisioning {
                             + "that its keys cannot be used again: javino forget --port " + port
                             + " --all, then new keys for it (javino keygen)");
         }
-        // What it says beyond that counts only when it has shown that it has the keys.
+        // A higher epoch that the board tells counts only when it has shown that it has the keys.
         int epoch = Math.min(info.bootEpoch(), Math.max(clock.epoch(), ring.note(id).epoch() + 1));
         if (file != null) {
             Keyring.change(file, latest -> latest.note(id, latest.note(id).withEpoch(epoch)));
@@ -265,7 +265,7 @@ final class Provisioning {
         out.println(line);
     }
 
-    /** What the board says of its epoch counts only now that it has shown that it has the keys. */
+    /** Notes the board's keys and its epoch; the epoch counts only if the board has shown that it has the keys. */
     private void note(Map<Address, SharedKey> wanted)
             throws IOException, JavinoException, InterruptedException {
         List<StoredKey> keys = Await.result(board.keys());

@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
                 + "needs a computer no longer, only power."})
 final class RelayCommand implements Callable<Integer> {
 
-    /** What it is to be. */
+    /** The board's work as a relay that the user wants. */
     enum Wish {
         on, off
     }

@@ -16,7 +16,7 @@ import javino.link.SerialLink;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
 
-/** What one may tell others of a board that they do not have: no key, address or path is in it. */
+/** A report on a board, for others who do not have it: no key, address or path is in it. */
 final class Report {
 
     private final PrintWriter out;

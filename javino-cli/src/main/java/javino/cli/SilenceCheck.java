@@ -20,7 +20,7 @@ final class SilenceCheck implements BoardListener {
     private boolean overhears;
     private Map<Counter, Long> before = Map.of();
 
-    /** @param to whom the message is for. */
+    /** @param to the receiver of the message. */
     SilenceCheck(Address to) {
         this.to = to;
     }
@@ -55,7 +55,7 @@ final class SilenceCheck implements BoardListener {
         overhears = board.overhear(true).handle((begun, failure) -> failure == null).join();
     }
 
-    /** What is known of a silence. */
+    /** The known facts about a silence. */
     String end(Board board) throws InterruptedException {
         if (loss != null) {
             return loss;

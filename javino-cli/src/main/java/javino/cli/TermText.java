@@ -28,7 +28,7 @@ final class TermText {
     private TermText() {
     }
 
-    /** What is wrong with a content's term, in a user's words; nothing if it can be AgentSpeak. */
+    /** The mistake in a content's term, in a user's words; nothing if it can be AgentSpeak. */
     static Optional<String> mistake(Content content) {
         String term = content.term().strip();
         boolean needsLiteral = !isAnswer(content) && !content.performative().toString().endsWith("How");

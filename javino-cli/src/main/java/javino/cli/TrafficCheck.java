@@ -21,7 +21,7 @@ final class TrafficCheck {
 
     private final Board board;
     private final Findings findings;
-    /** What had passed the line when the board was greeted; its boot loader may have answered before. */
+    /** The counters when the board was greeted; its boot loader may have answered before. */
     private final Map<SessionCounter, Long> before;
 
     /** @param board greeted just now. */
@@ -89,7 +89,7 @@ final class TrafficCheck {
         return !slow.isEmpty();
     }
 
-    /** @param text that the sketch has printed; null where there is none. */
+    /** @param text the text that the sketch has printed; null where there is none. */
     void examinePrints(String text) {
         long texts = since(SessionCounter.PRINTED_TEXTS);
         if (texts > 0 && text != null) {

@@ -7,7 +7,7 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardState;
 
-/** What goes on until the user ends it. */
+/** Work that goes on until the user ends it. */
 public final class UntilInterrupted {
 
     private static final int SECONDS_TO_END = 3;

@@ -29,7 +29,7 @@ import picocli.CommandLine.Help.Ansi;
 @Timeout(60)
 abstract class CommandFixture {
 
-    /** What a command that goes on until it is ended has come to. */
+    /** A command that goes on until it is ended, and its status in the end. */
     record Running(Thread thread, CompletableFuture<Integer> status) {
     }
 
@@ -42,7 +42,7 @@ abstract class CommandFixture {
     Ansi ansi = Ansi.OFF;
     /** Shorter where a board is to be waited for in vain. */
     Duration patience = Duration.ofSeconds(30);
-    /** What stands for {@code /sys}. */
+    /** The folder that stands for {@code /}, in which the system shows its devices. */
     Path system = Path.of("/nowhere");
     private Running running;
 

@@ -29,7 +29,7 @@ import picocli.CommandLine.Model.OptionSpec;
  */
 final class CommandLines {
 
-    /** Of the places of a command, those of the command line come before those of all. */
+    /** Right values for the places of commands; one for a place of one command goes before one for all. */
     private static final Map<String, String> RIGHT = Map.ofEntries(
             Map.entry("PORT", "fake"), Map.entry("ADDRESS", "SUPO"), Map.entry("ADDRESS=FILE", "ROMA={key}"),
             Map.entry("A,B", "ROMA,SUPO"), Map.entry("GG", "SU"), Map.entry("SECONDS", "1"), Map.entry("TO", "SUPO"),
@@ -45,7 +45,7 @@ final class CommandLines {
             Map.entry("enroll --request", "{new}"), Map.entry("--certificate", "{certificate}"),
             Map.entry("--revocation-list", "{list}"), Map.entry("--password-file", "{word}"));
 
-    /** What a place needs beside it that its command does without. */
+    /** Options that a place needs beside it, and that its command does without elsewhere. */
     private static final Map<String, String> NEEDS = Map.ofEntries(
             Map.entry("doctor --keyring", "--id SUPO"), Map.entry("keygen --out", "--group SU"),
             Map.entry("keygen --id", "--renew {keyring}"), Map.entry("capture --write", "--trace {trace}"),
@@ -170,7 +170,7 @@ final class CommandLines {
         return Stream.of(argument.isOption() ? name(argument) : null, value).filter(Objects::nonNull).toList();
     }
 
-    /** Of each command the shortest line, and one for each further place. */
+    /** The shortest line of each command, and one for each further place. */
     static Stream<List<String>> all() {
         return commands().flatMap(command -> Stream.concat(Stream.of(line(command, null, List.of())),
                 arguments(command).map(each -> line(command, each, right(command, each))))).distinct();

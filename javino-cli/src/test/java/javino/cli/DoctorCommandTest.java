@@ -51,7 +51,7 @@ class DoctorCommandTest extends CommandFixture {
         return file;
     }
 
-    /** What Linux shows of an FTDI chip at the port {@code device}: a file with its latency timer. */
+    /** The file in which Linux shows the latency timer of an FTDI chip at the port {@code device}. */
     private Path ftdi(String device, String millis) throws IOException {
         system = folder;
         Path timer = system.resolve("sys/bus/usb-serial/devices").resolve(device).resolve("latency_timer");

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** What a user gets who asks for help, or would have needed it. */
+/** The help that a user gets who asks for it, or would have needed it. */
 class HelpTest extends CommandFixture {
 
     static Stream<String> commands() {

@@ -19,7 +19,7 @@ class MonitorCommandTest extends CommandFixture {
         await("online");
     }
 
-    /** What was told, without the times. */
+    /** The lines that were told, without the times. */
     private List<String> told() {
         return lines().stream().map(line -> line.replaceFirst("^ *\\d+\\.\\d{3} s  ", "")).toList();
     }

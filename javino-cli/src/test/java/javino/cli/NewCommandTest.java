@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is written; that it builds and runs is tested with an emulated board (test/system). */
+/** The files of a new project; that it builds and runs is tested with an emulated board (test/system). */
 class NewCommandTest extends CommandFixture {
 
     @TempDir

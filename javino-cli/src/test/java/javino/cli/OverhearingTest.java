@@ -12,7 +12,7 @@ import javino.fake.FakeBoard;
 import javino.protocol.Capability;
 import org.junit.jupiter.api.Test;
 
-/** What captures and gateways begin with. */
+/** The step that captures and gateways begin with. */
 class OverhearingTest {
 
     @Test

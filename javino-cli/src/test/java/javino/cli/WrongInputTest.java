@@ -60,7 +60,7 @@ class WrongInputTest {
     @TempDir
     private Path folder;
 
-    /** What is wrong with an input. */
+    /** The fault of an input. */
     enum Wrong {
         FOLDER, ABSENT, ZEROS, EMPTY, WORD, EMPTY_FILE, WORD_IN_A_FILE
     }
@@ -68,8 +68,8 @@ class WrongInputTest {
     /**
      * A line with one wrong input.
      *
-     * @param place of the input.
-     * @param named what the error has to name.
+     * @param place the place of the input.
+     * @param named the word that the error has to name.
      * @param line  in which {name} stands for a file.
      */
     record Input(String place, Wrong wrong, String named, List<String> line) {
