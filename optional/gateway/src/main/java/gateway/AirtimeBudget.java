@@ -12,7 +12,7 @@ final class AirtimeBudget {
 
     /**
      * @param most    ms at once.
-     * @param percent of the time.
+     * @param percent share of the time.
      */
     AirtimeBudget(long most, int percent, long now) {
         this.most = most;

@@ -38,7 +38,7 @@ final class Broker implements AutoCloseable {
     /** Before the next attempt: longer after each connection that has failed, or has not lasted. */
     private static final long[] PAUSES_MILLIS = {250, 500, 1000, 2000, 4000};
     private static final long LASTS_MILLIS = 10_000;
-    /** Of a client's id. With it any user of the broker could end the connection, so nobody may guess it. */
+    /** Length of a client's id. With it any user of the broker could end the connection, so nobody may guess it. */
     private static final int ID_BYTES = 11;
     /** Messages that the network has not taken yet. */
     private static final int MOST_UNDER_WAY = 64;
@@ -79,7 +79,7 @@ final class Broker implements AutoCloseable {
      *
      * @param retained   whether the broker had kept it.
      * @param expiry     after so many seconds the broker drops it.
-     * @param properties of MQTT 5.
+     * @param properties user properties of MQTT 5.
      */
     record Message(String topic, byte[] payload, boolean retained, OptionalLong expiry,
             Map<String, String> properties) {
@@ -120,8 +120,8 @@ final class Broker implements AutoCloseable {
     }
 
     /**
-     * @param topics that it wants to be told of; and of each, whether of its own messages, too.
-     * @param will   what the broker publishes when this client has gone.
+     * @param topics its subscriptions; for each, whether it gets its own messages, too.
+     * @param will   the broker's message when this client has gone.
      */
     Broker(BrokerConfig config, Map<String, Boolean> topics, Message will, Listener listener) {
         this.config = config;
@@ -188,7 +188,7 @@ final class Broker implements AutoCloseable {
     }
 
     private Mqtt5SubAck refused(Throwable failure) {
-        // That the connection was lost, the other listener tells.
+        // The other listener tells of lost connections.
         if (failure instanceof Mqtt5SubAckException) {
             listener.disconnected(BrokerException.of(config, failure));
             client.disconnect();

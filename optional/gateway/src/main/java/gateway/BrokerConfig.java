@@ -18,12 +18,12 @@ import javino.JavinoException;
 import javino.TextFile;
 
 /**
- * Where the broker is, and how to enter.
+ * The broker's address, and how to log in.
  *
  * @param host     its name or address.
  * @param port     1…65535.
  * @param tls      whether the connection is encrypted, and the broker has to prove its name.
- * @param trusted  who may vouch for the broker; if nobody is named, those whom Java trusts.
+ * @param trusted  the CAs that may vouch for the broker; those that Java trusts if none is named.
  * @param user     its name there, if it has one.
  * @param password in UTF-8, if there is one.
  */

@@ -26,7 +26,7 @@ final class BrokerException extends JavinoException {
         super(message, cause);
     }
 
-    /** What has failed, in one line. */
+    /** Describes a failure in one line. */
     static BrokerException of(BrokerConfig broker, Throwable failure) {
         return new BrokerException(broker + ": " + describe(broker, failure), failure);
     }

@@ -1,6 +1,6 @@
 package gateway;
 
-/** What this cell does for each other one, so that no cell takes what is for all. */
+/** Limits to the work of this cell for each other one, so that no cell takes what is for all. */
 final class CellLimits {
 
     private static final int MOST_CELLS = 256;
@@ -12,11 +12,11 @@ final class CellLimits {
     private final BoundedMap<String, Limits> cells = new BoundedMap<>(MOST_CELLS);
 
     /**
-     * Of one cell.
+     * The limits of one cell.
      *
-     * @param air      what its frames take of the air.
-     * @param searches of it, frames that look for a device.
-     * @param answers  to its questions: 20 at once, and then one a second.
+     * @param air      for its frames.
+     * @param searches for those of its frames that look for a device.
+     * @param answers  for answers to its questions: 20 at once, and then one a second.
      */
     record Limits(AirtimeBudget air, AirtimeBudget searches, AirtimeBudget answers) {
     }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import javino.protocol.Address;
 
-/** Where each device was heard: here, and in which other cells. A claim of a false gateway hides no other cell. */
+/** The cells where each device was heard: here, and others. A claim of a false gateway hides no other cell. */
 final class DeviceLocations {
 
     /** So long a device that says nothing is remembered. */

@@ -7,7 +7,8 @@ import javino.protocol.Frame;
 import javino.protocol.Payload;
 
 /**
- * What belongs together: fragments and their message's header, acknowledgements and what they answer (SPEC 7.1, 7.3).
+ * Frames that belong together: fragments and their message's header, acknowledgements and the frames that they answer
+ * (SPEC 7.1, 7.3).
  */
 final class Exchanges {
 
@@ -49,7 +50,7 @@ final class Exchanges {
         return Payload.of(frame.encode()).whole();
     }
 
-    /** Whom the message is for whose first fragment this is. */
+    /** The destination of a message, from its first fragment; nothing if this is another frame. */
     private static Optional<Address> header(Frame frame) {
         if (frame.destination().kind() != Address.Kind.FRAGMENT) {
             return Optional.empty();

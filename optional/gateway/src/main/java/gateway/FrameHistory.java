@@ -22,7 +22,10 @@ final class FrameHistory {
 
         /** After so much silence the same bytes are a new message: copies by other ways are not that late. */
         private static final long ROUND_MILLIS = 3000;
-        /** What another gateway of this cell has to relay is on the air within so long: none keeps it for longer. */
+        /**
+         * Frames that another gateway of this cell has to relay are on the air within so long: none keeps them for
+         * longer.
+         */
         private static final long ECHO_MILLIS = Router.LIFE_MILLIS + 3000;
 
         /** So long, at most, a sender lets pass between two attempts: its time-outs count quiet air only. */
@@ -52,7 +55,7 @@ final class FrameHistory {
 
         /**
          * It was heard here. Tells whether that is a gateway's doing: one of this cell has it to relay, and its
-         * origin was not heard with it before that. (Who copies frames could stop all repeats otherwise.)
+         * origin was not heard with it before that. (Otherwise an attacker who copies frames could stop all repeats.)
          */
         boolean isEcho(long now) {
             if (now - lastRelay < ECHO_MILLIS && now - lastOwn >= ECHO_MILLIS) {
@@ -93,7 +96,10 @@ final class FrameHistory {
             return nth <= before || before == 0 && arrivals.size() == MOST_CELLS || nth <= onAir ? 0 : nth;
         }
 
-        /** A gateway of this cell is about to send it. What has only come, and never goes on the air, has no echo. */
+        /**
+         * A gateway of this cell is about to send it. A frame that has only come, and never goes on the air, has no
+         * echo.
+         */
         void relayed(long now) {
             lastRelay = now;
         }
@@ -111,7 +117,7 @@ final class FrameHistory {
         }
     }
 
-    /** What is known of a frame. */
+    /** The record of a frame; a new one if there is none. */
     Sighting of(Bytes frame) {
         return frames.getOrDefault(frame, new Sighting());
     }

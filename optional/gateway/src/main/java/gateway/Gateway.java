@@ -51,12 +51,12 @@ final class Gateway implements AutoCloseable {
     private boolean takeoverSaid;
 
     /**
-     * What a gateway is told.
+     * A gateway's settings.
      *
      * @param cell       its own.
-     * @param prefix     of all topics.
+     * @param prefix     that of all topics.
      * @param broadcasts whether broadcasts of other cells are relayed.
-     * @param groups     whose multicasts are relayed even if no member was heard.
+     * @param groups     groups whose multicasts are relayed even if no member was heard.
      */
     record Config(BrokerConfig broker, String cell, String prefix, boolean broadcasts, Set<Address> groups) {
     }
@@ -95,7 +95,7 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What this gateway wants to be told of from the start; and of each topic, whether of its own messages, too. */
+    /** The subscriptions from the start; for each, whether the gateway gets its own messages, too. */
     private Map<String, Boolean> wanted() {
         Map<String, Boolean> wanted = new HashMap<>();
         wanted.put(Topics.fromAll(topics.air(Whom.CELL, config.cell())), false);
@@ -115,7 +115,7 @@ final class Gateway implements AutoCloseable {
         return TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
     }
 
-    /** What was counted. */
+    /** Its counters. */
     GatewayCounters counters() {
         return counters;
     }
@@ -201,7 +201,7 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What the radio tells. */
+    /** Listens to the radio. */
     private final class Ear implements Radio.Listener {
 
         @Override
@@ -241,7 +241,7 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What the broker tells. */
+    /** Listens to the broker. */
     private final class Post implements Broker.Listener {
 
         @Override

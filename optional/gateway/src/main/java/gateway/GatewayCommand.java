@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
                 + "reads nothing that is sealed; the board needs no address."})
 public final class GatewayCommand implements CommandPlugin {
 
-    /** Where the password may be, so that it is on no command line. */
+    /** The environment variable for the password, so that it is on no command line. */
     private static final String PASSWORD = "JAVINO_MQTT_PASSWORD";
 
     @Option(names = "--port", required = true, paramLabel = "PORT",

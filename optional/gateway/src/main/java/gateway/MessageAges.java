@@ -7,7 +7,7 @@ package gateway;
 final class MessageAges {
 
     private static final int MOST_CELLS = 256;
-    /** Of one cell; as many as a gateway knows of its own. */
+    /** Gateways of one cell; as many as a gateway knows of its own. */
     private static final int MOST_GATEWAYS = CellGateways.MOST;
     /** No message takes so long; the clock was set. */
     private static final long SET_MILLIS = 60_000;
@@ -16,15 +16,15 @@ final class MessageAges {
 
     private final BoundedMap<String, BoundedMap<String, Fastest>> cells = new BoundedMap<>(MOST_CELLS);
 
-    /** @param difference of the two clocks, with the way of the fastest message, at that time. */
+    /** @param difference between the two clocks, with the way of the fastest message, at that time. */
     private record Fastest(double difference, long now) {
     }
 
     /**
      * The age of a message in ms.
      *
-     * @param cell    whose gateway has sent it.
-     * @param gateway that one's name, as it says.
+     * @param cell    the sender's cell.
+     * @param gateway the sender's name, as it says.
      * @param sent    by its clock.
      * @param now     by ours.
      */

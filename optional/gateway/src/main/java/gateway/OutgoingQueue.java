@@ -8,7 +8,7 @@ import javino.protocol.Address;
 import javino.protocol.Frame;
 
 /**
- * What waits for the board, which gets one frame at a time: so what has come too late can still be dropped.
+ * Frames that wait for the board, which gets one at a time: so frames that are late can still be dropped.
  * Acknowledgements go first, since a sender waits for them.
  */
 final class OutgoingQueue {
@@ -72,7 +72,7 @@ final class OutgoingQueue {
         return Optional.empty();
     }
 
-    /** The board has sent the frame that was under way, or has not. @return what was on the air. */
+    /** The board has sent the frame that was under way, or has not. @return the frame if it was on the air. */
     Optional<Frame> ended(boolean sent) {
         Optional<Frame> onAir = Optional.ofNullable(underWay).filter(any -> sent);
         underWay = null;

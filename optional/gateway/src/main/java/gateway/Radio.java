@@ -5,7 +5,7 @@ import javino.JavinoException;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 
-/** What a gateway hears and reaches its cell by. */
+/** The radio by which a gateway hears and reaches its cell. */
 interface Radio extends AutoCloseable {
 
     boolean isOnline();
@@ -19,7 +19,7 @@ interface Radio extends AutoCloseable {
     /** Told what happens, on a thread of the radio. */
     interface Listener {
 
-        /** It is there. @param firmware of its board. */
+        /** It is there. @param firmware that of its board. */
         void online(String firmware);
 
         /** It has gone, and comes again by itself. */

@@ -31,7 +31,7 @@ final class Router {
     static final String ALL = "all";
     /** At the second attempt, and at each so-manieth one, a device may have moved without a word. */
     private static final int SEARCH_EVERY = 4;
-    /** What relays take of the air; of it, those that look for a device. */
+    /** Shares of the air for all that is relayed, and for those frames of it that look for a device. */
     private static final int SHARE_PERCENT = 50;
     private static final int SEARCH_PERCENT = 10;
     /** All gateways together publish searches for so much of each cell's air. */
@@ -75,7 +75,7 @@ final class Router {
     /**
      * @param cell       the gateway's own.
      * @param broadcasts whether broadcasts of other cells are relayed.
-     * @param groups     whose multicasts are relayed even if no member was heard here.
+     * @param groups     groups whose multicasts are relayed even if no member was heard here.
      */
     Router(String cell, boolean broadcasts, Set<Address> groups, GatewayCounters counters, long now) {
         this.cell = cell;
@@ -158,7 +158,9 @@ final class Router {
         return true;
     }
 
-    /** Where a device was heard last; from the second attempt on, wherever it was heard, and it is sought. */
+    /**
+     * Publishes for the cell that heard a device last; from the second attempt on, for all that heard it, and seeks it.
+     */
     private boolean publish(Address device, Bytes packet, int attempt, long now) {
         List<String> others = locations.others(device, now);
         if (locations.isHere(device, now) && (attempt == 1 || others.isEmpty() && attempt < SEARCH_EVERY)) {
@@ -185,7 +187,7 @@ final class Router {
         }
         Frame frame = read.get();
         if (event.from().equals(cell)) {
-            // Of another gateway of this cell, which may hear what this one does not.
+            // Another gateway of this cell has published it, and may hear devices that this one does not.
             exchanges.heard(frame, now);
             settle(frame.origin(), now, now);
             return;

@@ -5,7 +5,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 
-/** What follows from a router's decision. */
+/** An effect of a router's decision. */
 sealed interface RouterEffect {
 
     /** The board sends the frame; {@link RouterEvent.Relayed} tells whether. Before that it gets no other. */
@@ -15,7 +15,7 @@ sealed interface RouterEffect {
     /**
      * The packet goes to the broker.
      *
-     * @param name    of the cell or group.
+     * @param name    that of the cell or group.
      * @param attempt how often it was heard here.
      */
     record Publish(Whom whom, String name, Bytes packet, int attempt) implements RouterEffect {

@@ -4,7 +4,7 @@ import gateway.Router.Whom;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
-/** What a router is told. */
+/** An event of which a router is told. */
 sealed interface RouterEvent {
 
     /** The board has heard a packet. */

@@ -9,7 +9,7 @@ import javino.protocol.Address;
 /** The topics of docs/mqtt.md: {@code PREFIX/WHAT/NAME/from/CELL}, so that an access list can say who may write. */
 final class Topics {
 
-    /** What a cell or a gateway may be called. */
+    /** Names of cells and gateways. */
     static final String NAME = "[A-Za-z0-9_-]{1,32}";
     private static final Pattern TOPIC = Pattern.compile(
             "(to|group|search|broadcast|seek|gateway)/(" + NAME + ")/from/(" + NAME + ")(?:/(air|heard/(" + NAME
@@ -20,7 +20,7 @@ final class Topics {
     private final String prefix;
     private final String cell;
 
-    /** What a topic is about. */
+    /** The subject of a topic. */
     enum About {
         /** For a cell: a frame, or where a device was heard. */
         TO,
@@ -35,7 +35,7 @@ final class Topics {
     /**
      * A topic.
      *
-     * @param name  of the cell, group, device or gateway that it is about.
+     * @param name  the cell, group, device or gateway that it is about.
      * @param from  the cell of the gateway that has published it.
      * @param heard the device that was heard; empty if it is about a frame or nothing.
      */
@@ -58,8 +58,8 @@ final class Topics {
     }
 
     /**
-     * @param prefix of all topics, without the slash behind it.
-     * @param cell   of the gateway that publishes.
+     * @param prefix that of all topics, without the slash behind it.
+     * @param cell   that of the gateway that publishes.
      */
     Topics(String prefix, String cell) {
         this.prefix = prefix + "/";
@@ -92,7 +92,7 @@ final class Topics {
         return topic(About.TO, other) + "/heard/" + device;
     }
 
-    /** What a gateway of this cell says of itself. */
+    /** The topic of a gateway of this cell, for its own state. */
     String gateway(String name) {
         return topic(About.GATEWAY, name);
     }

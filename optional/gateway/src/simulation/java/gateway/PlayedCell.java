@@ -19,7 +19,7 @@ import javino.protocol.Frame;
  */
 final class PlayedCell implements Radio {
 
-    /** Of a cell's devices, the one that has moved to the next cell and is silent there. */
+    /** The number of the device that has moved to the next cell and is silent there. */
     static final int MOVED = 19;
     static final int DEVICES = 20;
     private static final int NUMBERS = 64;
@@ -56,7 +56,7 @@ final class PlayedCell implements Radio {
         void schedule(Runnable what, long millis);
     }
 
-    /** @param destinations of messages to other cells. */
+    /** @param destinations those of messages to other cells. */
     PlayedCell(int cell, int cells, Clock clock, long seed, Supplier<Address> destinations) {
         this.cell = cell;
         this.clock = clock;

@@ -90,7 +90,7 @@ public final class PlayedCells {
         return PlayedCell.device(other, number);
     }
 
-    /** What is alive, in bytes. */
+    /** Memory of live objects, in bytes. */
     private static long heap() {
         System.gc();
         System.gc();

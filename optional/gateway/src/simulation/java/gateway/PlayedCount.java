@@ -9,7 +9,7 @@ final class PlayedCount {
     private final int[] offered = new int[Kind.values().length];
     private final int[] delivered = new int[Kind.values().length];
 
-    /** Whom a message is for: a device of the same cell, of another, one that has moved, nobody. */
+    /** The receiver of a message: a device of the same cell, of another, one that has moved, nobody. */
     enum Kind {
         NEAR, FAR, MOVED, UNKNOWN
     }

@@ -15,7 +15,7 @@ abstract class RouterFixture {
 
     final GatewayCounters counters = new GatewayCounters();
     final List<Bytes> relayed = new ArrayList<>();
-    /** What else was to be done, such as {@code CELL east 1}, {@code seek ROMA}, {@code serve ROMA}. */
+    /** All other effects, such as {@code CELL east 1}, {@code seek ROMA}, {@code serve ROMA}. */
     final List<String> done = new ArrayList<>();
     Router router = router(false);
     long now = 1_000_000;

@@ -13,7 +13,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import org.junit.jupiter.api.Test;
 
-/** What no other cell, no copy and no number of devices can do to a router. */
+/** Limits of a router that no other cell, no copy and no number of devices can break. */
 class RouterLimitsTest extends RouterFixture {
 
     private static String device(int number) {
@@ -138,7 +138,7 @@ class RouterLimitsTest extends RouterFixture {
             own += publishes(Frames.sealed(device, "ROMA", i)).contains("SEARCH all 2") ? 1 : 0;
         }
         assertEquals(10, others);
-        // Of 5 s at once and 2 % of 600 s, 2.5 s and 1 % go to the false one; a packet of 30 bytes takes 0.222 s.
+        // The false cell gets 2.5 s and 1 % out of 5 s at once and 2 % of 600 s; a packet of 30 bytes takes 0.222 s.
         assertTrue(own >= 8500 / 222 - 10, "" + own);
     }
 
