@@ -23,8 +23,7 @@ final class FrameHistory {
         /** After so much silence the same bytes are a new message: copies by other ways are not that late. */
         private static final long ROUND_MILLIS = 3000;
         /**
-         * Frames that another gateway of this cell has to relay are on the air within so long: none keeps them for
-         * longer.
+         * Frames that another gateway of this cell has to relay are on the air within so long: none keeps one longer.
          */
         private static final long ECHO_MILLIS = Router.LIFE_MILLIS + 3000;
 
@@ -96,10 +95,7 @@ final class FrameHistory {
             return nth <= before || before == 0 && arrivals.size() == MOST_CELLS || nth <= onAir ? 0 : nth;
         }
 
-        /**
-         * A gateway of this cell is about to send it. A frame that has only come, and never goes on the air, has no
-         * echo.
-         */
+        /** A gateway of this cell is about to send it. A frame that has only come, and is never sent, has no echo. */
         void relayed(long now) {
             lastRelay = now;
         }

@@ -54,7 +54,7 @@ final class Gateway implements AutoCloseable {
      * A gateway's settings.
      *
      * @param cell       its own.
-     * @param prefix     that of all topics.
+     * @param prefix     the prefix of all topics.
      * @param broadcasts whether broadcasts of other cells are relayed.
      * @param groups     groups whose multicasts are relayed even if no member was heard.
      */

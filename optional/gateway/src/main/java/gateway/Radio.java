@@ -19,7 +19,7 @@ interface Radio extends AutoCloseable {
     /** Told what happens, on a thread of the radio. */
     interface Listener {
 
-        /** It is there. @param firmware that of its board. */
+        /** It is there. @param firmware the firmware of its board. */
         void online(String firmware);
 
         /** It has gone, and comes again by itself. */

@@ -158,9 +158,7 @@ final class Router {
         return true;
     }
 
-    /**
-     * Publishes for the cell that heard a device last; from the second attempt on, for all that heard it, and seeks it.
-     */
+    /** Publishes for the cell that heard a device last; from the second attempt on, for all that did, and seeks it. */
     private boolean publish(Address device, Bytes packet, int attempt, long now) {
         List<String> others = locations.others(device, now);
         if (locations.isHere(device, now) && (attempt == 1 || others.isEmpty() && attempt < SEARCH_EVERY)) {

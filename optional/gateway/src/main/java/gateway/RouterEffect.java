@@ -15,7 +15,7 @@ sealed interface RouterEffect {
     /**
      * The packet goes to the broker.
      *
-     * @param name    that of the cell or group.
+     * @param name    the name of the cell or group.
      * @param attempt how often it was heard here.
      */
     record Publish(Whom whom, String name, Bytes packet, int attempt) implements RouterEffect {

@@ -58,8 +58,8 @@ final class Topics {
     }
 
     /**
-     * @param prefix that of all topics, without the slash behind it.
-     * @param cell   that of the gateway that publishes.
+     * @param prefix the prefix of all topics, without the slash behind it.
+     * @param cell   the cell of the gateway that publishes.
      */
     Topics(String prefix, String cell) {
         this.prefix = prefix + "/";

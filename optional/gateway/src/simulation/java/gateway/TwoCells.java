@@ -55,7 +55,7 @@ public final class TwoCells implements AutoCloseable {
      * @param url    the broker's.
      * @param ca     its CA.
      * @param user   a user who may publish for all cells.
-     * @param prefix that of all topics.
+     * @param prefix the prefix of all topics.
      */
     public TwoCells(String url, Path ca, String user, String password, String prefix)
             throws JavinoException, IOException, InterruptedException {
