@@ -24,7 +24,7 @@ final class Browser {
         return !isLinux() || System.getenv("DISPLAY") != null || System.getenv("WAYLAND_DISPLAY") != null;
     }
 
-    /** What others call this computer, as far as it knows. */
+    /** This computer's name for others, as far as it knows. */
     static String host() {
         try {
             return InetAddress.getLocalHost().getHostName();

@@ -31,7 +31,7 @@ final class ControlSocket {
     /**
      * Sends a command and waits for the answer.
      *
-     * @throws JavinoException what the emulator says against it, or that it does not answer.
+     * @throws JavinoException if the emulator refuses it, and why, or does not answer.
      */
     void send(JsonObject command) throws JavinoException {
         try (SocketChannel channel = SocketChannel.open(StandardProtocolFamily.UNIX)) {

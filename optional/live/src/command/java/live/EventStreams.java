@@ -61,7 +61,7 @@ final class EventStreams implements AutoCloseable {
                 silent = 0;
             }
             place = batch.next();
-            // What was before a page came is sent without pauses, so that it soon shows the present.
+            // Earlier events are sent to a new page without pauses, so that it soon shows the present.
             upToDate |= batch.all();
             if (upToDate) {
                 Thread.sleep(MILLIS_FROM_BATCH_TO_BATCH);

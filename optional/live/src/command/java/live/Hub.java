@@ -71,7 +71,7 @@ final class Hub {
     }
 
     /**
-     * What follows a page's place.
+     * The events that follow a page's place.
      *
      * @param place    the number of the first event that the page has not got yet.
      * @param most     events.

@@ -31,7 +31,7 @@ final class RunSource implements Source {
     /**
      * Begins to read.
      *
-     * @param warnings where a line is told that was left out.
+     * @param warnings is told of each line that was left out.
      */
     static RunSource follow(InputStream lines, Hub hub, Optional<ControlSocket> control, PrintWriter warnings) {
         RunSource source = new RunSource(hub, control, warnings);

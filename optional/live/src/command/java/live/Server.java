@@ -17,8 +17,8 @@ import javino.JavinoException;
 import live.PageFiles.PageFile;
 
 /**
- * Serves the page, its events and its commands to the browsers of this computer. What others try by one of these
- * browsers is refused: by {@code Host}, {@code Origin} and a token that is drawn anew with each start.
+ * Serves the page, its events and its commands to the browsers of this computer. Attempts of others by one of these
+ * browsers are refused: by {@code Host}, {@code Origin} and a token that is drawn anew with each start.
  */
 final class Server implements AutoCloseable {
 
@@ -67,12 +67,12 @@ final class Server implements AutoCloseable {
         return HexFormat.of().formatHex(random);
     }
 
-    /** Where a browser finds the page. */
+    /** The address at which a browser finds the page. */
     String address() {
         return "http://" + ADDRESS + ":" + javalin.port() + "/?token=" + token;
     }
 
-    /** What brings the page to another computer. */
+    /** The command that brings the page to another computer. */
     String tunnel() {
         return "ssh -L " + javalin.port() + ":" + ADDRESS + ":" + javalin.port() + " " + System.getProperty("user.name")
                 + "@" + Browser.host();
@@ -94,7 +94,7 @@ final class Server implements AutoCloseable {
                 .result("there is no " + request.method() + " of this path"));
     }
 
-    /** What is asked for is not done; the message is one line. */
+    /** A request is refused; the message is one line. */
     private static final class Refusal extends Exception {
         private static final long serialVersionUID = 1L;
         private final int status;

@@ -4,7 +4,7 @@ import com.google.gson.JsonObject;
 import java.util.List;
 import javino.JavinoException;
 
-/** Where the events come from; it puts them into the hub by itself. */
+/** A source of events, which puts them into the hub by itself. */
 interface Source extends AutoCloseable {
 
     /** Told to the page: {@code run}, {@code trace} or {@code board}. */
@@ -13,13 +13,13 @@ interface Source extends AutoCloseable {
     /** Whether events still come, so that the page follows them. */
     boolean isLive();
 
-    /** What {@link #command} does here, by the name in {@code do}. */
+    /** Commands that {@link #command} takes here, by the name in {@code do}. */
     List<String> controls();
 
     /**
      * Has it do what a page asks.
      *
-     * @param command whose {@code do} is one of {@link #controls}.
+     * @param command its {@code do} is one of {@link #controls}.
      * @throws JavinoException if it does not; the message says why, in one line.
      */
     void command(JsonObject command) throws JavinoException;

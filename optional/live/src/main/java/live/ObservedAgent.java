@@ -25,14 +25,14 @@ final class ObservedAgent extends AgArch {
 
     private static final long serialVersionUID = 1L;
     private static final long LEAST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
-    /** Of these numbers of beliefs and intentions all is told; an agent can have any number of them. */
+    /** Limits to the beliefs and intentions that are told; an agent can have any number of them. */
     static final int MOST_BELIEFS = 500;
     private static final int MOST_INTENTIONS = 20;
     private static final int MOST_CHARACTERS = 200;
     /** A line of this length reaches a pipe in one piece, even where another writes there too (4096 bytes). */
     private static final int MOST_CHARACTERS_A_LINE = 1000;
 
-    /** Of what Jason itself keeps among an agent's beliefs. */
+    /** Jason's mark of what it keeps itself among an agent's beliefs. */
     private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
 
     private final transient Consumer<String> out;

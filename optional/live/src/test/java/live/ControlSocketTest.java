@@ -41,7 +41,7 @@ class ControlSocketTest {
         emulator.close();
     }
 
-    /** What the next command is; it is answered so. */
+    /** The next command; it is answered so. */
     private CompletableFuture<String> answer(String line) {
         return CompletableFuture.supplyAsync(() -> {
             try (SocketChannel channel = emulator.accept()) {

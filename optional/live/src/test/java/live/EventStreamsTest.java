@@ -22,7 +22,7 @@ class EventStreamsTest extends ServerFixture {
     private static final String SKIPPED = "[{\"event\":\"skipped\",\"count\":";
     private static final int PATIENCE_MILLIS = 60_000;
 
-    /** What a page reads. */
+    /** The stream that a page reads. */
     private BufferedReader page(String more, String... header) throws IOException {
         URLConnection page = URI.create("http://" + host() + "/events?token=" + token() + more).toURL()
                 .openConnection();

@@ -1,4 +1,4 @@
-// What anyone can hear, and what an attacker can do with it.
+// Packets that anyone can hear, and an attacker's uses of them.
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { live } from '/lib/lit-html/directives/live.js';

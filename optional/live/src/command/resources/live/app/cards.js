@@ -9,7 +9,7 @@ import { plain } from './text.js';
 import { REFUSALS } from './phrases.js';
 
 const LINES = 3;
-/** What the library tells of the board itself. */
+/** Percepts by which the library tells of the board itself. */
 const OWN = new Set(['port', 'peer']);
 const BELIEFS = 14;
 
@@ -59,7 +59,7 @@ function openness(board) {
   return undefined;
 }
 
-/** What is shown of the beliefs: of a percept that changes, only what it is now. */
+/** The beliefs that are shown: of a percept that changes, only the present one. */
 function shownBeliefs(board, t) {
   const all = [...board.beliefs].map(([belief, state]) => ({ belief, ...parted(belief), ...state }))
     .filter((b) => !b.hidden && b.functor !== 'openness' && !(b.gone && t - b.t > NEW_FOR));
@@ -112,7 +112,7 @@ const refused = (board) => {
     html`${i ? ', ' : ''}<span title=${name}>${n} × ${REFUSALS[name].short}</span>`)}</p>`;
 };
 
-/** What its sketch prints, and what the library warns of: neither is what its agent says. */
+/** Output of its sketch, and warnings of the library: neither is said by its agent. */
 export const log = (board) => html`
   ${board.printed.length === 0 ? nothing : html`<h3>its sketch prints</h3>
     <details class="printed"><summary><code>${plain(board.printed.at(-1).text, 80)}</code></summary>

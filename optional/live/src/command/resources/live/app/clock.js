@@ -30,7 +30,7 @@ export class Clock {
     const speed = model.head.speed;
     if (model.end > this.#heard) [this.#heard, this.#heardAt] = [model.end, now];
     const stopped = ended || speed === 0;
-    // Where nothing happens, no event tells the time.
+    // While nothing happens, no event tells the time.
     const end = stopped ? model.end : model.end + ((now - this.#heardAt) / 1000) * Math.min(speed, 1);
     const aim = stopped ? end : end - LAG;
     const behind = aim - this.t;

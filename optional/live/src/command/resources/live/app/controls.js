@@ -35,7 +35,7 @@ export const slider = (id, label, value, shown, attributes, change) => html`<lab
   <input id=${id} type="range" min="0" max=${attributes.max} step=${attributes.step} .value=${document.activeElement?.id === id ? document.activeElement.value : String(value)}
     @input=${(e) => change(Number(e.target.value))}><b>${shown}</b></label>`;
 
-/** What is chosen, and what the world and the air can be made to do. */
+/** Controls of the chosen thing, of the world, and of the air. */
 export function interfere(app, state) {
   const can = (what) => app.controls.includes(what);
   const { chosen, mode } = app.ui;

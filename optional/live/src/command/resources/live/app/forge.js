@@ -1,5 +1,5 @@
-// Four ways to forge a packet without its key, each with its end foretold; and at the vehicle that it was for, what
-// really came of it.
+// Four ways to forge a packet without its key, each with its end foretold; and the real outcome at the vehicle that
+// it was for.
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { hueClass, letter } from './colours.js';
@@ -9,7 +9,7 @@ import { seal } from './seal.js';
 
 /** So many of the last packets are looked at. */
 const LAST = 500;
-/** What nobody hears in this time, in seconds, nobody will. */
+/** A packet that nobody has heard within this time, in seconds, is lost. */
 const HEARD_WITHIN = 1;
 const KEY_BYTES = 16;
 /** Pixels between a vehicle and what is said of it, and those that another takes. */
@@ -21,7 +21,7 @@ const genuine = (packets) => packets.find((p) => p.board !== 'injector' && p.sea
 
 const bytesIn = (packet, name) => fieldsOf(packet).find((f) => f.name === name);
 
-/** What it said, as its addressee's host was told: an attacker may have guessed it. */
+/** Its content, as its addressee's host was told: an attacker may have guessed it. */
 const saidBy = (packet) => packet.handed[0].content || 'tell;help';
 
 /** The command that sends a forgery of a packet; the emulator makes its CRC right. */
@@ -69,13 +69,13 @@ const REASONS = {
   radioRepeats: AGAIN,
 };
 
-/** Whom a forgery was to deceive: a shout, who last had a sealed packet from the same sender. */
+/** The board that a forgery was to deceive: for a shout, the one that last had a sealed packet from the same sender. */
 function victim(packets, packet) {
   const to = packet.kind === 'broadcast' ? genuine(packets.filter((p) => p.origin === packet.origin && p.t < packet.start))?.to : packet.to;
   return to?.length === 1 ? to[0] : undefined;
 }
 
-/** What a board did with a forgery, in one sentence. */
+/** A board's reaction to a forgery, in one sentence. */
 function verdict(model, state, packet, board, t) {
   const who = titleOf(state, board);
   const heard = packet.heard.find((h) => h.board === board && h.t <= t);
@@ -88,7 +88,7 @@ function verdict(model, state, packet, board, t) {
   return fate(model, state, packet, t, [board])[0];
 }
 
-/** What came of the last forgery, for the vehicle that it was for. `at` is where the road shows that. */
+/** The outcome of the last forgery, for the vehicle that it was for. `at` is where the road shows that. */
 export function verdicts(app, model, state, t) {
   const packets = model.heardAir(t, LAST);
   const packet = model.onAir(t, 0).find((p) => p.board === 'injector') ?? packets.find((p) => p.board === 'injector');

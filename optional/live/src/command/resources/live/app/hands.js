@@ -1,10 +1,10 @@
-// What pointer and keys do, on the road and to the time.
+// Pointer and keys, on the road and for the time.
 
 import { RATES } from './controls.js';
 
-/** What was dropped stays where it is until the run shows it there, at most so long, in ms. */
+/** A dropped thing stays where it is until the run shows it there, at most so long, in ms. */
 const HOLD = 1200;
-/** Of a new obstacle, in metres. */
+/** The radius of a new obstacle, in metres. */
 export const RADIUS = 0.5;
 /** A jam lasts so long, in seconds. */
 export const JAM = 2;

@@ -6,7 +6,7 @@ import { render } from '/lib/lit-html/lit-html.js';
 const GAP = 2;
 /** Farther than this from its place a label has a line to it. */
 const NEAR = 12;
-/** Where there is no place beside a thing, its label goes so far away. */
+/** Distances of a label from a thing that has no place beside it. */
 const RINGS = [0, 8, 24, 48, 80, 120, 170, 230];
 /** Turns from the side that is liked best. */
 const TURNS = [0, 180, 90, -90, 45, -45, 135, -135];

@@ -45,7 +45,7 @@ function showError(error) {
   if (error) errorTimer = setTimeout(() => showError(''), ERROR_STAYS);
 }
 
-/** What hands can do. The parts of the page call these. */
+/** Actions of the user. The parts of the page call these. */
 const app = {
   ui,
   typed: undefined,
@@ -180,7 +180,7 @@ function flush() {
   }, COMMAND_EVERY);
 }
 
-/** Where the injector stands at first: at a corner, in nobody's way. */
+/** The first place of the injector: at a corner, in nobody's way. */
 function corner(state) {
   const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
   return places.length === 0 ? undefined : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];

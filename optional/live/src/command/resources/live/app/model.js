@@ -1,7 +1,7 @@
 // The run: all its events, and its state at any moment. Knows nothing of drawing, of the network, or of the clock.
 //
-// A checkpoint is a reference to a state, and any moment is at most CHECKPOINT events away from one. What is only
-// appended (packets, marks, readings) is kept once, in order of time; who draws a moment takes what is not later.
+// A checkpoint is a reference to a state, and any moment is at most CHECKPOINT events away from one. Lists that only
+// grow (packets, marks, readings) are kept once, in order of time; a picture of a moment takes what is not later.
 
 import { isFor } from './packet.js';
 import { MOST_BOARDS, START, fold, number, text, texts } from './state.js';
@@ -38,10 +38,10 @@ export class Model {
   #readings = new Map();
   #last = new Map();
   #numbered = 0;
-  /** What boards did with a packet that has not ended: they have it before its trailer. */
+  /** Reactions of boards to a packet that has not ended: they have it before its trailer. */
   #early = [];
 
-  /** What could be read of the air, in order of the ends. */
+  /** Packets that could be read on the air, in order of their ends. */
   packets = [];
   /** Rows of the time line. */
   marks = [];
@@ -308,7 +308,7 @@ export class Model {
 
   #disturbed(e, s) {
     const what = text(e.do);
-    // Of a dragged vehicle or slider only the first command of a second is a row of its own.
+    // A dragged vehicle or slider sends many commands: only the first of a second is a row of its own.
     const key = e.event === 'command' ? 'command ' + what : what;
     const t = this.#last.get(key + text(e.board))?.t ?? -1;
     if (e.event === 'command') this.#last.set(key + text(e.board), { t: s.t });

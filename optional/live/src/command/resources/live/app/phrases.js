@@ -1,4 +1,4 @@
-// What happens, in plain words.
+// Events in plain words.
 
 import { listed, plain } from './text.js';
 
@@ -34,7 +34,7 @@ export const titleOf = (state, name) =>
 const titleOfAddress = (state, address) =>
   plain([...state.boards.values()].find((b) => b.address === address)?.title ?? address, 24);
 
-/** What a packet is, for who has never seen one. */
+/** A packet in words for people who have never seen one. */
 function packetWords(state, p) {
   const who = titleOf(state, p.board);
   const claims = p.board === 'injector' ? ` in the name of ${titleOfAddress(state, p.origin)}` : '';
@@ -104,7 +104,7 @@ const TOLD_WITHIN = 30;
 const HEARD = ['radioReceived', 'radioDamaged', 'radioMissed'];
 
 /**
- * What a board has done by a time with a packet that it heard, as its host and its counters tell: `damaged`, `taken`,
+ * The outcome, by a time, of a packet at a board that heard it, as its host and its counters tell: `damaged`, `taken`,
  * `untold` yet, `refused`, `left`, or `ignored`; with the `counters` that rose.
  */
 export function outcome(model, packet, { board, why, t: heardAt }, t) {
@@ -123,7 +123,7 @@ export function outcome(model, packet, { board, why, t: heardAt }, t) {
   return left.length > 0 ? { what: 'left', counters: left.slice(0, 1) } : { what: 'ignored', counters: [] };
 }
 
-/** What became of a packet, at a time: a sentence for each of these boards. */
+/** The fate of a packet, at a time: a sentence for each of these boards. */
 export function fate(model, state, packet, t, boards = [...state.boards.keys()]) {
   if (t < packet.t) return ['It is on the air …'];
   const heard = packet.heard.filter((h) => h.t <= t && boards.includes(h.board));

@@ -7,9 +7,9 @@ const POINTS = 200;
 /** Charts that are drawn anew at one call; the others have their turn at the next ones. */
 const EACH_TURN = 3;
 
-/** What a sensor can tell at all, by the name of its percept. */
+/** Ranges of sensors, by the names of their percepts. */
 const RANGES = { __proto__: null, light: [0, 1023], proximity: [0, 400], distance: [0, 400] };
-/** Of other percepts a plot shows this part of the value at least, so that what trembles looks so. */
+/** A plot of other percepts spans at least this part of the value, so that noise looks small. */
 const LEAST_SPAN = 0.25;
 
 /** The ends of the axis: what it shows is as large as it looks. */

@@ -12,7 +12,7 @@ const MARGIN = { side: 70, end: 50 };
 const LEAST = [30, 12];
 /** Pixels a metre. */
 const SCALES = [0.2, 100];
-/** What a packet did stays visible for so long, in emulated seconds. */
+/** The effect of a packet stays visible for so long, in emulated seconds. */
 const AFTERGLOW = 1;
 /** A ring that has ended fades. */
 const FADE = 0.25;
@@ -42,7 +42,7 @@ export class Road {
   #g;
   #ui;
   #labels;
-  /** What the camera shows, in metres: only its user changes that. */
+  /** The part of the world that the camera shows, in metres: only its user changes that. */
   #frame;
   #framed;
   #view;
@@ -77,7 +77,7 @@ export class Road {
     return [(x - left) * scale, (top - y) * scale];
   }
 
-  /** Where something is drawn, in pixels. */
+  /** The place where something is drawn, in pixels. */
   pixels({ kind, name }) {
     const thing = this.#things().find((each) => each.kind === kind && each.name === name);
     return thing && this.#within(this.#at(thing.place));
@@ -89,7 +89,7 @@ export class Road {
     return [Math.round((left + x / scale) * 10) / 10, Math.round((top - y / scale) * 10) / 10];
   }
 
-  /** What is under a pixel, or under its label: `{kind, name, place}`. */
+  /** The thing under a pixel, or under its label: `{kind, name, place}`. */
   under(x, y) {
     const key = this.#labels.under(x, y);
     const things = this.#things();
@@ -250,7 +250,7 @@ export class Road {
     return x >= 0 && y >= 0 && x <= this.#width && y <= this.#height;
   }
 
-  /** Who stands where; for who is outside, an arrow at the edge, which shows the place when it is clicked. */
+  /** Names of things at their places; for a thing outside, an arrow at the edge, which shows the place by a click. */
   #names(t) {
     const all = this.#things().map((thing) => ({
       ...thing,
@@ -367,7 +367,7 @@ export class Road {
     g.setLineDash([]);
   }
 
-  /** Where a board is drawn: it glides from place to place. */
+  /** The place where a board is drawn: it glides from place to place. */
   #placeOf(board, t) {
     let place = board.place;
     if (board.before && t - board.placedAt < STEP && Math.hypot(place[0] - board.before[0], place[1] - board.before[1]) < 5) {
@@ -470,7 +470,7 @@ export class Road {
     });
   }
 
-  /** What became of a packet, at each board that heard it. */
+  /** The outcome of a packet, at each board that heard it. */
   #arrivals(packet, state, t) {
     if (packet.kind === 'acknowledgement') return;
     const sender = state.boards.get(packet.board);

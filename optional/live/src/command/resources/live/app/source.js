@@ -1,8 +1,8 @@
-// Where events come from: a run of the server, or a file that the page itself reads.
+// Sources of events: a run of the server, or a file that the page itself reads.
 
 const token = new URLSearchParams(location.search).get('token') ?? '';
 
-/** What the server has: `source`, `live`, `controls`. */
+/** The server's description of itself: `source`, `live`, `controls`. */
 export async function about() {
   const answer = await fetch('/about?token=' + encodeURIComponent(token));
   if (!answer.ok) throw new Error('The server does not know this token: open the address that it printed');

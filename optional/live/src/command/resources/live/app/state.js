@@ -72,7 +72,7 @@ const board = (name, index) => ({
   acted: undefined,
 });
 
-/** What an event does to a board. (Without a prototype: a trace may name an event `constructor`.) */
+/** Effects of events on a board. (Without a prototype: a trace may name an event `constructor`.) */
 const ofBoard = {
   __proto__: null,
   place: (b, e) => {
@@ -126,7 +126,7 @@ const ofBoard = {
   acted: (b, e) => ({ acted: { t: e.t, action: text(e.action), error: e.error === undefined ? '' : text(e.error) } }),
 };
 
-/** What a command does that no other event tells. */
+/** Effects of commands that no other event tells. */
 const ofCommand = {
   __proto__: null,
   speed: (s, e) => ({ speed: number(e.value, s.speed), pace: number(e.value) || s.pace }),

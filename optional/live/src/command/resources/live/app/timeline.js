@@ -92,7 +92,7 @@ export class Timeline {
     }
   }
 
-  /** What a board said or did: a box that begins at its lifeline, and is never wider than the picture. */
+  /** Words or an action of a board: a box that begins at its lifeline, and is never wider than the picture. */
   #boxed(words, at, y, width) {
     const shown = fitting(words, width);
     const long = shown.length * LETTER + 14;
