@@ -283,7 +283,7 @@ local function is_utf8(bytes)
   return true
 end
 
--- What can be shown in a line of a list.
+-- Text that can be shown in a line of a list.
 local function plain(bytes)
   return is_utf8(bytes) and (bytes:gsub("%c", "·")) or "(no UTF-8)"
 end
@@ -415,7 +415,7 @@ local function open_cfb(w, iv, sealed)
   return table.concat(out)
 end
 
--- What SPEC 5.2 derives from a key.
+-- The keys that SPEC 5.2 derives from a key.
 local function derived(key)
   local w = schedule(key)
   local function kdf(label) return schedule(cmac(w, "\1" .. label .. "\0\0\128")) end
@@ -480,7 +480,7 @@ local function is_proof(answered, acknowledger, answers, message)
 end
 
 -- ---------------------------------------------------------------------------------------------------------------------
--- What is known from earlier packets. It is learned in the first pass, when packets come in their order.
+-- Facts known from earlier packets. They are learned in the first pass, when packets come in their order.
 
 local known
 
@@ -498,7 +498,7 @@ local function since(pinfo, earlier)
   return NSTime.new(math.floor(micros / 1e6), micros % 1e6 * 1000)
 end
 
--- What is known of this packet.
+-- Facts known of this packet.
 local function this_packet(pinfo)
   known.packets[pinfo.number] = known.packets[pinfo.number] or {}
   return known.packets[pinfo.number]
@@ -707,7 +707,7 @@ local function show_nonce(tree, name, range)
   item:add(f["counter"], range(3, 3))
 end
 
--- Where an acknowledgement finds what it answers: by the last 12 bits of the nonce.
+-- The frames that an acknowledgement may answer: by the last 12 bits of the nonce.
 local function answerable(place, frame)
   local key = place .. number(frame.nonce, 5, 6) % 4096
   known.answerable[key] = known.answerable[key] or {}
@@ -804,7 +804,7 @@ local function show_sealed(tree, range, frame)
   return show_message(tree, ByteArray.new(content, true):tvb("Content, opened")(), false)
 end
 
--- What is wrong with the shape of a fragment, or nil (SPEC 7.1).
+-- The fault in the shape of a fragment, or nil (SPEC 7.1).
 local function wrong_fragment(frame, index)
   local length = #frame.message
   if index > 7 then return "index " .. index end

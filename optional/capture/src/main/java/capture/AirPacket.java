@@ -19,7 +19,7 @@ import trace.TraceEvent;
  * @param board   the board's name.
  * @param sent    whether the board sent it.
  * @param how     it came; intact where it was sent.
- * @param trailer what followed it.
+ * @param trailer the part that followed it.
  * @param path    its hops, and the distance that it tells (SPEC 6); {@link #UNKNOWN_PATH} where it is not known.
  * @param reason  why it is damaged; empty where that is not known, or it is not.
  * @param payload 0…77 bytes: a {@link Frame} as a rule.
@@ -46,7 +46,7 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         AS_SENT
     }
 
-    /** What follows a packet on the air: SPEC 6.1. */
+    /** The part that follows a packet on the air: SPEC 6.1. */
     enum Trailer {
         NONE(0), MARK(1), PARITY(2), UNKNOWN(255);
 

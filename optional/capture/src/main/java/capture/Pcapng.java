@@ -31,7 +31,7 @@ final class Pcapng implements AutoCloseable {
     private final OutputStream out;
     private int interfaces;
 
-    /** @param application what writes the file. */
+    /** @param application the program that writes the file. */
     Pcapng(OutputStream out, String application) throws IOException {
         this.out = out;
         Block block = new Block(SECTION_HEADER);

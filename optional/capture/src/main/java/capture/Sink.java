@@ -5,7 +5,7 @@ import java.io.PrintWriter;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Where captured packets go. */
+/** Takes captured packets. */
 interface Sink extends AutoCloseable {
 
     /** @throws IOException if it takes no more. */

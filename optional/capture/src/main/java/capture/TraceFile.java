@@ -25,7 +25,7 @@ import trace.TraceReader;
 record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
 
     private static final double MICROS_A_SECOND = 1e6;
-    /** What is told of one packet at its sender and at those that hear it differs by less. */
+    /** The starts of one packet, as its sender and those that hear it tell them, differ by less. */
     private static final double SAME_START_SECONDS = 0.001;
 
     /** A packet that was sent, and when it began. */
@@ -36,7 +36,7 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
     private record Loss(String board, String from, double start, double end, String why) {
     }
 
-    /** What was read so far. */
+    /** The part of a trace that was read so far. */
     private static final class Reading {
         private final Map<String, String> ids = new LinkedHashMap<>();
         private final List<AirPacket> packets = new ArrayList<>();

@@ -21,7 +21,7 @@ public final class TraceCheck {
     private final List<TraceEvent> events;
     private final List<Tshark.Dissected> packets;
 
-    /** What was found, for tests that want more of it. @param fragments that were put together. */
+    /** The counts of a check, for tests that want more of it. @param fragments fragments that were put together. */
     public record Found(int packets, long damaged, long opened, long fragments, long acknowledgements) {
     }
 
@@ -142,7 +142,7 @@ public final class TraceCheck {
         assertTrue(!found.isEmpty(), event::toString);
     }
 
-    /** What the host had sent is in a packet of that board, opened and put together. */
+    /** The host's message is in a packet of that board, opened and put together. */
     private void opened(TraceEvent event) {
         Set<String> said = packets.stream()
                 .filter(packet -> packet.shown("javino.board").equals(List.of(event.board())))

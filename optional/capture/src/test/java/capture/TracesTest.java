@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class TracesTest {
 
     private static final String OWN = "optional/capture";
-    /** Whose traces with hosts are looked at here, too. */
+    /** A module whose traces with hosts are checked here, too. */
     private static final String REPLAY = "uppaal/replay";
 
     private static TraceCheck.Found check(String module, String name) throws Exception {

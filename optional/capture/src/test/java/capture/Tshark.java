@@ -36,10 +36,10 @@ public final class Tshark {
     record Field(String shown, String hex) {
     }
 
-    /** What was made of a packet: its fields by their names, in their order. */
+    /** A dissected packet: its fields by their names, in their order. */
     public record Dissected(Map<String, List<Field>> fields) {
 
-        /** What the fields of a name show. */
+        /** The text of all fields of a name. */
         public List<String> shown(String name) {
             return fields.getOrDefault(name, List.of()).stream().map(Field::shown).toList();
         }
@@ -142,7 +142,7 @@ public final class Tshark {
         return read;
     }
 
-    /** Of Debian 12 and 13 alike: the one shows a bool as 1, the other as True. */
+    /** A field's text, on Debian 12 and 13 alike: the one shows a bool as 1, the other as True. */
     private static String shown(Element field) {
         String shown = field.getAttribute("show");
         return shown.equals("True") ? "1" : shown.equals("False") ? "0" : shown;

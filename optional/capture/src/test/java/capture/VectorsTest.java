@@ -48,7 +48,7 @@ class VectorsTest {
     private List<Tshark.Dissected> dissected;
     private int cases;
 
-    /** What is to be true of some packets when all were dissected. */
+    /** A check of some packets once all were dissected. */
     private record Check(String what, Runnable check) {
     }
 
