@@ -31,7 +31,7 @@
 #define WDIE 0x40
 #define WDE 0x08
 
-// What simavr hands back when a port register changes.
+// The context that simavr hands back when a port register changes.
 struct board_port_link {
   board *owner;
   int index;

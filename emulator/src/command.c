@@ -93,7 +93,7 @@ void command_change_radio(const command *c, radio_config *radio) {
   radio_change_read(radio, &root);
 }
 
-// What a packet tells modulo LINE_HOPS.
+// A count that a packet tells, modulo LINE_HOPS.
 static unsigned read_told(const json_node *send, const char *key, const char *what) {
   json_node node = json_member(send, key);
   json_int_t value = json_integer_value(node.value);
@@ -125,7 +125,7 @@ static void read_send(command *c, const json_node *node) {
     json_fail(&flip, "expected the number of a bit of the payload, 0 to %d", (int)bits - 1);
 }
 
-// What a host tells of one of its state machines: texts that are for the trace alone.
+// A state of one of a host's state machines: texts that are for the trace alone.
 static void read_transition(const json_node *node) {
   static const char *const KEYS[] = {"do", "machine", "host", "peer", "id", "state", NULL};
   if (!json_check_object(node, KEYS)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run is told while it runs: one line of the control socket, read and checked. emulator/README.md documents every
+// A command to a run under way: one line of the control socket, read and checked. emulator/README.md documents every
 // key.
 #ifndef JAVINO_COMMAND_H
 #define JAVINO_COMMAND_H

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// What may be refused, and writes no events. Returns what was wrong, NULL if nothing was.
+// Does the part that may be refused, and writes no events. Returns what was wrong, NULL if nothing was.
 static const char *prepare(emulation *e, const command *c) {
   switch (c->kind) {
     case COMMAND_FAULT:

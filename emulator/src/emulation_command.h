@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What commands do with a run.
+// The effects of commands on a run.
 #ifndef JAVINO_EMULATION_COMMAND_H
 #define JAVINO_EMULATION_COMMAND_H
 

@@ -18,7 +18,7 @@
 // The bits of an AVR ELF's flags that name the family (binutils, include/elf/avr.h).
 #define AVR_FAMILY_MASK 0x7F
 
-// Where the AVR linker puts what is not in flash: data space from here on, and in it the EEPROM.
+// The addresses from which the AVR linker puts all that is not in flash: data space, and in it the EEPROM.
 #define DATA_SPACE 0x800000
 #define EEPROM_SPACE 0x810000
 

@@ -11,7 +11,7 @@
 #define CONVERSATION_LENGTH 4  // with the # before it
 #define TAG_LENGTH 8
 #define PROOF_LENGTH 8
-// Of a fragment's index digit: its low bits, and the one that asks for an answer.
+// The low bits of a fragment's index digit, and the one that asks for an answer.
 #define FRAGMENT_INDEX 7
 #define FRAGMENT_ASKS 8
 

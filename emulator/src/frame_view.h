@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sniffer without keys can tell of a radio payload (SPEC sections 1 to 3, 5 and 7).
+// The parts of a radio payload that a sniffer without keys can tell (SPEC sections 1 to 3, 5 and 7).
 #ifndef JAVINO_FRAME_VIEW_H
 #define JAVINO_FRAME_VIEW_H
 
@@ -33,7 +33,7 @@ int frame_view_read(frame_view *view, const uint8_t *payload, size_t length);
 
 const char *frame_kind_text(frame_kind kind);
 
-// What an acknowledgement says (emulator/README.md): "unknown" for a length that SPEC 7.3 does not have.
+// The meaning of an acknowledgement (emulator/README.md): "unknown" for a length that SPEC 7.3 does not have.
 const char *frame_answer_text(const frame_view *view);
 
 #endif

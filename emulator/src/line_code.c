@@ -13,13 +13,13 @@
 #define TRAINING_SYMBOLS 6
 // From the first carrier of the training to the end of the start symbol: the first bit is a 0.
 #define LEAD_BITS 47
-// Of a trailer (SPEC 6.1), with the bits of its first byte, the first one lowest.
+// The first byte of a trailer (SPEC 6.1), the first bit lowest; then the lengths of a trailer.
 #define MARK_WORD (0x1Cu | 0x23u << 6)
 #define PARITY_WORD (0x23u | 0x1Cu << 6)
 #define LESS_PARITY_BYTES 12u
 #define PARITY_BYTES 16u
 #define MAX_COUNT_OF_LESS_PARITY 48
-// Of the last symbols, what broke off there: of two boards may still find the right one, of three never (SPEC 6).
+// Symbols that may be broken off at the end: boards may still find the right ones of two, of three never (SPEC 6).
 #define MENDED_SYMBOLS 2
 // So many bits behind a packet a receiver tells it. Silence is no trailer by its third bit; so its sender has told it
 // before, even where a receiver reads half a bit early.
@@ -50,12 +50,12 @@ static void fail(line_decoder *decoder, line_error error) {
   decoder->listener.damaged(decoder->listener.context, error, (cycles_t)decoder->next_sample);
 }
 
-// Of the bit that is being taken.
+// The end of the bit that is being taken.
 static cycles_t bit_end(const line_decoder *decoder) {
   return (cycles_t)(decoder->next_sample + decoder->bit_cycles / 2);
 }
 
-// What the CRC is XORed with.
+// The value that the CRC is XORed with.
 static uint16_t crc_of_path(unsigned path) { return (uint16_t)(path ^ path << 4 ^ path << 11); }
 
 static void finish_packet(line_decoder *decoder) {

@@ -24,7 +24,7 @@
 #define LINE_HOPS 4
 #define LINE_PATHS (LINE_HOPS * (1 + LINE_HOPS))
 
-// What may follow a packet (SPEC 6.1).
+// The trailer that may follow a packet (SPEC 6.1).
 typedef enum { LINE_NO_TRAILER, LINE_MARK, LINE_PARITY } line_trailer;
 
 typedef enum { LINE_BAD_SYMBOL, LINE_BAD_COUNT, LINE_BAD_CRC } line_error;
@@ -43,7 +43,7 @@ typedef struct {
   void *context;
   // The CRC is right; a trailer may follow. May be NULL.
   void (*whole)(void *context, const line_packet *packet);
-  // That packet has ended, and its trailer too; told up to four bits later.
+  // The packet has ended, and its trailer too; told up to four bits later.
   void (*ended)(void *context, const line_packet *packet);
   void (*damaged)(void *context, line_error error, cycles_t at);
 } line_listener;
@@ -84,10 +84,10 @@ void line_decoder_end(line_decoder *decoder);
 // Returns their number.
 size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length, unsigned path);
 
-// What to call the trailer in the trace; NULL for none.
+// The trailer's name in the trace; NULL for none.
 const char *line_trailer_text(line_trailer trailer);
 
-// What to call the error in the trace.
+// The error's name in the trace.
 const char *line_error_text(line_error error);
 
 // CRC-16/X-25, which packets on the air and on the serial line end with (SPEC 4.1), low byte first.

@@ -44,8 +44,8 @@ const model MEGA = {
               .level_control = EICRB},
 };
 
-// What all boards with this chip have alike; pins as in the Arduino Uno schematic, revision 3. A Pro Mini's A6 and A7 go to
-// the converter alone, and are left out.
+// The part that all boards with this chip have alike; pins as in the Arduino Uno schematic, revision 3. A Pro Mini's A6
+// and A7 go to the converter alone, and are left out.
 #define ATMEGA328P                                                                                                 \
   .chip = "ATmega328P", .mcu = "atmega328p", .family = 5, .eeprom_size = 1024, .boot_size = 4096, .pin_count = 20, \
   .pin_a0 = 14,                                                                                                    \

@@ -46,7 +46,7 @@ typedef struct {
   int bit;    // 0…7
 } pin_location;
 
-// Where `pin`, one of the model's, is on the chip.
+// The place of `pin`, one of the model's, on the chip.
 pin_location pin_locate(const model *m, int pin);
 
 // The pin at a port bit, or -1 where the model brings none out.

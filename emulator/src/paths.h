@@ -16,7 +16,7 @@ int open_private(const char *path, bool add);
 // Lets nobody but its user read an open file. Returns 0, or -1 with errno set.
 int keep_private(int descriptor);
 
-// What errno means after one of the two has failed.
+// The meaning of errno after one of the two has failed.
 const char *private_problem(void);
 
 #endif

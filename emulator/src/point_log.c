@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-// Of a longer run of bytes than the two copies of a floor only the first ones are told: only a key is as long, and this ends before
-// its secrets.
+// Only the first bytes are told of a run that is longer than the two copies of a floor: only a key is as long, and they
+// end before its secrets.
 #define WHOLE 26
 #define BEGINNING 8
 

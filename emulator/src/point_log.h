@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a board's program tells by trace points (javino-firmware, src/support/TracePoints.h), and what it writes to its EEPROM
-// before each: events of the trace.
+// Events of the trace that a board's program causes: its trace points (javino-firmware, src/support/TracePoints.h), and
+// the bytes that it writes to its EEPROM before each.
 #ifndef JAVINO_POINT_LOG_H
 #define JAVINO_POINT_LOG_H
 

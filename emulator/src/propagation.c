@@ -8,7 +8,7 @@
 // Stream numbers of the seed from here on are those of pairs.
 #define PAIR_STREAM 4000
 #define MOST_SOURCES 64
-// What a rate of 0 counts as where it rises to another one, as its logarithm is no number: a bit in six days.
+// The rate that 0 counts as where it rises to another one, as its logarithm is no number: a bit in six days.
 #define LEAST_RATE 1e-9
 
 // How many times as far a signal comes from that is so much weaker.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of a signal on its way: how weak it is, in metres, and how many of its bits are wrong.
+// The fate of a signal on its way: how weak it is, in metres, and how many of its bits are wrong.
 //
 // Strength is told as a distance: that at which a signal would be as weak without anything in its way. So range, errors and
 // capture all see the same loss. It falls by PATH_LOSS_EXPONENT × 10 dB from a metre to ten.

@@ -57,7 +57,7 @@ bool pty_take(pty *p, uint8_t *byte);
 // A byte for the host; dropped and counted when the host is gone or does not read.
 void pty_put(pty *p, uint8_t byte, cycles_t now);
 
-// What to wait on for input, or -1 when there is nothing that could be taken.
+// The descriptor to wait on for input, or -1 when there is nothing that could be taken.
 int pty_poll_descriptor(const pty *p);
 
 #endif

@@ -30,13 +30,13 @@ int record_close(record *r);
 
 bool record_failed(const record *r);
 
-// What the run begins with.
+// The beginning of the run.
 void record_start(record *r, const struct emulation *e, uint64_t seed);
 
 // The boards run up to `until`, and then exchange with the hosts.
 void record_run(record *r, cycles_t until);
 
-// What a port's exchange has brought, if anything; to be called before the bytes are taken.
+// The bytes of a port's exchange, if there are any; to be called before they are taken.
 void record_port(record *r, const char *board, const pty *port, pty_change change);
 
 // All ports have exchanged.

@@ -132,7 +132,7 @@ static void exchange(replay *r, emulation *e, const json_node *ports) {
   r->exchange_due = false;
 }
 
-// What was refused then is refused again.
+// Performs a command anew. One that was refused then is refused again.
 static void perform(replay *r, emulation *e, const json_node *given) {
   char error[512];
   char *line = json_dumps(given->value, JSON_COMPACT);

@@ -232,7 +232,7 @@ static void run_source(rf_bus *bus, size_t index, cycles_t now) {
   }
 }
 
-// Of these sources, the one that is heard best.
+// The one of these sources that is heard best.
 static size_t nearest(const rf_receiver *receiver, uint64_t sources) {
   size_t best = (size_t)__builtin_ctzll(sources);
   for (sources &= sources - 1; sources; sources &= sources - 1) {

@@ -2,7 +2,7 @@
 // The air: joins the TX pins of all boards to their RX pins by on-off keying.
 //
 // A receiver's level is the OR of the carriers that it hears, so collisions come by themselves. The one that comes from so
-// much nearer than all others may be heard alone, if the radio captures. Of the result, bits may be wrong.
+// much nearer than all others may be heard alone, if the radio captures. Bits of the result may be wrong.
 // Every level arrives RF_DELAY after it was sent, whatever the order in which boards are run:
 // that keeps edges exact to the cycle although boards take turns of RF_STEP.
 #ifndef JAVINO_RF_BUS_H

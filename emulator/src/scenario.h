@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is emulated: the scenario file, read and checked. emulator/README.md documents every key.
+// The scenario to emulate: its file, read and checked. emulator/README.md documents every key.
 #ifndef JAVINO_SCENARIO_H
 #define JAVINO_SCENARIO_H
 
@@ -12,7 +12,7 @@
 #define MAX_BOARDS 48
 #define MIN_BIT_RATE 100
 #define MAX_BIT_RATE 10000
-// Who sends without being a board is called so.
+// The name of the sender that is no board.
 #define INJECTOR "injector"
 #define MAX_OBSTACLES 64
 #define MAX_DISTANCE_RATES 16
@@ -29,7 +29,7 @@ typedef struct {
   double rate;  // 0…1
 } distance_rate;
 
-// What a receiver gives while it hears nobody.
+// The noise that a receiver gives while it hears nobody.
 typedef struct {
   double edges_per_s;  // on average; 0: no noise
   double after_s;      // so long after the last carrier
@@ -143,7 +143,7 @@ typedef struct {
   world_config world;
 } scenario;
 
-// What the command line adds to the file.
+// The additions of the command line to the file.
 typedef struct {
   const char *directory;   // ports and EEPROM files are relative to it
   const char **overrides;  // "radio.key=value"

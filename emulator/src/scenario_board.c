@@ -229,7 +229,7 @@ static void read_vehicle(vehicle_config *vehicle, const json_node *node, const m
   read_motors(vehicle->backward, &backward, m);
 }
 
-// What an ultrasonic sensor measures in the world begins at a vehicle's nose.
+// An ultrasonic sensor that has no series measures the world from a vehicle's nose on.
 static void check_sonars(const board_config *board, const json_node *sensors) {
   for (size_t i = 0; i < board->sensor_count && board->vehicle.radius_m == 0; i++) {
     json_node sensor = json_element(sensors, i);

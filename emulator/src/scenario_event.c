@@ -7,7 +7,7 @@
 #include "scenario_board.h"
 #include "scenario_radio.h"
 
-// Of the trace: in those of version 2 boards tell their points.
+// The version of the trace; in version 2 boards tell their points.
 #define VERSION 2
 
 static json_t *position(double x_m, double y_m) { return json_pack("[ff]", x_m, y_m); }

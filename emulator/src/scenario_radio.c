@@ -136,7 +136,7 @@ void radio_config_read(radio_config *radio, const json_node *node) {
   radio_change_read(radio, node);
 }
 
-// What is off is left out.
+// Settings that are off are left out.
 json_t *radio_config_json(const radio_config *radio) {
   json_t *object =
       json_pack("{sfsfsf}", "bitRate", radio->bit_rate, "range", radio->range_m, "bitErrorRate", radio->bit_error_rate);

@@ -6,7 +6,7 @@
 #include <simavr/avr_adc.h>
 #include <simavr/sim_avr.h>
 
-// Of the HC-SR04, from the data sheet, and for the delay from measurements: eight cycles of 40 kHz and some more.
+// The HC-SR04, from its data sheet, and for the delay from measurements: eight cycles of 40 kHz and some more.
 #define MIN_TRIGGER (10 * CYCLES_PER_US)
 #define ECHO_DELAY (450 * CYCLES_PER_US)
 #define CYCLES_PER_CM (58 * CYCLES_PER_US)
@@ -16,7 +16,7 @@
 
 #define MAX_READING 1023
 
-// Of the series' clock; 0 as long as it has not started.
+// Seconds on the series' clock; 0 as long as it has not started.
 static double seconds_at(const sensor *s, cycles_t at) {
   return s->start == NEVER || at < s->start ? 0 : cycles_to_seconds(at - s->start);
 }

@@ -12,7 +12,7 @@
 #include "board.h"
 #include "scenario.h"
 
-// Where a sensor without a series has its values from.
+// The source of values for a sensor without a series.
 typedef struct {
   void *context;
   double (*value)(void *context, sensor_kind kind);

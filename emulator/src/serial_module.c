@@ -165,7 +165,7 @@ static void output(serial_module *m, const uint8_t *bytes, size_t length, cycles
   tell_aux(m);
 }
 
-// Of each bit and each whole piece by chance.
+// Each bit and each whole piece may be lost by chance.
 static bool is_lost(serial_module *m, size_t length) {
   const radio_config *radio = &m->owner->bus->radio;
   double bits = 1 - pow(1 - radio->bit_error_rate, (double)(BITS_ON_AIR * length));

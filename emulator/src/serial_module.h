@@ -71,7 +71,7 @@ int serial_modules_inject(serial_modules *s, const injector_packet *packet, cycl
 // Transmissions overlap at a receiver; bit n of `sources` is source n.
 void serial_modules_collision(serial_modules *s, size_t receiver, uint64_t sources);
 
-// What begins and ends on the air before `until`; then, when the bus has played it, what has come.
+// Does what begins and ends on the air before `until`; then, when the bus has played it, takes what has come.
 void serial_modules_send(serial_modules *s, cycles_t now, cycles_t until);
 void serial_modules_receive(serial_modules *s, cycles_t until);
 

@@ -13,9 +13,9 @@
 #define KEY_LENGTH 16
 #define HEADER_LENGTH 10
 #define RECORD_HEADER_LENGTH 3
-// Of the reply to hello: where the epoch stands, behind version and RF id.
+// The place of the epoch in the reply to hello, behind version and RF id.
 #define EPOCH_AT 5
-// Of a message record: where what follows the number stands.
+// Places in a message record, behind the number.
 #define DESTINATION_AT 1
 #define ORIGIN_AT 5
 #define ID_AT 9
@@ -26,7 +26,7 @@
 #define FLAGS_AT 1
 #define FLAG_LOST 0x04
 #define FLAG_COMING 0x08
-// Of a reply to a poll: it has a reading.
+// The flag of a reply to a poll that has a reading.
 #define FLAG_READING 0x04
 #define STATUS_NOT_GREETED 1
 #define SERIAL_ADDRESS "++++"
@@ -95,7 +95,7 @@ static void write_number(serial_sniffer *s, cycles_t at, const char *event, int 
   trace_end(s->out);
 }
 
-// Who the board is now, if it has an id.
+// Writes who the board is now, if it has an id.
 static void write_id(serial_sniffer *s, cycles_t at) {
   if (memcmp(s->id, SERIAL_ADDRESS, ADDRESS_LENGTH) == 0) return;
   begin(s, at, "host-id");
@@ -163,7 +163,8 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   }
 }
 
-// What one agent says to another, also where it is sealed on the air: boards give it to their hosts, and hosts to them, like this.
+// A content of one agent for another, also where it is sealed on the air: boards give it to their hosts, and hosts to
+// them, like this.
 static void write_content(serial_sniffer *s, const uint8_t *content, size_t length) {
   if (utf8_valid(content, length))
     trace_utf8(s->out, "content", content, length);
@@ -273,7 +274,7 @@ static void write_relaying(serial_sniffer *s, bool on, cycles_t at) {
   trace_end(s->out);
 }
 
-// What the board has performed; `body` is the reply's, behind its status.
+// Notes what the board has performed; `body` is the reply's, behind its status.
 static void performed(serial_sniffer *s, const serial_request *request, const uint8_t *body, size_t length,
                       cycles_t at) {
   switch (request->command) {

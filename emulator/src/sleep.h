@@ -36,7 +36,7 @@ typedef struct {
 
 void sleep_init(sleep_clocks *s, struct avr_t *avr, const model *m);
 
-// The program has performed SLEEP. Where it has not enabled that, the chip runs on.
+// The program has performed SLEEP. If it has not enabled that, the chip runs on.
 void sleep_begin(sleep_clocks *s);
 
 // Whether the chip, awake as simavr has it, runs instructions: not while its oscillator starts, which begins with this.

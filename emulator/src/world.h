@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is around the boards: the vehicles that they drive, what stands in their way, and the light.
+// The surroundings of the boards: the vehicles that they drive, the obstacles in their way, and the light.
 #ifndef JAVINO_WORLD_H
 #define JAVINO_WORLD_H
 

@@ -111,7 +111,7 @@ TEST(Board, the_common_clock_and_a_boards_own_agree_to_the_cycle_for_years) {
     board_power_off(b, &run.e.nodes[0].noise);  // its time goes on, and nothing has to be run for that
     for (cycles_t at : {seconds_to_cycles(0.1), seconds_to_cycles(1), seconds_to_cycles(1e8)}) {
       ASSERT_EQ(board_run(b, at), 0);
-      // Of the board's cycles, the first one that is not before that time.
+      // The first of the board's cycles that is not before that time.
       EXPECT_GE(board_now(b), at);
       EXPECT_LE(board_now(b), at + 1);
       auto cycles = static_cast<long double>(at) * (1000000 + ppm) / 1000000;
@@ -174,7 +174,7 @@ TEST(Board, firmware_for_something_else_is_refused) {
   board_release(&b);
 }
 
-// Of Debian's arduino-core-avr, which the sketches are built with.
+// The boot loader of Debian's arduino-core-avr, which the sketches are built with.
 static const std::string BOOT_LOADER =
     "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
 

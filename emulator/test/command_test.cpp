@@ -230,7 +230,7 @@ TEST(Command, the_control_socket_pauses_and_steers_it) {
   for (const std::string &cycle : cycles) EXPECT_EQ(cycle, cycles[0]) << "time stood still";
 }
 
-// What a host and commands do to a run with all kinds of chance in it; ends when the trace shows the last of it.
+// Acts of a host and commands in a run with all kinds of chance in it; ends when the trace shows the last of them.
 static void interfere(const Scratch &scratch) {
   const std::string control = scratch.path("control");
   const std::vector<std::string> lines = {
@@ -293,7 +293,7 @@ TEST(Command, a_recorded_run_is_made_again_to_the_byte) {
   EXPECT_EQ(read_text(scratch.path("run/count.bin")), eeprom);
   EXPECT_FALSE(exists(scratch.path("run/a")));
 
-  // What a run that was killed leaves is good as far as it goes.
+  // A record that a killed run leaves is good as far as it goes.
   std::string record = read_text(scratch.path("record"));
   size_t header = record.find('\n') + 1;
   scratch.write("record", record.substr(0, header + (record.size() - header) / 2));

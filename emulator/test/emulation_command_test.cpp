@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What commands do with a run, and what is said of those that are wrong.
+// The effects of commands on a run, and the errors of those that are wrong.
 #include "support.h"
 
 static const char CAR[] = R"({"boards":[

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What commands put on the air without any board.
+// Packets that commands put on the air without any board.
 #include "support.h"
 
 static const char HEARER[] = R"({"boards":[{"name":"near","firmware":"@blink","position":[0,0]},

@@ -161,7 +161,7 @@ TEST(LineCode, a_packet_that_broke_off_in_its_crc_counts_where_it_is_to) {
   json_t *vector = json_array_get(json_object_get(root, "packets"), 0);
   const std::string bits = text_of(vector, "bits");
   for (size_t cut = 1; cut <= 24; cut++) {
-    // What is 0 anyway is not missed.
+    // Bits that are 0 anyway are not missed.
     size_t wrong = 0;
     for (size_t symbol = bits.size() - 24; symbol < bits.size(); symbol += 6) {
       const size_t missing = bits.find('1', std::max(symbol, bits.size() - cut));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a board tells by trace points, and the bytes that it writes to its EEPROM before.
+// Trace points that a board tells, and the bytes that it writes to its EEPROM before.
 #include "support.h"
 
 namespace {

@@ -15,7 +15,7 @@ extern "C" {
 
 static bool forgets_permissions;
 
-// Of all tests; with `forgets_permissions` as on a stick, where all may read everything, whatever chmod says.
+// The fstat of all tests; with `forgets_permissions` as on a stick, where all may read everything, whatever chmod says.
 extern "C" int fstat(int descriptor, struct stat *status) noexcept {
   static const auto real = reinterpret_cast<int (*)(int, struct stat *)>(dlsym(RTLD_NEXT, "fstat"));
   const int result = real(descriptor, status);

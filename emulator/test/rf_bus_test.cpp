@@ -52,7 +52,7 @@ struct Air {
 
   void set(const radio_config &radio, cycles_t at) { rf_bus_set_radio(&bus, &radio, at); }
 
-  // What the level is at a receiver in the middle of each of so many bits from `from` on.
+  // The level at a receiver in the middle of each of so many bits from `from` on.
   std::vector<bool> bits(size_t receiver, cycles_t from, size_t count) const {
     std::vector<bool> found(count);
     size_t next = 0;
@@ -249,7 +249,7 @@ TEST(RfBus, errors_end_when_their_rate_is_set_to_none) {
 
 namespace {
 
-// Where the bits are wrong that a receiver gets of a long carrier from its neighbour.
+// The places of the wrong bits that a receiver gets of a long carrier from its neighbour.
 std::vector<size_t> errors_in(Air &air, size_t receiver, size_t bits) {
   rf_bus_carrier(&air.bus, receiver - 1, true, 1000);
   rf_bus_advance(&air.bus, 1000 + bits * BIT);
@@ -273,7 +273,7 @@ TEST(RfBus, errors_in_bursts_have_the_mean_rate_the_length_and_the_rate_within) 
   Air air(3, with_bursts(0.01, 30, 0.25));
   auto errors = errors_in(air, 1, BITS);
   EXPECT_NEAR(static_cast<double>(errors.size()) / BITS, 0.01, 0.0012);
-  // Where a bit is wrong, the n-th after it is in the same burst by exp(-n / 30), and then wrong by 0.25.
+  // A bit after a wrong one: the n-th is in the same burst by exp(-n / 30), and then wrong by 0.25.
   for (size_t n : {1u, 10u, 30u, 300u}) {
     std::set<size_t> places(errors.begin(), errors.end());
     double both = 0;

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-// What the program printed: centimetres, light, button.
+// The readings that the program printed: centimetres, light, button.
 static std::vector<std::vector<int>> readings(Emulation &run) {
   std::vector<std::vector<int>> all;
   for (const Event &line : run.events("car", "uart")) {

@@ -3,7 +3,7 @@
 #include "support.h"
 
 static const std::string SENT = "0001132f2f2f2f43414645417748656c6c6f21b2bc00";
-// Of the board, in seconds: simavr counts 11 bits, at 9615 bit/s.
+// The time of a byte at the board, in seconds: simavr counts 11 bits, at 9615 bit/s.
 static const double UART_BYTE = 11 / 9615.0;
 
 static std::string modules(const std::string &radio, const std::string &more = "",

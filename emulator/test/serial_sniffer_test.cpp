@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the trace says of the exchange of a board and its host, given to the sniffer byte by byte.
+// The trace of the exchange of a board and its host, given to the sniffer byte by byte.
 #include "support.h"
 
 extern "C" {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What wakes a sketch from each sleep mode, and what goes on meanwhile.
+// The events that wake a sketch from each sleep mode, and the clocks that go on meanwhile.
 #include "support.h"
 
 #include <fcntl.h>

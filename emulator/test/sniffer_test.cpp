@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the trace says of packets, given to the sniffer bit by bit.
+// The trace of packets that the sniffer is given bit by bit.
 #include "support.h"
 
 #include <memory>
@@ -63,7 +63,7 @@ std::string parity_bits(int bytes) {
   return bits;
 }
 
-// What the carrier shows of a packet with something behind it, and how long it is to be on the air.
+// The trailer that the carrier shows behind a packet, and how long the packet is to be on the air.
 void expect_trailer(const std::string &payload, const std::string &behind, const std::string &trailer, size_t bits) {
   const std::string packet = line_bits(payload);
   Event event = sniffed_bits(packet + behind);
@@ -133,7 +133,7 @@ TEST(Sniffer, calls_nothing_else_a_trailer) {
   expect_trailer(PAYLOAD, PARITY + "101100" + "011010" + parity_bits(11), "parity", 18);
 }
 
-// Who receives has the packet with its CRC; what hits its trailer does it no harm.
+// A receiver has the packet with its CRC; a hit on its trailer does it no harm.
 TEST(Sniffer, tells_that_a_packet_was_heard_whose_trailer_was_hit) {
   Scratch scratch;
   Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"},{"name":"b","firmware":"@blink"}]})");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tests share: a scratch folder, scenarios from text, emulations whose trace can be asked.
+// Helpers that the tests share: a scratch folder, scenarios from text, emulations whose trace can be asked.
 #ifndef JAVINO_TEST_SUPPORT_H
 #define JAVINO_TEST_SUPPORT_H
 

@@ -12,7 +12,7 @@ public final class BoundedLines implements AutoCloseable {
     /** The longest events are those of many boards, and take some thousands. */
     public static final int MOST_CHARACTERS = 1 << 18;
 
-    /** What some editors put before a text. */
+    /** The mark that some editors put before a text. */
     private static final char BYTE_ORDER_MARK = '\uFEFF';
 
     private final BufferedReader in;

@@ -16,8 +16,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * One line of the emulator's trace (emulator/README.md), or an event of the same form. Where a field is missing or is
- * of another type, all methods that need it throw {@link MalformedEventException}.
+ * One line of the emulator's trace (emulator/README.md), or an event of the same form. If a field is missing or is of
+ * another type, all methods that need it throw {@link MalformedEventException}.
  */
 public final class TraceEvent {
     /** Hops and distances are told modulo this (SPEC 7.5). */
@@ -49,7 +49,7 @@ public final class TraceEvent {
     /**
      * Reads a line.
      *
-     * @param number of the line, from 1.
+     * @param number the line's, from 1.
      */
     public static TraceEvent parse(int number, String line) {
         try {
@@ -93,7 +93,7 @@ public final class TraceEvent {
         return board;
     }
 
-    /** What happened, such as {@code rf-tx}. */
+    /** The kind of event, such as {@code rf-tx}. */
     public String name() {
         return name;
     }
@@ -146,17 +146,17 @@ public final class TraceEvent {
         }
     }
 
-    /** Of a packet: the relays behind it, modulo 4; a sender's own packet has none. */
+    /** The relays behind a packet, modulo 4; a sender's own packet has none. */
     public int hops() {
         return has("hops") ? number("hops") : 0;
     }
 
-    /** Of a packet: the distance that it tells, modulo 4 (SPEC 7.5). */
+    /** The distance that a packet tells, modulo 4 (SPEC 7.5). */
     public OptionalInt distance() {
         return has("distance") ? OptionalInt.of(number("distance")) : OptionalInt.empty();
     }
 
-    /** Of a packet: both in one number (SPEC 6). */
+    /** The hops and the distance of a packet in one number (SPEC 6). */
     public int path() {
         return hops() + HOPS * (1 + distance().orElse(-1));
     }
@@ -174,7 +174,7 @@ public final class TraceEvent {
         return has(field) ? fields.get(field).deepCopy() : JsonNull.INSTANCE;
     }
 
-    /** What one host says to another, which is text or bytes; nothing if it does not tell. */
+    /** The message of one host to another, text or bytes; nothing if the event does not tell it. */
     public Optional<byte[]> said() {
         return has("hex") ? Optional.of(bytes("hex"))
                 : has("content") ? Optional.of(text("content").getBytes(StandardCharsets.UTF_8)) : Optional.empty();

@@ -32,7 +32,7 @@ public final class TransitionHandler extends Handler {
         this.control = control;
     }
 
-    /** What a configuration of loggers needs so that this is a handler of the logger. */
+    /** The lines of a configuration of loggers that make this a handler of the logger. */
     public static String configuration(String logger, Path control) {
         return String.format("%n%s.handlers = %s%n%s.level = FINE%n%s = %s%n", logger,
                 TransitionHandler.class.getName(), logger, CONTROL, control);
