@@ -25,7 +25,7 @@ void qemu_plugin_register_vcpu_tb_trans_cb(plugin_id id, on_translation callback
 void qemu_plugin_register_vcpu_tb_exec_cb(block *translated, on_execution callback, int registers, void *data);
 size_t qemu_plugin_tb_n_insns(const block *translated);
 
-// Of the interface: QEMU 4.2 to 8 take it.
+// The version of the interface: QEMU 4.2 to 8 take it.
 EXPORT int qemu_plugin_version = 1;
 
 static uint64_t *count;

@@ -53,7 +53,7 @@ void jittered(int percentOfBit, double skew) {
           });
 }
 
-// What a receiver without a carrier gives, before and behind the packet.
+// Noise as a receiver without a carrier gives it, before and behind the packet.
 void surroundedByNoise() {
   compare("noise before and behind", [](const Bytes &payload, std::mt19937 &random) {
     return AirLine()

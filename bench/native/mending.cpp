@@ -1,4 +1,4 @@
-// What mending one symbol brings, and whether it ever makes a wrong payload: packets of 40 random bytes with random bit
+// The gain of mending one symbol, and whether it ever makes a wrong payload: packets of 40 random bytes with random bit
 // errors, until a million of them were damaged; a JSON object a rate. Takes half a minute.
 #include <cstdio>
 #include <cstdlib>

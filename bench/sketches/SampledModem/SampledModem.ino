@@ -1,4 +1,4 @@
-// What Modem is compared with: the same task done as VirtualWire does it, written anew from its description. A timer
+// The reference for Modem: the same task done as VirtualWire does it, written anew from its description. A timer
 // interrupts eight times a bit, whether anything is on the air or not. The receiver advances a ramp of 160 steps by 20 a
 // sample, or by 11 or 29 where the line changed; five samples or more make a one. The sender puts a bit out at each
 // eighth interrupt. Pins are read and written with the core's functions.

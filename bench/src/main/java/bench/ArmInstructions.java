@@ -57,7 +57,7 @@ final class ArmInstructions implements Subject {
     private static final List<Virtual> MACHINES = List.of(
             new Virtual("C1", List.of("-XX:+TieredCompilation", "-XX:TieredStopAtLevel=1"), "c1", "≤ 0.3 million"),
             new Virtual("Zero VM", List.of("-zero"), "zero", ""));
-    /** What Java finds on a Raspberry Pi Zero. */
+    /** The computer that Java finds on a Raspberry Pi Zero. */
     private static final List<String> COMPUTER = List.of("-XX:ActiveProcessorCount=1", "-XX:MaxRAM=512m");
 
     @Override
@@ -153,7 +153,7 @@ final class ArmInstructions implements Subject {
         return step % 2 == 0 ? DARK : BRIGHT;
     }
 
-    /** What a process had executed at a time. */
+    /** The instructions that a process had executed at a time. */
     private record Moment(long instructions, long nanos) {
 
         double millionsPerSecond(Moment later) {

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** What was measured, as lines for a screen, lines of docs/results.md, and a full report. */
+/** The measurements, as lines for a screen, lines of docs/results.md, and a full report. */
 final class BenchReport {
 
     private static final Row HEAD = new Row("what", "ours", "reference", "ratio", "goal", false);

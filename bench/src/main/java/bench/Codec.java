@@ -23,7 +23,7 @@ public final class Codec implements Subject {
 
     private static final int FRAME_LENGTH = 64;
 
-    /** What JMH runs. */
+    /** The exchange that JMH runs. */
     @State(Scope.Thread)
     public static class Exchange {
 

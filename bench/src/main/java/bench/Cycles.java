@@ -12,7 +12,7 @@ final class Cycles implements Subject {
 
     private static final Pattern LINE = Pattern.compile("^(.+?)\\s+(\\d+\\.\\d)\\s+(\\d+\\.\\d)$");
 
-    /** What is compared with others, or is to reach a figure; 0 where there is no other. */
+    /** A reference to compare with, and a figure to reach; 0 where there is none. */
     private record Target(double reference, String cited, int goal) {}
 
     private static final Map<String, Target> TARGETS = Map.of(

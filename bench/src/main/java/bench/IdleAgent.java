@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 
-/** What an agent that has nothing to do takes of a core, with and without a board. */
+/** The share of a core that an agent takes that has nothing to do, with and without a board. */
 final class IdleAgent implements Subject {
 
     private static final String PLAIN = "!start. +!start <- .print(started).";

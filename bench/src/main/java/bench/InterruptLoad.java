@@ -2,7 +2,7 @@ package bench;
 
 import java.util.List;
 
-/** What the radio's interrupts take of a board's CPU. */
+/** The share of a board's CPU that the radio's interrupts take. */
 final class InterruptLoad implements Subject {
 
     private static final int BIT_RATE = 2000;

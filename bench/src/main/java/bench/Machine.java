@@ -28,7 +28,7 @@ final class Machine {
         return Command.run("avr-gcc", "-dumpversion").get(0);
     }
 
-    /** Where gradle has put the program of a sketch for a Mega. */
+    /** The program that gradle has built of a sketch for a Mega. */
     static Path firmware(String sketch) {
         return firmware(sketch, "");
     }

@@ -11,7 +11,7 @@ import javino.board.BoardListener;
 import javino.fake.FakeBoard;
 import javino.protocol.BoardInfo;
 
-/** What a hundred idle boards in one program take. */
+/** The CPU time and the threads that a hundred idle boards in one program take. */
 public final class ManyBoards implements Subject {
 
     private static final int BOARDS = 100;

@@ -15,7 +15,7 @@ import trace.TraceEvent;
 /** A run, as fast as it goes, of boards that send or receive all the time at one bit rate; counts their cycles. */
 final class Probe {
 
-    /** What a board of {@code Modem} or {@code SampledModem} sends: the longest packet. */
+    /** The length of what a board of {@code Modem} or {@code SampledModem} sends: the longest packet. */
     static final int PACKET_BITS = Airtime.bits(77);
 
     private static final double CYCLES_PER_SECOND = 16e6;
@@ -35,7 +35,7 @@ final class Probe {
      *
      * @param sketch  {@code Modem} or {@code SampledModem}.
      * @param bitRate in bit/s.
-     * @param seconds of emulated time.
+     * @param seconds emulated time.
      */
     static Probe run(String sketch, int bitRate, int senders, int receivers, double seconds)
             throws IOException, InterruptedException {

@@ -32,8 +32,8 @@ final class Radio implements Subject {
     private static final int LONG_MESSAGES = 10;
     private static final int WAITING_ON_BOARD = 2;
     /**
-     * Of the request on its way to the board: sequence, frame of 26 bytes, CRC, COBS, zeros before and behind; 115200
-     * baud.
+     * The time of the request on its way to the board: sequence, frame of 26 bytes, CRC, COBS, zeros before and behind;
+     * 115200 baud.
      */
     private static final double REQUEST_MILLISECONDS = 1000.0 * 10 * (1 + 26 + 2 + 1 + 2) / 115_200;
 

@@ -5,11 +5,11 @@ import java.util.Locale;
 /**
  * One line of the table.
  *
- * @param what      what was measured.
+ * @param what      the thing measured.
  * @param ours      the figure, with its unit.
- * @param reference what it is compared with, or empty.
+ * @param reference the figure to compare with, or empty.
  * @param ratio     ours to the reference, or empty.
- * @param goal      what we want to reach, or empty.
+ * @param goal      the figure that we want to reach, or empty.
  * @param isClaim   whether docs/results.md has it.
  */
 record Row(String what, String ours, String reference, String ratio, String goal, boolean isClaim) {
@@ -22,7 +22,7 @@ record Row(String what, String ours, String reference, String ratio, String goal
     /**
      * A figure and one measured in the same way in the same run.
      *
-     * @param format of both figures, with their unit, as {@code "%.1f ms"}.
+     * @param format that of both figures, with their unit, as {@code "%.1f ms"}.
      */
     static Row against(String what, String format, double ours, double reference, String name) {
         return of(what, text(format, ours)).and(text(format, reference) + " " + name, ours / reference);
@@ -31,7 +31,7 @@ record Row(String what, String ours, String reference, String ratio, String goal
     /**
      * A figure and one that was not measured in this run but comes from where {@code cited} says.
      *
-     * @param format of both figures, with their unit.
+     * @param format that of both figures, with their unit.
      */
     static Row cited(String what, String format, double ours, double reference, String cited) {
         return of(what, text(format, ours)).and(text(format, reference) + " " + cited + " (cited)", ours / reference);

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What Linux knows of a process's threads. */
+/** The threads of a process, as Linux knows them. */
 final class Threads {
 
     private static final String SWITCHES = "voluntary_ctxt_switches:";

@@ -15,7 +15,7 @@ public final class note extends DefaultInternalAction {
     private static final int PATIENCE_SECONDS = 60;
     private static final BlockingQueue<Note> NOTES = new LinkedBlockingQueue<>();
 
-    /** @param nanos of this machine's {@link System#nanoTime()}. */
+    /** @param nanos the time by this machine's {@link System#nanoTime()}. */
     record Note(String what, long nanos) {}
 
     @Override
