@@ -16,7 +16,7 @@ import javino.protocol.Airtime;
 import trace.TraceEvent;
 import trace.TraceReader;
 
-/** What a trace of the emulator (emulator/README.md) tells of the air. */
+/** The events on the air that a trace of the emulator (emulator/README.md) tells. */
 final class AirTrace {
 
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
@@ -28,10 +28,10 @@ final class AirTrace {
     /** A jam, in seconds. */
     record Jam(double start, double end) {}
 
-    /** That a packet has reached a board. */
+    /** A packet has reached a board. */
     private record Heard(String board, String from, double start, boolean damaged) {}
 
-    /** That transmissions began to overlap at a board. */
+    /** Transmissions began to overlap at a board. */
     private record Overlap(String board, double at, Set<String> sources) {}
 
     private final Map<String, TreeMap<Double, Packet>> sent = new HashMap<>();

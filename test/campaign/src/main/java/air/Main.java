@@ -83,7 +83,7 @@ public final class Main implements Callable<Integer> {
         return CommandLine.ExitCode.OK;
     }
 
-    /** Where the picture begins: if not all fits, where most is to be seen that went wrong. */
+    /** The beginning of the picture: if not all fits, the part with the most that went wrong. */
     private static double busiest(List<Packet> packets, double first, double last) {
         double[] starts = packets.stream().filter(packet -> packet.cause != null && packet.overlaps(first, last))
                 .mapToDouble(packet -> packet.start).toArray();

@@ -11,7 +11,7 @@ final class Packet {
 
     private static final int SLOT_BITS = 16;
 
-    /** What it is drawn as. */
+    /** The kind that it is drawn as. */
     enum Kind {
         FIRST("first attempt", "#2f6fb5"),
         REPEAT("repeat", "#c45a00"),
@@ -45,14 +45,14 @@ final class Packet {
     final List<String> damagedAt = new ArrayList<>();
     /** Those that were on the air at the same time and that some board heard too, in the order of their beginnings. */
     final List<Packet> met = new ArrayList<>();
-    /** Whose transmissions began to overlap it at a board where it was damaged; may be a jam's. */
+    /** The boards whose transmissions began to overlap it at a board where it was damaged; may be a jam's. */
     final Set<String> beside = new HashSet<>();
     /** Slots since its sender heard the air become quiet; NaN where that is not known, or it was not. */
     double quietSlots = Double.NaN;
     /** Why it began though another was on the air, or was damaged though none was; null where neither is so. */
     Cause cause;
 
-    /** @param digits of its payload, in hexadecimal */
+    /** @param digits those of its payload, in hexadecimal */
     Packet(String board, double start, double end, int bits, int digits, Kind kind, String address, String trailer) {
         this.board = board;
         this.start = start;
@@ -89,7 +89,7 @@ final class Packet {
         return met.stream().filter(other -> other.start <= start && !other.isAfter(this)).toList();
     }
 
-    /** Of two that begin at once, each may be called the first; this makes it one. */
+    /** Makes one of two that begin at once the later one, as each might be called the first. */
     private boolean isAfter(Packet other) {
         return start == other.start && board.compareTo(other.board) > 0;
     }

@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What the logs of two hosts say of all messages from the first to the second.
+ * The messages from one host to another, as the logs of both tell them.
  *
  * @param offered   messages that the first handed to its board.
- * @param delivered of these, reported delivered.
+ * @param delivered those that were reported delivered.
  * @param lost      reported delivered, and not in the second's log.
  * @param redelivered handed over once more to a later run of the second host, with the same id: SPEC 7.2 allows it,
  *                  since the run before died before it had said that it has the message.

@@ -71,7 +71,7 @@ final class AgentTexts {
         return clauses;
     }
 
-    /** A line that is not indented begins a clause. What would begin by itself is left out. */
+    /** A line that is not indented begins a clause. Clauses that would begin by themselves are left out. */
     private static List<String> clauses(List<String> lines) {
         List<String> clauses = new ArrayList<>();
         for (String line : lines) {

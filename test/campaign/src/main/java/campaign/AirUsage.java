@@ -34,7 +34,7 @@ final class AirUsage implements Consumer<TraceEvent> {
         usages.merge(event.board(), new Sum(1, seconds), Sum::plus);
     }
 
-    /** What these boards have sent. */
+    /** The packets that these boards have sent, together. */
     synchronized Sum of(Collection<Field.Post> boards) {
         return boards.stream().map(post -> usages.getOrDefault(post.name(), Sum.NONE)).reduce(Sum.NONE, Sum::plus);
     }

@@ -51,7 +51,7 @@ final class Attacker implements AutoCloseable {
     /**
      * Goes on sending from now on, with random pauses.
      *
-     * @param share  of the air that it takes, over 0 and under 1.
+     * @param share  the share of the air that it takes, over 0 and under 1.
      * @param forger makes each packet.
      */
     void flood(double share, Timetable timetable, ProcessHandle emulator, Random random,

@@ -7,7 +7,7 @@ public interface Campaign {
     String name();
 
     /**
-     * Tries, and reports what came of it. What it has started has ended when this returns or throws.
+     * Tries, and reports what came of it. All that it has started has ended when this returns or throws.
      *
      * @throws Exception where it could not be carried out; then nothing is shown.
      */

@@ -10,14 +10,14 @@ final class Cells implements Campaign {
     private static final int FEW_BOARDS = 4;
     private static final double SECONDS = 90;
     private static final double FEW_SECONDS = 20;
-    /** Of what a gateway adds, beside the broker's own time. */
+    /** The most that a gateway adds, beside the broker's own time. */
     private static final double MOST_MILLIS = 50;
     private static final double MANY_SECONDS = 120;
     /** By how much a gateway among the most cells may need more than among the fewest, and the broker for each. */
     private static final double GATEWAY_GROWTH = 1.2;
     private static final double BROKER_GROWTH = 1.1;
     private static final int COUNTRY = 10_000;
-    /** Of a cell's air, for searches of all gateways (docs/mqtt.md), and a frame's time on the air. */
+    /** The share of a cell's air for searches of all gateways (docs/mqtt.md), and a frame's time on the air. */
     private static final double SEARCH_SHARE = 0.02;
     private static final double FRAME_SECONDS = 0.28;
 

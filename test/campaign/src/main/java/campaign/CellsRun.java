@@ -23,7 +23,7 @@ import javino.protocol.Outcome;
 /**
  * Some cells, joined.
  *
- * @param boards  of each cell; the last one is its gateway's.
+ * @param boards  the number in each cell; the last one is its gateway's.
  * @param seconds emulated, how long messages are offered.
  */
 record CellsRun(long seed, int cells, int boards, double seconds) implements Callable<CellsRun.Result> {
@@ -32,14 +32,14 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
     static final double MEAN_SECONDS = 90;
 
     /**
-     * What it came to. CPU times are in seconds of a core by an emulated second.
+     * The outcome. CPU times are in seconds of a core by an emulated second.
      *
      * @param near    messages to a neighbour.
      * @param far     to the next cell, if there is one.
      * @param speed   emulated time by time on the wall.
      * @param air     the share of a cell's time in which some board sends.
      * @param frames  published in an emulated second.
-     * @param gateway of each gateway, as of each emulator and of the hosts and the replay of each cell.
+     * @param gateway that of each gateway, as of each emulator and of the hosts and the replay of each cell.
      */
     record Result(int cells, Traffic.Sent near, Traffic.Sent far, double speed, double air, double frames,
             double broker, long brokerBytes, double gateway, long gatewayBytes, double emulator, double hosts) {}

@@ -49,7 +49,7 @@ final class CertifiedPair implements AutoCloseable {
     private final Set<String> said = new HashSet<>();
     private CompletableFuture<Void> fault;
 
-    /** @param number of the pair in its cell, from 0. */
+    /** @param number the pair's in its cell, from 0. */
     CertifiedPair(Field field, Timetable time, int cell, int number, Certificates authority) throws IOException {
         this.field = field;
         this.time = time;
@@ -84,7 +84,7 @@ final class CertifiedPair implements AutoCloseable {
     /**
      * An attacker who has heard all so far has his say: in the names of both hosts, and of others.
      *
-     * @param messages that he sends.
+     * @param messages the number of messages that he sends.
      */
     void besiege(Random random, int messages) throws InterruptedException {
         List<Frame> sealed = heard.stream().filter(frame -> !frame.destination().equals(Address.BROADCAST)).toList();
@@ -105,7 +105,7 @@ final class CertifiedPair implements AutoCloseable {
                 frame.encode().hex()));
     }
 
-    /** What both boards have in their EEPROMs. */
+    /** The contents of both boards' EEPROMs. */
     List<Bytes> eeproms() throws IOException {
         List<Bytes> all = new ArrayList<>();
         for (Field.Post post : List.of(one, other)) {
@@ -113,7 +113,7 @@ final class CertifiedPair implements AutoCloseable {
         }
         return all;
     }
-
+/** The number of contents that have come and that nobody has said. */
     /** What has come that nobody has said. */
     long strange() {
         return came.keySet().stream().filter(content -> !said.contains(content)).count();
@@ -145,7 +145,7 @@ final class CertifiedPair implements AutoCloseable {
         first.awaitOnline();
     }
 
-    /** That befalls one of the two boards in so many emulated seconds. */
+    /** A fault befalls one of the two boards in so many emulated seconds. */
     void later(double seconds, String what, boolean toFirst) {
         CompletableFuture<Void> done = new CompletableFuture<>();
         fault = done;
@@ -155,7 +155,7 @@ final class CertifiedPair implements AutoCloseable {
         });
     }
 
-    /** It has befallen. */
+    /** The fault has befallen. */
     void awaitFault() {
         fault.join();
     }
@@ -184,7 +184,7 @@ final class CertifiedPair implements AutoCloseable {
         return await(content.toString(), end);
     }
 
-    /** What ends as undelivered may have come all the same. */
+    /** A message that ends as undelivered may have come all the same. */
     private synchronized OptionalDouble await(String content, double end) throws InterruptedException {
         double soon = Math.min(end, time.now() + 0.5);
         while (!came.containsKey(content) && time.now() < soon) {

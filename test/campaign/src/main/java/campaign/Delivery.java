@@ -11,7 +11,7 @@ final class Delivery implements Campaign {
 
     private static final int SHORT = 16;
     private static final int LONG = 200;
-    /** Of the campaign, each with all cases. */
+    /** The seeds of the campaign, each with all cases. */
     private static final int SEEDS = 3;
     private static final List<Integer> LENGTHS = List.of(SHORT, LONG);
     private static final Field.Cell BOARDS = new Field.Cell("Station", 2);
@@ -19,7 +19,7 @@ final class Delivery implements Campaign {
     /**
      * One kind of air.
      *
-     * @param radio   what the scenario says of it.
+     * @param radio   the scenario's settings of the radio.
      * @param seconds emulated, how long new messages begin.
      */
     private record Case(String name, Map<String, Object> radio, int seconds) {
@@ -97,7 +97,7 @@ final class Delivery implements Campaign {
                 return Rows.sum(seeds);
             }
 
-            /** Of the shares that the seeds delivered. */
+            /** The spread of the shares that the seeds delivered. */
             String spread() {
                 return Table.spread("%.2f", seeds.stream().mapToDouble(each -> 100 * each.delivered())) + " %";
             }
@@ -170,7 +170,7 @@ final class Delivery implements Campaign {
                     row.sum().sum().offered()), row.spread());
         }
 
-        /** @param milliseconds of air for each delivered byte, at most. */
+        /** @param milliseconds the time on the air for each delivered byte, at most. */
         void aim(Report report, Case of, int length, double share, double milliseconds) {
             PairRun.Result result = find(of, length).sum();
             String air =

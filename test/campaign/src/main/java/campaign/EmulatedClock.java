@@ -59,7 +59,7 @@ final class EmulatedClock implements HostClock {
         return nanos / 1e6;
     }
 
-    /** What steps have thrown. */
+    /** The exceptions that steps have thrown. */
     List<RuntimeException> failed() {
         return failed;
     }

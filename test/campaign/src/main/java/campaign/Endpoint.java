@@ -23,15 +23,15 @@ final class Endpoint implements AutoCloseable {
 
     /**
      * @param peer     the only device that sends to here.
-     * @param incoming where what it sends is entered.
+     * @param incoming the ledger of the messages that it sends.
      */
     Endpoint(LinkOpener link, Address peer, Ledger incoming) {
         this(link, Map.of(peer, incoming), incoming);
     }
 
     /**
-     * @param incoming where what each device sends is entered.
-     * @param strays   where it is entered if it comes from any other.
+     * @param incoming the ledger of each device's messages.
+     * @param strays   the ledger of messages from any other.
      */
     Endpoint(LinkOpener link, Map<Address, Ledger> incoming, Ledger strays) {
         board = Board.open(link, config(), new BoardListener() {
@@ -64,7 +64,7 @@ final class Endpoint implements AutoCloseable {
         return this;
     }
 
-    /** Sends the ledger's next message. What follows its end runs on the session's thread, once the ledger knows it. */
+    /** Sends the ledger's next message. The session's thread runs what follows its end, once the ledger knows it. */
     CompletableFuture<Outcome> send(Address to, Ledger ledger) {
         int number = ledger.next();
         return board.transmit(to, ledger.content(number)).end().whenComplete((outcome, failure) -> {

@@ -10,7 +10,7 @@ import trace.TraceEvent;
 /**
  * One thing that goes wrong.
  *
- * @param pair   whom it befalls.
+ * @param pair   the pair that it befalls.
  * @param side   which of the two boards, 0 or 1.
  * @param second emulated time at which it begins.
  * @param writes for a power cut: after how many bytes written to the EEPROM from then on, at least 1.
@@ -21,7 +21,7 @@ record Fault(Kind kind, int pair, int side, double second, int writes) {
     private static final double JAMMED_SECONDS = 1;
     private static final double DARK_SECONDS = 0.2;
 
-    /** What can go wrong. */
+    /** A kind of fault. */
     enum Kind {
         UNPLUG("serial port unplugged for 0.5 s"),
         RESET("board reset"),

@@ -152,7 +152,7 @@ final class FaultField implements AutoCloseable {
         return checks.size() == 1 && allowed.stream().anyMatch(key -> key.check().equals(checks.get(0)));
     }
 
-    /** What the hosts' logs say, of all directions. */
+    /** The account by the hosts' logs, of all directions. */
     Account account() throws IOException {
         Account all = Account.EMPTY;
         for (List<Field.Post> pair : posts) {

@@ -2,7 +2,7 @@ package campaign;
 
 import java.util.List;
 
-/** What happens to a busy exchange when ports, boards, hosts, the air and the power fail. */
+/** A busy exchange while ports, boards, hosts, the air and the power fail. */
 final class Faults implements Campaign {
 
     private static final double AIM_SECONDS = 2;

@@ -19,7 +19,7 @@ import javino.protocol.Address;
 /** Emulated boards in cells: those of one cell may hear each other, and nobody else. In a folder that ends with it. */
 final class Field implements AutoCloseable {
 
-    /** What one emulator takes beside a metronome. */
+    /** The most boards that one emulator takes beside a metronome. */
     static final int MOST_BOARDS = 47;
     private static final double CELL_METRES = 10_000;
 
@@ -30,8 +30,8 @@ final class Field implements AutoCloseable {
     /**
      * Boards in one range.
      *
-     * @param sketch what they all run.
-     * @param boards of each, at least one, what a scenario is to say beside or in place of what it says of all;
+     * @param sketch the sketch that they all run.
+     * @param boards for each, at least one, what a scenario is to say beside or in place of what it says of all;
      *               positions count from where the cell is.
      * @param relays the numbers of those boards that are relays.
      */
@@ -56,7 +56,7 @@ final class Field implements AutoCloseable {
     /**
      * One board.
      *
-     * @param name    what the trace calls it.
+     * @param name    its name in the trace.
      * @param address its RF id, once its host has set it.
      */
     record Post(String name, Address address) {}
@@ -81,7 +81,7 @@ final class Field implements AutoCloseable {
         return List.copyOf(all);
     }
 
-    /** Where the boards of a cell stand: x and y in metres. */
+    /** The place of a cell's boards: x and y in metres. */
     static List<Double> position(int cell) {
         return position(cell, List.of(0.0, 0.0));
     }

@@ -15,7 +15,7 @@ final class Floods {
     /** Attackers compute bits in loops: more in one emulator would make it fall behind. */
     private static final int AT_ONCE = 2;
 
-    /** What is forged. */
+    /** The packets that are forged. */
     private enum Kind {
         NONE("nothing"), FRAMES("sealed frames"), FRAGMENTS("first fragments"), ENDS("ends of the next message"),
         BROADCASTS("broadcasts");
@@ -40,9 +40,9 @@ final class Floods {
     }
 
     /**
-     * @param share  of the air that the attacker takes.
-     * @param length of each content, in bytes.
-     * @param run    of several of the same kind: each has another seed. Cases of one run stand together.
+     * @param share  the share of the air that the attacker takes.
+     * @param length the length of each content, in bytes.
+     * @param run    the number among several of the same kind: each has another seed. Cases of one run stand together.
      */
     private record Case(Kind kind, double share, int length, int run) {
 

@@ -14,7 +14,7 @@ final class Fuzzing implements Campaign {
 
     private static final int SECONDS = 600;
 
-    /** @param run of a target, and how long it was given. */
+    /** @param run the run of a target, and how long it was given. */
     private record Result(Target target, Run run, int seconds) {}
 
     @Override

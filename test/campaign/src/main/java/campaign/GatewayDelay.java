@@ -16,7 +16,7 @@ import java.util.function.Consumer;
 import trace.TraceEvent;
 
 /**
- * What gateways add to a frame's way, each time in seconds.
+ * The time that gateways add to a frame's way, each time in seconds.
  *
  * @param ways   from a packet's end until the board in the other cell has it.
  * @param broker from a client's publication until another client has it.

@@ -74,7 +74,7 @@ final class KeyAgreementsOnBoards {
         report.claim(what, seconds(share(waits, 0.5)), "at most " + seconds(share(waits, 1)));
     }
 
-    /** What is done with each pair, side by side. */
+    /** The work to do with each pair, side by side. */
     private interface Doing {
 
         List<Double> with(CertifiedPair pair, Random random) throws Exception;

@@ -20,12 +20,12 @@ final class Ledger {
     private int wrong;
     private int twice;
 
-    /** @param length of each content, in bytes. */
+    /** @param length the length of each content, in bytes. */
     Ledger(int length) {
         this.length = length;
     }
 
-    /** What a ledger, or several together, come to. Each number is one of messages. */
+    /** The sum of a ledger, or of several together. Each number is one of messages. */
     record Sum(long offered, long refused, long delivered, long undelivered, long unknown, long received, long lost,
             long wrong, long twice) {
 
@@ -61,7 +61,7 @@ final class Ledger {
         return offered++;
     }
 
-    /** What the message of a number says. */
+    /** The content of the message of a number. */
     Content content(int number) {
         return Contents.of(number, length);
     }

@@ -13,7 +13,7 @@ import javino.protocol.Airtime;
 final class Load implements Campaign {
 
     private static final int SEEDS = 3;
-    /** Of two boards alone, with each seed. */
+    /** The pairs of two boards alone, with each seed. */
     private static final int PAIRS = 3;
     private static final double SECONDS = 60;
     private static final double TEST_SECONDS = 8;
@@ -24,7 +24,7 @@ final class Load implements Campaign {
     private static final double HALF = 0.5;
     private static final double HIGH = 0.75;
     private static final double FULL = 1;
-    /** Of three in a row, with a range of 100 m, only neighbours hear each other. */
+    /** The distance between three in a row: with a range of 100 m, only neighbours hear each other. */
     private static final double APART_METRES = 80;
     private static final String HIDDEN = "2 hidden boards";
 
@@ -32,7 +32,7 @@ final class Load implements Campaign {
      * One row.
      *
      * @param load  airtime of messages and acknowledgements over time, if each were sent once.
-     * @param other what is not as it should be; empty for the library's example.
+     * @param other the difference from the library's example; empty for none.
      */
     private record Case(String boards, double load, String other, TrafficRun.Plan plan) {
 
@@ -69,7 +69,7 @@ final class Load implements Campaign {
         }
     }
 
-    /** What all seeds of a row gave. */
+    /** The results of all seeds of a row. */
     private record Row(Case of, List<TrafficRun.Result> runs) {
 
         Ledger.Sum sum() {
@@ -89,7 +89,7 @@ final class Load implements Campaign {
             return used().average().orElseThrow();
         }
 
-        /** Of each sender, in all seeds. */
+        /** The share that each sender delivered, in all seeds. */
         List<Double> shares() {
             return IntStream.range(0, of.plan.flows().size())
                     .mapToObj(flow -> runs.stream().map(seed -> seed.sent().get(flow)).reduce(Traffic.Sent.NONE,

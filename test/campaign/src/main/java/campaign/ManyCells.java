@@ -21,7 +21,7 @@ import java.util.stream.Stream;
 /**
  * Many cells in memory, each with a gateway, joined by a real broker.
  *
- * @param seconds of real time that are measured, and half as many before.
+ * @param seconds real time that is measured, and half as much before.
  */
 record ManyCells(long seed, int cells, double seconds) implements Callable<ManyCells.Result> {
 
@@ -30,14 +30,14 @@ record ManyCells(long seed, int cells, double seconds) implements Callable<ManyC
     private static final int NUMBERS = 8;
 
     /**
-     * What it came to.
+     * The outcome.
      *
      * @param near     to a device of the same cell, as {@code far} to another one, {@code moved} to one that has moved
      *                 in silence, {@code unknown} to nobody.
-     * @param messages of the broker in a second: received and sent.
+     * @param messages those of the broker in a second: received and sent.
      * @param broker   seconds of a core in a second.
      * @param gateway  the same, of the one that is measured.
-     * @param heap     of that one, in bytes, alive.
+     * @param heap     the same one's, in bytes, alive.
      */
     record Result(int cells, Share near, Share far, Share moved, Share unknown, double messages, double broker,
             long brokerBytes, double gateway, long heap) {

@@ -17,8 +17,8 @@ final class Memory {
     /**
      * One look, in bytes.
      *
-     * @param heap     what is alive on this process's heap, which holds the hosts and the replay.
-     * @param resident what the emulator has in memory.
+     * @param heap     the bytes alive on this process's heap, which holds the hosts and the replay.
+     * @param resident the emulator's memory.
      */
     record Sample(long heap, long resident) {
 
@@ -43,7 +43,7 @@ final class Memory {
         return sample;
     }
 
-    /** What a process has in memory, in bytes. */
+    /** The memory of a process, in bytes. */
     static long resident(ProcessHandle process) throws IOException {
         for (String line : Files.readAllLines(Path.of("/proc/" + process.pid() + "/status"))) {
             if (line.startsWith("VmRSS:")) {

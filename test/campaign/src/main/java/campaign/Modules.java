@@ -23,9 +23,9 @@ final class Modules implements Campaign {
     private static final int ACKNOWLEDGEMENT = 18;
 
     /**
-     * What the boards have.
+     * The kind of radio that the boards have.
      *
-     * @param radio           what the scenario says of it.
+     * @param radio           the scenario's settings of the radio.
      * @param exchangeSeconds a message of 16 bytes and its acknowledgement on the air (SPEC 6, 6.2).
      */
     private record Kind(String name, Map<String, Object> radio, double exchangeSeconds) {

@@ -32,7 +32,7 @@ final class MovePair implements AutoCloseable {
     private final Random random;
     private final ExecutorService performer = Executors.newSingleThreadExecutor();
     private final List<String> packets = new ArrayList<>();
-    /** Of each step: the faults that came behind it, by kind. */
+    /** The faults that came behind each step, by kind. */
     private final Map<String, int[]> faults = new TreeMap<>();
     private MovingAgents travels;
     private boolean disturbed;

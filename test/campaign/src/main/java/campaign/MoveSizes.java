@@ -36,7 +36,7 @@ final class MoveSizes {
     /** A time, and what was sent until then. */
     private record Moment(double seconds, AirUsage.Sum air) {
 
-        /** What lies between this and a later one. */
+        /** The time and the packets between this and a later one. */
         Moment until(Moment end) {
             return new Moment(end.seconds - seconds,
                     new AirUsage.Sum(end.air.packets() - air.packets(), end.air.seconds() - air.seconds()));
@@ -108,7 +108,7 @@ final class MoveSizes {
         }
     }
 
-    /** What one unicast of plain text takes. */
+    /** The cost of one unicast of plain text. */
     private Moment plain(Field field) throws InterruptedException {
         Field.Post from = field.cell(0).get(0);
         Field.Post to = field.cell(0).get(1);

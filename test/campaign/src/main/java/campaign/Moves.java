@@ -1,8 +1,7 @@
 package campaign;
 
 /**
- * What becomes of agents that move while programs are killed, and boards, power and the air fail; and how long a move
- * takes.
+ * Agents move while programs are killed, and boards, power and the air fail; and how long a move takes.
  */
 final class Moves implements Campaign {
 

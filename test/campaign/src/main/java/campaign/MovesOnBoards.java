@@ -69,7 +69,7 @@ final class MovesOnBoards {
             if (refusal.isEmpty()) {
                 throw failed;
             }
-            // What the model minds is told below, beside what came of the moves.
+            // The model's complaint is told below, beside what came of the moves.
         }
         describe((System.nanoTime() - begun) / 1e9, report);
     }

@@ -13,7 +13,7 @@ final class Pair implements AutoCloseable {
     private final Endpoint sender;
     private final Endpoint receiver;
 
-    /** @param length of each content, in bytes. */
+    /** @param length the length of each content, in bytes. */
     Pair(Field field, int cell, int length) {
         posts = field.cell(cell);
         ledger = new Ledger(length);

@@ -10,7 +10,7 @@ import java.util.concurrent.Callable;
  * Pairs of boards in one emulator, each out of the others' range. One board of a pair sends unicasts to the other, with
  * two always waiting.
  *
- * @param radio   what the scenario says of it.
+ * @param radio   the scenario's settings of the radio.
  * @param seconds emulated, how long new messages begin.
  */
 record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> plans) implements
@@ -24,7 +24,7 @@ record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> pla
      * One pair.
      *
      * @param cell   its two boards, the sender first.
-     * @param length of each content, in bytes.
+     * @param length the length of each content, in bytes.
      */
     record Plan(Field.Cell cell, int length) {}
 
@@ -41,7 +41,7 @@ record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> pla
             return (double) sum.delivered() / sum.offered();
         }
 
-        /** Of air, for each delivered byte; not a number where none was delivered. */
+        /** The time on the air for each delivered byte; not a number where none was delivered. */
         double milliseconds(int length) {
             return 1000 * air.seconds() / (sum.delivered() * length);
         }

@@ -20,7 +20,7 @@ final class Range implements Campaign {
     private static final Map<String, Object> RADIO =
             Map.of("errorsByDistance", "outdoors", "range", 200, "shadowing", 0);
 
-    /** What each distance gave, of each seed. */
+    /** The results at each distance, of each seed. */
     private record Reach(Map<Integer, List<PairRun.Result>> ofDistance) {
 
         PairRun.Result sum(int metres) {

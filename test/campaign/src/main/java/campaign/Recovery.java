@@ -3,7 +3,7 @@ package campaign;
 import trace.TraceEvent;
 
 /**
- * What became of one fault, in emulated seconds: when its cause ended, when a packet of its pair was answered again,
+ * The recovery from one fault, in emulated seconds: when its cause ended, when a packet of its pair was answered again,
  * and when each direction delivered again.
  */
 final class Recovery {

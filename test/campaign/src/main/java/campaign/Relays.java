@@ -10,14 +10,14 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** What relays deliver, and what they cost: lines, pairs of relays, a field, and a cell that needs none. */
+/** The messages that relays deliver, and their cost: lines, pairs of relays, a field, and a cell that needs none. */
 final class Relays implements Campaign {
 
     private static final int SEEDS = 2;
     private static final double SECONDS = 400;
     private static final double TEST_SECONDS = 30;
     private static final double BIT_ERROR_RATE = 1e-3;
-    /** Of boards on a line or a square, with a range of 100 m: each hears its neighbours only. */
+    /** The step between boards on a line or a square, with a range of 100 m: each hears its neighbours only. */
     private static final double STEP_METRES = 80;
     /** From a relay of a pair to either end: these do not hear each other. */
     private static final double PAIR_METRES = 60;

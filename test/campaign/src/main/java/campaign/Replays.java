@@ -69,7 +69,7 @@ final class Replays {
         scenes.stream().filter(scene -> scene.failure != null).forEach(scene -> report.progress("%s", scene.failure));
     }
 
-    /** What each board has sent. */
+    /** The packets that each board has sent. */
     private static final class Recorder {
 
         private final Map<String, List<byte[]>> packets = new HashMap<>();

@@ -4,7 +4,7 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What one campaign tells: its progress while it runs, then claims, text, tables, aims and violations. */
+/** The report of one campaign: its progress while it runs, then claims, text, tables, aims and violations. */
 public final class Report {
 
     private final String name;
@@ -16,7 +16,7 @@ public final class Report {
     private final List<String> violations = new ArrayList<>();
     private int rules;
 
-    /** @param progress where the lines of {@link #progress} go. */
+    /** @param progress the stream for the lines of {@link #progress}. */
     public Report(String name, PrintStream progress) {
         this.name = name;
         this.progress = progress;
@@ -30,7 +30,7 @@ public final class Report {
     /**
      * A line of docs/results.md.
      *
-     * @param spread of seeds, runs or kinds; may be empty.
+     * @param spread that over seeds, runs or kinds; may be empty.
      */
     public void claim(String what, String figure, String spread) {
         claims.add("- " + what + ": **" + figure + "**" + (spread.isEmpty() ? "" : " (" + spread + ")"));
@@ -59,7 +59,7 @@ public final class Report {
     /**
      * Something that must hold always.
      *
-     * @param what  what was counted, e.g. {@code "delivered twice"}.
+     * @param what  the thing counted, e.g. {@code "delivered twice"}.
      * @param count how often it was seen; any fails the run.
      */
     public void never(String what, long count) {
@@ -71,7 +71,7 @@ public final class Report {
         }
     }
 
-    /** What was violated; empty if all held. */
+    /** The rules that were violated; empty if all held. */
     public List<String> violations() {
         return List.copyOf(violations);
     }

@@ -16,7 +16,7 @@ final class Runs {
 
     private Runs() {}
 
-    /** What came of each run, in their order. */
+    /** The results of all runs, in their order. */
     static <T> List<T> all(List<? extends Callable<T>> runs, Report report) throws Exception {
         ExecutorService pool = Executors.newFixedThreadPool(AT_A_TIME);
         try {

@@ -6,7 +6,7 @@ import java.time.Duration;
 /**
  * How campaigns are run.
  *
- * @param seed  where all random numbers start.
+ * @param seed  the number from which all random numbers start.
  * @param small whether to try little, for {@code gradle verify}: the same paths in seconds.
  * @param soak  wall time that the soak takes; positive.
  * @param moves moves on emulated boards; 0 for as many as fit into ten minutes.

@@ -22,7 +22,7 @@ final class Traffic implements AutoCloseable {
      */
     record Flow(int from, int to, double meanSeconds) {}
 
-    /** @param waits of all that were delivered, from the offer to the report, in emulated seconds to 10 ms. */
+    /** @param waits those of all that were delivered, from offer to report, in emulated seconds to 10 ms. */
     record Sent(Ledger.Sum sum, List<Double> waits) {
 
         static final Sent NONE = new Sent(Ledger.Sum.ZERO, List.of());
@@ -49,7 +49,7 @@ final class Traffic implements AutoCloseable {
 
     /**
      * @param relays the numbers of the boards that are relays.
-     * @param length of each content, in bytes.
+     * @param length the length of each content, in bytes.
      */
     Traffic(Field field, int cell, Set<Integer> relays, List<Flow> flows, int length) {
         this.posts = field.cell(cell);
@@ -105,7 +105,7 @@ final class Traffic implements AutoCloseable {
         waits.get(index).add(wait);
     }
 
-    /** What became of each flow until now. */
+    /** The results of each flow until now. */
     synchronized List<Sent> sent() {
         List<Sent> all = new ArrayList<>();
         for (int i = 0; i < flows.size(); i++) {

@@ -14,14 +14,14 @@ import java.util.function.BooleanSupplier;
 /**
  * Cells of boards in one emulator, each with its traffic.
  *
- * @param seed    of the air, and of the times at which messages are offered.
+ * @param seed    that of the air, and of the times at which messages are offered.
  * @param seconds emulated, how long messages are offered.
- * @param radio   what the scenario says of it.
+ * @param radio   the scenario's settings of the radio.
  */
 record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<TrafficRun.Plan> plans) implements
         Callable<List<TrafficRun.Result>> {
 
-    /** Of each content, in bytes. */
+    /** The length of each content, in bytes. */
     static final int LENGTH = 16;
     /** The air is looked at from here on, in parts of the whole time: until then queues fill. */
     private static final double FROM = 1.0 / 3;
@@ -37,8 +37,8 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
     }
 
     /**
-     * @param sum       of all flows.
-     * @param sent      what became of each flow.
+     * @param sum       that of all flows.
+     * @param sent      the results of each flow.
      * @param perSecond how many were delivered a second while all went at its pace.
      * @param repeated  nonces with two messages.
      */

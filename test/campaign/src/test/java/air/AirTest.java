@@ -26,7 +26,7 @@ class AirTest {
 
     private static final double BIT = 1 / 2000.0;
     private static final double SLOT = 16 * BIT;
-    /** Of a payload of 24 bytes. */
+    /** The bits of a payload of 24 bytes. */
     private static final int BITS = Airtime.bits(24);
     private static final double LENGTH = (BITS - 1) * BIT;
 
@@ -189,7 +189,7 @@ class AirTest {
         List<Packet> packets = packets();
         AirTrace trace = AirTrace.read(file());
         String text = new Figures(packets, 1 + LENGTH / 4, 1 + 2 * LENGTH).text(trace);
-        // Of one packet's 7/4, one or more have 5/4, two or more 3/4.
+        // The window is 7/4 of a packet long: one or more are on the air for 5/4, two or more for 3/4.
         assertTrue(text.contains("air used: 71.4 % of the time, by more than one at once 42.9 %"), text);
         assertTrue(text.contains("together"), text);
         assertTrue(text.matches("(?s).*a SUPO +42\\.9 % .*c SUPO +57\\.1 % .*"), text);
@@ -279,7 +279,7 @@ class AirTest {
         }
     }
 
-    /** What it said on the screen, if it ended with this status. */
+    /** The text that it wrote on the screen, if it ended with this status. */
     private static String said(Supplier<Integer> program, int status) {
         PrintStream out = System.out;
         PrintStream err = System.err;

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What two hosts' logs come to. */
+/** The account of two hosts' logs. */
 class AccountTest {
 
     @TempDir

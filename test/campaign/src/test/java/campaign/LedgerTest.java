@@ -9,7 +9,7 @@ import javino.protocol.Outcome;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What an account of unicasts notices. */
+/** An account of unicasts notices lost, wrong and repeated ones. */
 class LedgerTest {
 
     private static final int LENGTH = 30;

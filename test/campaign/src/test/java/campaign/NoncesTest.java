@@ -10,7 +10,7 @@ import javino.protocol.Frame;
 import org.junit.jupiter.api.Test;
 import trace.TraceEvent;
 
-/** What counts as a nonce that was used twice. */
+/** Packets that count as a nonce used twice, and others that do not. */
 class NoncesTest {
 
     private static final int REMEMBERED = 1024;

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a campaign tells, and the page that all measuring programs share. */
+/** The report of a campaign, and the page that all measuring programs share. */
 class ReportTest {
 
     private static final String PAGE = """

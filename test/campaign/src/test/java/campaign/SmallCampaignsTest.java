@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Each campaign with little of everything: what must always hold holds here, too. What has to be reached in figures
- * does not count. Progress is shown of those only that fail.
+ * Each campaign with little of everything: all that must always hold holds here, too. Figures to be reached do not
+ * count. Progress is shown of those only that fail.
  */
 @Tag("soak")
 class SmallCampaignsTest {

@@ -7,14 +7,14 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What tells whether an agent that moves was awake twice, or is not what it was. */
+/** The log tells whether an agent that moves was awake twice, or has changed. */
 class WalkerLogTest {
 
     private static final int SIDE = 0;
     private static final int LIFE = 1;
     private static final int FIRST_DIGIT = 2;
 
-    /** Of each sign: side, life, number. */
+    /** Each sign is a side, a life and a number. */
     @ParameterizedTest
     @CsvSource({
             "'a10 a11 a12', 0, 0, 0",

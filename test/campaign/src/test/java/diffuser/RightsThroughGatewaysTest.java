@@ -99,7 +99,7 @@ class RightsThroughGatewaysTest {
         return missing.isEmpty();
     }
 
-    // What the sender's board does (SPEC 5 and 7.1)
+    // The work of the sender's board (SPEC 5 and 7.1)
 
     private Bytes onAir(ReceivedMessage act) {
         Bytes content = Bytes.ofText(act.content().toString());
@@ -137,7 +137,7 @@ class RightsThroughGatewaysTest {
         return packets;
     }
 
-    // What the receiver's board does
+    // The work of the receiver's board
 
     private static ReceivedMessage opened(List<Bytes> packets) throws ProtocolException {
         Bytes frame = packets.size() == 1 ? packets.get(0)
