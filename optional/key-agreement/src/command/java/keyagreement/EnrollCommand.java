@@ -67,7 +67,7 @@ public final class EnrollCommand implements CommandPlugin {
         }
     }
 
-    /** What to do; nothing stands for {@code --request}. */
+    /** The task; {@code --request} if none is given. */
     private static final class What {
 
         @Option(names = "--request", paramLabel = "FILE",

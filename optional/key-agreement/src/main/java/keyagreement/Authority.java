@@ -18,7 +18,7 @@ import keyagreement.edhoc.P256;
 
 /**
  * An authority with its secrets: it gives certificates and makes revocation lists. It has one key for each of the two.
- * What it has given is in its file, and nowhere else.
+ * All that it has given is in its file, and nowhere else.
  */
 record Authority(Entries entries, AuthorityKeys keys) {
 
@@ -82,7 +82,7 @@ record Authority(Entries entries, AuthorityKeys keys) {
     /**
      * Gives a certificate (SEC 4 section 3.4: the point is R_U + kG, and the contribution r = ek + d).
      *
-     * @return what the device needs: the certificate, its contribution, the keys and the last revocation list.
+     * @return entries for the device: the certificate, its contribution, the keys and the last revocation list.
      * @throws JavinoException if the device has a valid one, or all serials are given.
      */
     Entries issue(Request request, LocalDate until, boolean groupKeyServer, LocalDate today, SecureRandom random)

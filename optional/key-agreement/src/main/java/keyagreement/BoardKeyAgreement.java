@@ -28,8 +28,8 @@ import javino.protocol.Reply;
 import javino.protocol.HostMessage;
 
 /**
- * Key agreement for one agent's board: what {@link KeyAgreement} decides, this does with the board. Where there is no
- * certificate for the board's address, or the agent refuses it, it does nothing.
+ * Key agreement for one agent's board: it carries out the decisions of {@link KeyAgreement}. Without a certificate for
+ * the board's address, or if the agent refuses it, it does nothing.
  */
 public final class BoardKeyAgreement implements BoardService, KeyService {
 
@@ -59,7 +59,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
         }
     }
 
-    /** @param folder where the identities of devices are, as {@code javino enroll} puts them. */
+    /** @param folder the folder where {@code javino enroll} puts the identities of devices. */
     public BoardKeyAgreement(Path folder, HostClock clock) {
         this.folder = folder;
         this.clock = clock;
@@ -71,7 +71,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
                 "another library agrees on keys here").toException());
     }
 
-    // What the agent wants
+    // Requests of the agent
 
     /**
      * Accepts certified devices, or refuses all.
@@ -135,7 +135,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
         open.ifPresentOrElse(each -> each.step(what), () -> ignored++);
     }
 
-    // What the board tells
+    // Reports of the board
 
     @Override
     public void online(Host board, Address address, int epoch, List<Reply.StoredKey> keys) {

@@ -15,7 +15,7 @@ import keyagreement.edhoc.P256;
  * An implicit certificate (SEC 4, ECQV) of 42 bytes: who has it, and the point from which, with the authority's key,
  * others compute its public key (SPEC 11.1).
  *
- * @param address   whose it is; a device.
+ * @param address   the device that has it.
  * @param serial    0…65535; the authority gives each once.
  * @param groupKeyServer    whether it gives out the key of its group.
  * @param until     the last day on which it is valid; 1970-01-01…2149-06-06.
@@ -40,7 +40,7 @@ public record Certificate(Address address, int serial, boolean groupKeyServer, L
         }
     }
 
-    /** @throws HandshakeException NOT_CERTIFIED if they are no certificate. Whose it is, is not proved by this. */
+    /** @throws HandshakeException NOT_CERTIFIED if they are no certificate. This does not prove whose it is. */
     public static Certificate decode(Bytes bytes) throws HandshakeException {
         Address address = bytes.length() == LENGTH ? new Address((int) bytes.number(0, 3)) : Address.BROADCAST;
         if (address.kind() != Address.Kind.DEVICE || bytes.at(5) > 1) {
@@ -71,7 +71,7 @@ public record Certificate(Address address, int serial, boolean groupKeyServer, L
         return P256.combine(hash(), P256.decompress(point), P256.decompress(keys.certificates()));
     }
 
-    /** What EDHOC binds: a claims set with the address and a COSE key, RFC 9528 section 3.5.2. */
+    /** The credential that EDHOC binds: a claims set with the address and a COSE key, RFC 9528 section 3.5.2. */
     Credential credential(AuthorityKeys keys) throws HandshakeException {
         ECPublicKey key = key(keys);
         Bytes coseKey = Cbor.map(Cbor.integer(1), Cbor.integer(2), Cbor.integer(2), Cbor.bytes(toBytes()),

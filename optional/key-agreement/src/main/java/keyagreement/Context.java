@@ -12,9 +12,9 @@ import javino.protocol.Address;
 import javino.protocol.HostMessage;
 
 /**
- * What the state machines of a host share.
+ * The part that the state machines of a host share.
  *
- * @param effects  what they want done.
+ * @param effects  those that they ask for.
  * @param halfOpen handshakes that others began and of which nothing is proved, the newest last.
  * @param answers  limits messages 2.
  * @param hints    limits all else that anybody can make this host say.

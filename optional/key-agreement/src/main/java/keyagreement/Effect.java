@@ -6,13 +6,13 @@ import javino.protocol.Content;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
 
-/** What {@link KeyAgreement} wants done. */
+/** An effect that {@link KeyAgreement} asks for. */
 sealed interface Effect {
 
     /**
      * To send a host message to all, and to call {@link KeyAgreement#said}, however that ends.
      *
-     * @param handshake whose it is; 0 for none, and then nothing has to be called.
+     * @param handshake its handshake; 0 for none, and then nothing has to be called.
      */
     record Broadcast(int handshake, HostMessage message) implements Effect {
     }

@@ -2,7 +2,7 @@ package keyagreement;
 
 import java.util.Locale;
 
-/** What became of a message to a certified device. */
+/** The outcome of a message to a certified device. */
 enum Ending {
     /** The device's host has taken it. */
     DELIVERED,

@@ -10,8 +10,8 @@ import javino.TextFile;
 import javino.protocol.Bytes;
 
 /**
- * What the files of authorities and devices hold (SPEC 11.1): lines of a name, a space and bytes in hexadecimal. Empty
- * lines and what follows a {@code #} count for nothing.
+ * Lines of the files of authorities and devices (SPEC 11.1): a name, a space and bytes in hexadecimal. Empty lines and
+ * text behind a {@code #} count for nothing.
  */
 final class Entries {
 

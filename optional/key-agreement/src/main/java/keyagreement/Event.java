@@ -1,6 +1,6 @@
 package keyagreement;
 
-/** What {@link KeyAgreement} counts. */
+/** Events that {@link KeyAgreement} counts. */
 public enum Event {
     /** Handshakes begun with certificates. */
     BEGUN,
@@ -14,7 +14,7 @@ public enum Event {
     FAILED,
     /** Fragments sent again, and fragments asked for. */
     REPEATED,
-    /** Of others, and not for this host. */
+    /** Messages between others, not for this host. */
     OVERHEARD,
     /** Words of no known kind or length. */
     MALFORMED,
@@ -22,7 +22,7 @@ public enum Event {
     REFUSED,
     /** Words that belong to nothing that goes on here. */
     STRAY,
-    /** What was not answered or not said, as too much is asked for. */
+    /** Messages not answered or not said, as too much is asked for. */
     LIMITED,
     /** First messages of a device with which this host's own handshake comes first. */
     CROSSED,

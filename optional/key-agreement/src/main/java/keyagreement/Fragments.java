@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import javino.protocol.Bytes;
 
 /**
- * What has come of a message. Nothing shows whether a fragment is genuine, and a forged one must not displace the
- * genuine one: so the last two that differ are kept of each.
+ * The fragments of a message that have come. Nothing shows whether a fragment is genuine, and a forged one must not
+ * displace the genuine one: so the last two that differ are kept of each.
  */
 final class Fragments {
 

@@ -29,14 +29,14 @@ final class GroupKeys {
     private final Context context;
     private final Address group;
     private final Deque<Waiting> waiting = new ArrayDeque<>();
-    /** Who has had it. */
+    /** Members that have had the key. */
     private final Set<Address> had = new HashSet<>();
-    /** Who has had an earlier one, and keeps that until it is met: it asks for nothing. */
+    /** Members that have had an earlier key, and keep that until they are met: they ask for nothing. */
     private final Set<Address> owed = new HashSet<>();
-    /** Who of them has still to be met in this round. */
+    /** Those of them that have still to be met in this round. */
     private final Deque<Address> round = new ArrayDeque<>();
     private long meetAt = AT_ONCE;
-    /** Who has had it and says, without a proof, that its board lacks it. */
+    /** Members that have had the key and say, without a proof, that their boards lack it. */
     private final Set<Address> asked = new HashSet<>();
     /** The server's. */
     private Optional<Key> key;
@@ -49,11 +49,11 @@ final class GroupKeys {
     private record Waiting(Object ticket, long end) {
     }
 
-    /** What a server keeps: the key, who has had it, and who has had only an earlier one. */
+    /** A server's state: the key, the members that have had it, and those that have had only an earlier one. */
     record Kept(Key key, Set<Address> had, Set<Address> owed) {
     }
 
-    /** @param kept of a server, what it kept last. */
+    /** @param kept the last state of a server. */
     GroupKeys(Context context, Optional<Kept> kept) {
         this.context = context;
         key = kept.map(Kept::key);
@@ -198,7 +198,7 @@ final class GroupKeys {
     }
 
     /**
-     * A request by a session key. Of the server: whether the board lacks the key. Of a member: it does.
+     * A request by a session key. The server's asks whether the board lacks the key; a member's says so.
      *
      * @return the answer, if there is one.
      */
@@ -238,7 +238,7 @@ final class GroupKeys {
         return device.group().equals(context.self().group());
     }
 
-    /** What a device is to be sent, if this host is the server: the key until it has had it, then if it lacks it. */
+    /** The server's message for a device: the key until it has had it, then a request if it is said to lack it. */
     Optional<HostMessage> give(Address to) {
         if (key.isEmpty() || !isMember(to)) {
             return Optional.empty();

@@ -39,7 +39,7 @@ final class Handshake {
     private static final int FEW_TRIES = 2;
     /** How often message 3 is asked for. */
     private static final int WANTS = 2;
-    /** Of who begins, however busy the air is; and of who answers, from the end of message 2 on. */
+    /** The longest life of an initiator, however busy the air is; of a responder, from the end of message 2 on. */
     private static final long LIFE_MILLIS = 60_000;
     private static final long HALF_OPEN_MILLIS = 10_000;
     /** The other side may lack message 3 for so long. */
@@ -51,7 +51,7 @@ final class Handshake {
     final Round round;
     final int number;
     private final Context context;
-    /** Of who answers; else null. */
+    /** The one that a responder answers; else null. */
     private final Bytes message1;
     private final Role role;
     private final Fragments parts;
@@ -154,7 +154,7 @@ final class Handshake {
         return first.kind() == round.first && first.body().equals(message1);
     }
 
-    // What happens
+    // Inputs
 
     /** Takes a step. Tells what is left to its peer; nothing if the input is ignored. */
     Optional<Deed> step(Input input, long now) {
@@ -194,7 +194,7 @@ final class Handshake {
         return deed;
     }
 
-    /** Others are on the air: puts off what is to be done. What is tried meanwhile does not count. */
+    /** Others are on the air: puts off what is to be done. Attempts meanwhile do not count. */
     void giveWay(long now) {
         deadline = Math.max(deadline, Math.min(now + OTHERS_MILLIS + random(OTHERS_MILLIS), latest));
         disturbed = true;
@@ -214,7 +214,7 @@ final class Handshake {
                 return step(Input.VERIFIED, now);
             } catch (HandshakeException e) {
                 context.count(Event.REFUSED);
-                // What is not proved may be anybody's, and tells nothing.
+                // An unproved message may be anybody's, and tells nothing.
                 failure = e.reason() == HandshakeException.Reason.NOT_CERTIFIED ? failure
                         : Ending.valueOf(e.reason().name());
             }
@@ -244,7 +244,7 @@ final class Handshake {
         return deed;
     }
 
-    /** What it has said has been on the air. @param took since it was to be said. */
+    /** A message of it has been on the air. @param took ms since it was to be said. */
     Optional<Deed> onAir(HostMessage message, long took, long now) {
         int wait = wait(message.kind());
         repeats.onAir(message, now);
@@ -260,14 +260,14 @@ final class Handshake {
         return kind == round.third ? THIRD_KEPT_MILLIS : isInitiator() ? round.secondMillis : round.thirdMillis;
     }
 
-    /** What it has said will not be on the air, as too much waits for it. */
+    /** A message of it will not be on the air, as too much waits for that. */
     Optional<Deed> refused(HostMessage message, long now) {
         repeats.refused(message);
         deadline = now + Repeats.AGAIN_MILLIS;
         return Optional.empty();
     }
 
-    // What it does
+    // Deeds
 
     private void perform(Deed deed, long now) {
         deadline = switch (deed) {

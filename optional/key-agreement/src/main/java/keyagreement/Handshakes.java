@@ -22,7 +22,7 @@ final class Handshakes {
     /** Null for none. */
     private Handshake begun;
 
-    /** What a handshake leaves to the peer. */
+    /** A deed that a handshake leaves to the peer. */
     record Left(Handshake run, Deed deed) {
     }
 
@@ -54,12 +54,12 @@ final class Handshakes {
         return begun().filter(Handshake::isOpen).isPresent();
     }
 
-    /** Begins one. @param kept what there is for a renewal. */
+    /** Begins one. @param kept the secret for a renewal, if there is one. */
     void begin(Optional<Secret> kept, long now) {
         begun = Handshake.begin(context, peer, kept, isHalfOpen(), now);
     }
 
-    /** A message 1. @param kept what there is for a renewal. */
+    /** A message 1. @param kept the secret for a renewal, if there is one. */
     void first(HostMessage message, Optional<Secret> kept, long now) {
         boolean renews = message.kind() == Kind.RENEWAL_1;
         Optional<Handshake> same = answered().filter(run -> run.answers(message)).findAny();
@@ -106,7 +106,7 @@ final class Handshakes {
         return left;
     }
 
-    /** What one has said has been on the air; or it will not be, as too much waits for that. */
+    /** A message of one has been on the air; or it will not be, as too much waits for that. */
     List<Left> said(Effect.Broadcast broadcast, boolean onAir, long took, long now) {
         return step(run -> run.number != broadcast.handshake() ? Optional.empty()
                 : onAir ? run.onAir(broadcast.message(), took, now) : run.refused(broadcast.message(), now));

@@ -25,7 +25,7 @@ import keyagreement.edhoc.P256;
 import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Secret;
 
-/** What certifies a device: its certificate and secret, the authorities that it trusts, their last revocation lists. */
+/** A device's certificate and secret, the authorities that it trusts, and their last revocation lists. */
 public final class Identity {
 
     // Lines of a device's file, and of what an authority answers.
@@ -91,8 +91,8 @@ public final class Identity {
     /**
      * This device in a handshake with another.
      *
-     * @param other whom it wants, or whose address the frame has. Only a certificate for this address is accepted, and
-     *              only one that passes {@link #check}.
+     * @param other the device that it wants, or whose address the frame has. Only a certificate for this address is
+     *              accepted, and only one that passes {@link #check}.
      */
     public Party with(Address other) {
         return new Party() {

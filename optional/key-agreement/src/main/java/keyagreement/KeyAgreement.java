@@ -35,21 +35,21 @@ final class KeyAgreement {
     private final Map<Address, Peer> peers = new LinkedHashMap<>(MOST_MET, 0.75f, true);
     private int lastId;
 
-    /** @param groupKey of a group key server, what {@link Effect.KeepGroupKey} had it keep last; else nothing. */
+    /** @param groupKey the last one that {@link Effect.KeepGroupKey} had a group key server keep; else nothing. */
     KeyAgreement(Identity identity, Optional<GroupKeys.Kept> groupKey, SecureRandom random) {
         context = new Context(identity, random);
         groupKeys = new GroupKeys(context, groupKey);
         lastId = random.nextInt();
     }
 
-    /** What is to be done, since this was asked last. */
+    /** The effects since this was asked last. */
     List<Effect> effects() {
         List<Effect> effects = List.copyOf(context.effects());
         context.effects().clear();
         return effects;
     }
 
-    // What the agent wants
+    // Requests of the agent
 
     /**
      * Sends a message to a device, when there is a session key. {@link Effect.End} tells how it ended, within
@@ -92,7 +92,7 @@ final class KeyAgreement {
         groupKeys.end(Ending.CLOSED);
     }
 
-    // What the board tells
+    // Reports of the board
 
     /** A host message came: a broadcast, or sealed by a session key. */
     void received(Address from, HostMessage message, long now) {

@@ -17,7 +17,7 @@ final class MessageQueue {
     /** Agreements for one message: then it ends. */
     private static final int MOST_AGREEMENTS = 3;
 
-    /** That of a message, as SPEC 11.3 has it. */
+    /** The states of a message, as SPEC 11.3 has them. */
     enum State {
         WAITING, UNDER_WAY, TOLD, OVER
     }
@@ -158,7 +158,7 @@ final class MessageQueue {
         }
     }
 
-    /** @param why what waits ends; what is under way is undelivered. */
+    /** @param why the ending of messages that wait; one under way is undelivered. */
     void tick(Ending why, long now) {
         List.copyOf(items).stream().filter(item -> now >= item.end && item.state != State.TOLD).forEach(
                 item -> item.step(Input.LATE, item.state == State.WAITING ? why : Ending.UNDELIVERED));

@@ -53,7 +53,7 @@ final class OpenAgreement {
         });
     }
 
-    /** What has happened so far. For any thread. */
+    /** The counts of events so far. For any thread. */
     Map<Event, Long> events() {
         return events;
     }

@@ -20,7 +20,7 @@ final class Peer {
     /** The ids of contents that came last. */
     private static final int IDS = 8;
     static final int ID_LENGTH = 3;
-    /** What the board tells so soon after it has got a key may be older than that. */
+    /** A report of the board so soon after it has got a key may be older than that. */
     private static final long OLDER_MILLIS = 1000;
 
     private final Context context;
@@ -116,7 +116,7 @@ final class Peer {
         }
     }
 
-    /** What a handshake has said has been on the air; or it will not be, as too much waits for that. */
+    /** A message of a handshake has been on the air; or it will not be, as too much waits for that. */
     void said(Effect.Broadcast broadcast, boolean onAir, long took, long now) {
         handshakes.said(broadcast, onAir, took, now).forEach(left -> after(left, now));
     }
@@ -241,7 +241,7 @@ final class Peer {
         }
     }
 
-    /** What became of the message under way. */
+    /** The outcome of the message under way. */
     void sent(Session.Input how, long now) {
         if (!queue.isUnderWay()) {
             return;
@@ -325,7 +325,7 @@ final class Peer {
         }
     }
 
-    // What is forgotten
+    // Forgetting
 
     /** A revocation list has come: a device that is not valid any more is forgotten. */
     void check() {

@@ -12,9 +12,9 @@ import javino.protocol.Outcome;
 /**
  * A message that waits for a key, or is under way with it.
  *
- * @param to           whom it is for.
- * @param message      what travels.
- * @param transmission what becomes of it.
+ * @param to           its receiver.
+ * @param message      its content.
+ * @param transmission its fate.
  */
 record PendingMessage(Address to, Message message, Transmission transmission) {
 

@@ -82,7 +82,7 @@ record Renewal(Secret kept, Bytes pair) {
         return kept.export(PROOF_LABEL, Bytes.join(Bytes.of(message), pair, nonce), PROOF_LENGTH);
     }
 
-    /** That of a message 1 or 2. */
+    /** The nonce of a message 1 or 2. */
     private static Bytes nonceOf(Bytes message) throws HandshakeException {
         if (message.length() != NONCE_LENGTH + PROOF_LENGTH) {
             throw new HandshakeException("the message is refused: its length is wrong");

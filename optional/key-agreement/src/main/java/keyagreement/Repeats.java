@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import javino.protocol.HostMessage;
 
-/** What a handshake has said, and whether it may be said again. */
+/** The messages that a handshake has said, and whether one may be said again. */
 final class Repeats {
 
     /** The same message again: not before, so that no board takes it for a repeat of its own (SPEC 7.2). */

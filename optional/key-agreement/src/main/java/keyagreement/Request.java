@@ -7,7 +7,7 @@ import keyagreement.edhoc.Kdf;
 import keyagreement.edhoc.P256;
 
 /**
- * What a device asks an authority for: a certificate for its address, with a point of its own (SEC 4 section 3.3).
+ * A device's request to an authority for a certificate for its address, with a point of its own (SEC 4 section 3.3).
  *
  * @param point 33 bytes, compressed; the device alone has its secret.
  */

@@ -9,8 +9,8 @@ import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
 /**
- * What an authority says to all: which day it is at least, and which certificates are valid no more (SPEC 11.2). It is
- * signed, so that anybody may hand it on.
+ * An authority's statement to all: which day it is at least, and which certificates are valid no more (SPEC 11.2). It
+ * is signed, so that anybody may hand it on.
  *
  * @param authority  which authority, 0…255.
  * @param sequence   0…65535; a higher one replaces a lower.

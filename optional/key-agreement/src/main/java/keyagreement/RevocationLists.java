@@ -12,11 +12,11 @@ import javino.protocol.HostMessage.Kind;
 /** Which revocation lists a peer has, and what it is told of the own ones, once under each key. */
 final class RevocationLists {
 
-    /** Who began has said what revocation lists it has, if it has any; the other waits for that. */
+    /** An initiator has said within this time which revocation lists it has, if any; a responder waits for that. */
     private static final long WAIT_MILLIS = 3000;
     private static final int SEQUENCE_LENGTH = 2;
 
-    /** Of what was said under this key, as SPEC 11.3 has it. */
+    /** The states of the own report under this key, as SPEC 11.3 has them. */
     enum State {
         SILENT, DUE, SAID
     }

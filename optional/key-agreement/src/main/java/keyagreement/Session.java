@@ -1,6 +1,6 @@
 package keyagreement;
 
-/** What a host knows of the session key with a peer, as SPEC 11.3 has it; what happens, and what follows. */
+/** A host's knowledge of the session key with a peer, as SPEC 11.3 has it; its inputs, and what follows. */
 enum Session {
     NONE, SETTING, UNPROVEN, PROVEN;
 
@@ -9,7 +9,7 @@ enum Session {
         UNOPENED, BOOTED, FORGOTTEN
     }
 
-    /** Of the message that was under way, it ends or goes again; or a handshake begins. */
+    /** The message that was under way ends or goes again; or a handshake begins. */
     enum Deed {
         NOTHING, END, AGAIN, BEGIN
     }

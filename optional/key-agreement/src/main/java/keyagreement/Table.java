@@ -15,7 +15,7 @@ record Table<S extends Enum<S>, I extends Enum<I>, D extends Enum<D>>(String gri
         Map<List<Enum<?>>, Cell<S, D>> cells) {
 
     /**
-     * What follows.
+     * The next state, and what is done.
      *
      * @param deed    the first of all is to do nothing.
      * @param ignored the reason's letter behind a hyphen; empty where the input counts.

@@ -37,13 +37,13 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
     Optional<Key> groupKey = Optional.empty();
     /** All that the board was given, in their order. */
     final List<Key> groupKeys = new ArrayList<>();
-    /** What the host has noted that the board had. */
+    /** Keys that the board had, as the host has noted. */
     final Set<Key> noted = new HashSet<>();
     final Map<Address, Integer> met = new LinkedHashMap<>();
     int keysSet;
     private final Map<String, Simulation.Letter> said;
 
-    /** @param said what agents have said, by its content. */
+    /** @param said the messages of agents, by their contents. */
     CertifiedHost(Network<?> network, Identity identity, Map<String, Simulation.Letter> said) {
         super(network, identity.certificate().address());
         this.identity = identity;
@@ -52,7 +52,7 @@ public final class CertifiedHost extends SimulatedHost implements SimulatedHost.
         programs.add(this);
     }
 
-    /** Makes hosts with certificates of one authority. @param folder where these are. */
+    /** Makes hosts with certificates of one authority. @param folder the place of the certificates. */
     public static BiFunction<Network<?>, Address, SimulatedHost> maker(Path folder) {
         TestAuthority authority = new TestAuthority(folder);
         return (network, address) -> new CertifiedHost(network, authority.certified(address.toString()),

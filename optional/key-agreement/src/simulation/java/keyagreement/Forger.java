@@ -20,7 +20,7 @@ final class Forger {
     private final Identity any;
     private final List<Address> names;
 
-    /** @param any whose certificate does not matter, as nobody sees it in a message 1. */
+    /** @param any an identity whose certificate does not matter, as nobody sees it in a message 1. */
     Forger(Simulation simulation, Identity any, List<Address> names) {
         this.simulation = simulation;
         this.any = any;
@@ -32,7 +32,7 @@ final class Forger {
      *
      * @param kinds each that of a host's word; or {@code SEALED} for what its board cannot open, or {@code OTHERS} for
      *              words to somebody else.
-     * @param share of the air that is taken for it.
+     * @param share its share of the air.
      * @param until so long, in ms.
      */
     void send(String[] kinds, double share, long until) {

@@ -23,9 +23,9 @@ public final class RandomRuns {
     private static final double[] ERRORS = {0, 1e-4, 1e-3, 2e-3};
 
     /**
-     * What came of a run.
+     * The results of a run.
      *
-     * @param wrong      what is not as it must be: accepted, doubled, set twice.
+     * @param wrong      violations: contents accepted from the wrong device or twice, keys set twice.
      * @param untrue     messages that were told delivered and never came.
      * @param open       messages of hosts that were not killed, and never ended.
      * @param agreements the most keys that a host got in quiet air until the last messages were delivered.
@@ -40,9 +40,9 @@ public final class RandomRuns {
     }
 
     /**
-     * What came of an attack on hosts that have keys with each other.
+     * The results of an attack on hosts that have keys with each other.
      *
-     * @param wrong     what was accepted, or is otherwise not as it must be.
+     * @param wrong     violations, such as a forged content that was accepted.
      * @param lost      hosts with other keys than before.
      * @param delivered whether a message afterwards needed no further key, and came.
      */
@@ -52,7 +52,7 @@ public final class RandomRuns {
     private RandomRuns() {
     }
 
-    /** Runs with the seeds from the first on. @param folder where an authority certifies the hosts. */
+    /** Runs with the seeds from the first on. @param folder the folder of the authority that certifies the hosts. */
     public static List<Tally> run(long first, int runs, Path folder) {
         TestAuthority authority = new TestAuthority(folder);
         List<Identity> identities =

@@ -24,7 +24,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.Message;
 
-/** What a {@link Diffuser} has around its board, without the agent. */
+/** The parts of a {@link Diffuser} around its board, without the agent. */
 public final class AgentHost implements AutoCloseable {
 
     private static final Logger SILENT = Logger.getLogger("agent host of a test");
@@ -35,7 +35,7 @@ public final class AgentHost implements AutoCloseable {
         SILENT.setLevel(Level.OFF);
     }
 
-    /** @param clock what the computer takes for the time. */
+    /** @param clock the computer's clock. */
     public AgentHost(LinkOpener link, Address id, BoundedClock clock, KeyService keyService) {
         BoardConfig usual = new Diffuser().boardConfig();
         Warnings warnings = new Warnings(() -> SILENT);

@@ -83,7 +83,7 @@ class BoardKeyAgreementTest {
         }
     }
 
-    /** What a board does of all that it is asked: it takes it, and never has it on the air; or it is not there. */
+    /** A board that takes all messages, and never has one on the air; or that is not there. */
     private static final class FalseBoard implements KeyService.Host {
 
         private final Sender sender = new Sender(this::begin);

@@ -28,7 +28,7 @@ class ForgedRunsTest {
     private static final List<String> FORGED = List.of("MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2",
             "RENEWAL_3", "WANT", "GROUP", "OTHERS", "SEALED");
     private static final double[] SHARES = {0.04, 0.1, 0.3, 0.9};
-    /** Of devices with certificates, whatever an attacker says. */
+    /** Outcomes between devices with certificates, whatever an attacker says. */
     private static final Set<Ending> ENDINGS =
             Set.of(Ending.DELIVERED, Ending.UNDELIVERED, Ending.NO_ANSWER, Ending.NOT_SENT);
 
@@ -56,7 +56,7 @@ class ForgedRunsTest {
         return new Forger(simulation, identities.get(2), List.of(roma.address, supo.address));
     }
 
-    /** What the attacker says in each device's name to the other, and which share of the air he takes for it. */
+    /** The attacker's messages in each device's name to the other, and the share of the air that he takes for them. */
     static Stream<Arguments> attacks() {
         return Stream.of("MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "WANT", "OTHERS", "SEALED",
                 "MESSAGE_1 MESSAGE_2", "MESSAGE_1 SEALED", "SEALED WANT RENEWAL_1 MESSAGE_3 MESSAGE_1")

@@ -92,7 +92,7 @@ class IdentityTest {
         assertTrue(refused(Reason.NOT_CERTIFIED, other, supo).contains("is not trusted here"));
     }
 
-    /** Who claims the right authority's number has a certificate of it, or none that anybody has the secret of. */
+    /** A certificate with the right authority's number is that authority's, or nobody has a secret for it. */
     @Test
     void device_withAForgedCertificate_isRefused() throws IOException, JavinoException {
         Identity busa = authority.certified("BUSA");

@@ -39,8 +39,8 @@ import javino.protocol.Outcome;
 import javino.protocol.Performative;
 
 /**
- * What befalls the boards, keys and hosts of three devices of one group, in an order that a seed has drawn. Boards and
- * air are in memory, all else is real: sessions, provisioning, the keyring and its notes, key agreement.
+ * Events of the boards, keys and hosts of three devices of one group, in an order that a seed has drawn. Boards and air
+ * are in memory, all else is real: sessions, provisioning, the keyring and its notes, key agreement.
  */
 final class KeySequence implements FakeAir.Listener, AutoCloseable {
 
@@ -54,7 +54,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
     /** How wrong clocks are, in days. */
     private static final int[] WRONG_DAYS = {0, 0, -20_000, 300, 1200, 20_000};
 
-    /** What can happen; the more often it stands in {@link #OFTEN}, the more often it does. */
+    /** The kinds of events; the more often one stands in {@link #OFTEN}, the more often it happens. */
     enum Step {
         SEND, MULTICAST, SEND_UNHEARD, MULTICAST_UNHEARD, REPLAY, BOOT, LOSE_POWER, ERASE, BACK_UP, RESTORE, REPLACE,
         PROVISION, COPY_KEYRING, PROVISION_BY_COPY, RENEW_KEYS, RESTART_HOST, SET_CLOCK, WAIT
@@ -65,7 +65,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
                     Step.PROVISION, Step.RENEW_KEYS))
             .toList();
 
-    /** What is not as it must be. */
+    /** Violations of the properties that must hold. */
     final List<String> wrong = new ArrayList<>();
     final List<String> steps = new ArrayList<>();
 
@@ -85,7 +85,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
     private final List<FakeAir.Sealed> recorded = new ArrayList<>();
     private final Map<List<Object>, Bytes> sealed = new HashMap<>();
     private final Set<List<Object>> taken = new HashSet<>();
-    /** Whose board has lost what it had, perhaps. */
+    /** Devices whose boards may have lost what they had. */
     private final Set<Address> lost = new HashSet<>();
     /** By device, the keys that an older copy of its EEPROM has brought back: they take recordings (SECURITY, Keys). */
     private final Map<String, Set<Bytes>> restored = new HashMap<>();
@@ -98,8 +98,8 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
     /**
      * Begins one.
      *
-     * @param folder     of its own.
-     * @param identities of the devices; nothing where they have no certificates.
+     * @param folder     its own folder.
+     * @param identities the folder of the devices' identities; nothing where they have no certificates.
      */
     KeySequence(long seed, Path folder, Optional<Path> identities) throws IOException, JavinoException {
         random = new Random(seed);
@@ -204,7 +204,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
             case COPY_KEYRING -> Files.copy(keyring, copy, StandardCopyOption.REPLACE_EXISTING,
                     StandardCopyOption.COPY_ATTRIBUTES);
             case PROVISION_BY_COPY -> {
-                // What no note tells, nobody can know (SECURITY, Keys).
+                // Nobody can know what no note tells (SECURITY, Keys).
                 if (noted || !lost.contains(device)) {
                     provision(device, copy);
                 }
@@ -269,7 +269,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
         steps.add(ProvisioningHost.provision(boards.get(device).port, device, keys, time()));
     }
 
-    /** What the computers take for the time. */
+    /** The time by the computers' clocks. */
     private BoundedClock time() {
         return BoundedClock.at(START.plusMillis(clock.millis()).plus(wrongBy));
     }

@@ -22,7 +22,7 @@ class KeySequencesTest {
     private static final int FEW = 48;
     private static final int MANY = 1000;
     private static final int MOST = 10_000;
-    /** Of so many sequences one has certificates, as agreements take most of the time. */
+    /** One of so many sequences has certificates, as agreements take most of the time. */
     private static final int CERTIFIED_OF_FEW = 4;
     private static final int CERTIFIED_OF_MANY = 16;
 

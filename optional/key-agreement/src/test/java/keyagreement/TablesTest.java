@@ -155,7 +155,7 @@ class TablesTest {
         return said;
     }
 
-    /** What was said since this was asked last. */
+    /** The messages since this was asked last. */
     private List<HostMessage> said() {
         List<HostMessage> said = new ArrayList<>();
         context.effects().stream().filter(Effect.Broadcast.class::isInstance)
@@ -198,7 +198,7 @@ class TablesTest {
         };
     }
 
-    /** What a peer's session was last told to be. */
+    /** A peer's session, as it was told last. */
     private Session session = Session.NONE;
     private final List<Effect> done = new ArrayList<>();
 

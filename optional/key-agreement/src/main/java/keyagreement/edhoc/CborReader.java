@@ -44,7 +44,7 @@ final class CborReader {
         return argument(Cbor.ARRAY);
     }
 
-    /** What {@link Cbor#identifier} wrote. */
+    /** Reads what {@link Cbor#identifier} wrote. */
     Bytes identifier() throws HandshakeException {
         if (!isBytes()) {
             Bytes number = Cbor.integer(integer());

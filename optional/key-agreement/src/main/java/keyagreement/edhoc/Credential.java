@@ -4,9 +4,9 @@ import java.security.interfaces.ECPublicKey;
 import javino.protocol.Bytes;
 
 /**
- * Who somebody is, in EDHOC's terms.
+ * An identity, in EDHOC's terms.
  *
- * @param kid     what the messages carry of it, ID_CRED (RFC 9528 section 3.5.3).
+ * @param kid     the part that the messages carry, ID_CRED (RFC 9528 section 3.5.3).
  * @param encoded CRED, a CWT claims set in CBOR (RFC 9528 section 3.5.2); never sent, but both sides must have the
  *                same.
  * @param key     the static Diffie-Hellman key, on P-256.

@@ -28,7 +28,7 @@ public final class HandshakeException extends JavinoException {
         this.reason = reason;
     }
 
-    /** Of what proves nothing. */
+    /** A message proves nothing. */
     public HandshakeException(String message) {
         this(Reason.NOT_CERTIFIED, message);
     }

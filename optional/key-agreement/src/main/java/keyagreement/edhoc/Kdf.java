@@ -25,7 +25,7 @@ public final class Kdf {
         return hmac(salt, secret);
     }
 
-    /** EDHOC_KDF. @param length of what is derived, in bytes. */
+    /** EDHOC_KDF. @param length the number of bytes to derive. */
     static Bytes derive(Bytes key, int label, Bytes context, int length) {
         Bytes info = Bytes.join(Cbor.integer(label), Cbor.bytes(context), Cbor.integer(length));
         ByteArrayOutputStream derived = new ByteArrayOutputStream();

@@ -2,7 +2,7 @@ package keyagreement.edhoc;
 
 import javino.protocol.Bytes;
 
-/** What both sides of EDHOC compute, by method 3 and suite 2; the names are those of RFC 9528 sections 4 and 5. */
+/** Computations of both sides of EDHOC, by method 3 and suite 2; the names are those of RFC 9528 sections 4 and 5. */
 final class KeySchedule {
 
     static final int METHOD = 3;

@@ -3,7 +3,7 @@ package keyagreement.edhoc;
 import java.security.interfaces.ECPrivateKey;
 import javino.protocol.Bytes;
 
-/** What one side of EDHOC is and believes. */
+/** One side of EDHOC: its credential, and its trust in others. */
 public interface Party {
 
     /** Its own credential. */

@@ -7,10 +7,10 @@ import javino.protocol.Bytes;
 public interface Role {
 
     /**
-     * What there is when the other side is verified.
+     * The result once the other side is verified.
      *
-     * @param answer of who begins, message 3; else nothing.
-     * @param secret what both sides have.
+     * @param answer an initiator's message 3; else nothing.
+     * @param secret the one that both sides have.
      * @param peer   the other side, as {@link Party#find} gave it; nothing where it was known before.
      */
     record Agreed(Bytes answer, Secret secret, Optional<Credential> peer) {

@@ -2,7 +2,7 @@ package keyagreement.edhoc;
 
 import javino.protocol.Bytes;
 
-/** What two sides have after a handshake: PRK_out (RFC 9528 section 4.1.3). Its {@code toString} does not show it. */
+/** Two sides' secret after a handshake: PRK_out (RFC 9528 section 4.1.3). Its {@code toString} does not show it. */
 public final class Secret {
 
     private static final int EXPORTER = 10;

@@ -15,7 +15,7 @@ class CborTest {
         return new CborReader(Bytes.ofHex(hex));
     }
 
-    /** Of RFC 8949 appendix A, and the borders between lengths. */
+    /** Numbers of RFC 8949 appendix A, and at the borders between lengths. */
     @ParameterizedTest
     @CsvSource({"0, 00", "23, 17", "24, 1818", "255, 18ff", "256, 190100", "65535, 19ffff", "65536, 1a00010000",
             "1000000, 1a000f4240", "2147483647, 1a7fffffff", "-1, 20", "-24, 37", "-25, 3818", "-100, 3863",

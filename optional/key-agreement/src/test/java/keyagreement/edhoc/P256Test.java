@@ -58,7 +58,7 @@ class P256Test {
         }
     }
 
-    /** Where the sum needs a doubling, and where it is infinite. */
+    /** Sums that need a doubling, and an infinite one. */
     @Test
     void combination_ofRelatedPoints_isRightToo() throws HandshakeException {
         BigInteger five = BigInteger.valueOf(5);

@@ -36,12 +36,12 @@ final class Rfc9529 {
         return Named.of(Bytes.of(kid), of(cred), VALUES.getProperty(secret));
     }
 
-    /** Who begins, and knows who answers. */
+    /** The initiator, which knows the responder. */
     static Named initiator() throws HandshakeException {
         return party(0x2b, "cred_i", "i").knowing(party(0x32, "cred_r", "r"));
     }
 
-    /** Who answers, and knows who begins. */
+    /** The responder, which knows the initiator. */
     static Named responder() throws HandshakeException {
         return party(0x32, "cred_r", "r").knowing(party(0x2b, "cred_i", "i"));
     }
