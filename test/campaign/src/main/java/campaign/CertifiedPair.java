@@ -113,8 +113,8 @@ final class CertifiedPair implements AutoCloseable {
         }
         return all;
     }
-/** The number of contents that have come and that nobody has said. */
-    /** What has come that nobody has said. */
+
+    /** The number of contents that have come and that nobody has said. */
     long strange() {
         return came.keySet().stream().filter(content -> !said.contains(content)).count();
     }
