@@ -123,7 +123,7 @@ public final class AgentProcess implements AutoCloseable {
         await(words, 1);
     }
 
-    /** What it has printed. */
+    /** The lines that it has printed. */
     public synchronized List<String> lines() {
         return List.copyOf(lines);
     }

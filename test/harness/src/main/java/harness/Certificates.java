@@ -43,8 +43,8 @@ public final class Certificates {
     /**
      * Gives a device a certificate.
      *
-     * @param identities where the device's identity goes.
-     * @param issue      what {@code javino ca issue} is told beside.
+     * @param identities the folder for the device's identity.
+     * @param issue      further words for {@code javino ca issue}.
      */
     public void enroll(String device, Path identities, String... issue) {
         String request = fresh("request");

@@ -48,7 +48,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     private final Semaphore greetings = new Semaphore(0);
 
     /**
-     * @param identities where its certificate is.
+     * @param identities the folder with its certificate.
      * @param received   takes what others say, on the clock's thread.
      */
     public CertifiedHost(LinkOpener link, Address self, Path identities, HostClock clock,
@@ -87,12 +87,12 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         latest.clear();
     }
 
-    /** What it has counted. */
+    /** The number of events of a kind that it has counted. */
     public long count(String event) {
         return (Long) agreement.status().get(event);
     }
 
-    /** What went wrong so far. */
+    /** The warnings so far. */
     public List<String> warnings() {
         return List.copyOf(warnings);
     }

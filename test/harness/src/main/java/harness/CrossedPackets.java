@@ -38,7 +38,7 @@ public final class CrossedPackets {
         last.put(event.board(), packet);
     }
 
-    /** Of the packets that this board has sent. */
+    /** The number of packets of this board that crossed others. */
     public synchronized long of(String board) {
         return crossed.getOrDefault(board, 0L);
     }

@@ -76,7 +76,7 @@ public final class Emulator implements AutoCloseable {
         transitions = new TransitionHandler(folder.resolve(CONTROL));
     }
 
-    /** What a test says of its scenario; the words are those of emulator/README.md. */
+    /** A test's scenario; the words are those of emulator/README.md. */
     public static final class Scenario {
         private final Map<String, Object> radio = new LinkedHashMap<>(Map.of("bitRate", 2000, "range", 100));
         private final List<Map<String, Object>> boards = new ArrayList<>();
@@ -123,7 +123,7 @@ public final class Emulator implements AutoCloseable {
             return this;
         }
 
-        /** Who is told each line of the trace, in order, on the thread that reads it. */
+        /** Has a listener told each line of the trace, in order, on the thread that reads it. */
         public Scenario listener(Consumer<TraceEvent> told) {
             listener = told;
             return this;
@@ -182,7 +182,7 @@ public final class Emulator implements AutoCloseable {
         return folder.resolve("given-keys");
     }
 
-    /** Where gradle has put the program of a sketch for a Mega. */
+    /** The program that gradle has built of a sketch for a Mega. */
     public static Path firmware(String sketch) {
         return firmware(sketch, MEGA);
     }
@@ -248,7 +248,7 @@ public final class Emulator implements AutoCloseable {
         return model.refusal();
     }
 
-    /** What it has complained of. */
+    /** The complaints that it has written. */
     public synchronized List<String> complaints() {
         return List.copyOf(complaints);
     }

@@ -105,13 +105,13 @@ public final class GatewayProcess implements AutoCloseable {
         return process.toHandle();
     }
 
-    /** What it has in memory. */
+    /** The bytes that it has in memory. */
     public long residentBytes() throws IOException {
         String pages = Files.readString(Path.of("/proc/" + process.pid() + "/statm")).split(" ")[1];
         return Long.parseLong(pages) * PAGE_BYTES;
     }
 
-    /** What it said, and at last its exit status; waits until it has ended. */
+    /** The lines that it wrote, and at last its exit status; waits until it has ended. */
     public List<String> ended() throws InterruptedException {
         if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
             throw new AssertionError("the gateway has not ended: " + lines);

@@ -164,7 +164,7 @@ public final class Host implements AutoCloseable {
         return get(board.statistics()).getOrDefault(counter, 0L);
     }
 
-    /** What a request ended with; a failed one fails the test. */
+    /** The result of a request; a failed one fails the test. */
     public static <T> T get(CompletableFuture<T> request) {
         try {
             return request.get(PATIENCE_SECONDS, TimeUnit.SECONDS);

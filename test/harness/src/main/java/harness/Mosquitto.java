@@ -17,9 +17,9 @@ import java.util.concurrent.TimeUnit;
 public final class Mosquitto implements AutoCloseable {
 
     public static final String OWNER = "owner";
-    /** Of all users. */
+    /** The password of all users. */
     public static final String PASSWORD = "together";
-    /** What a user named as its cell may do (docs/mqtt.md). */
+    /** The topics that a user named as its cell may write and read (docs/mqtt.md). */
     private static final String ACCESS = """
             pattern write javino/+/+/from/%u/#
             pattern read javino/to/%u/from/#

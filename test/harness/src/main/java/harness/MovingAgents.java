@@ -76,7 +76,7 @@ public final class MovingAgents implements AutoCloseable {
      * @param boards   names of the two boards.
      * @param ids      their addresses.
      * @param admits   which of the two MAS lets the agent in.
-     * @param walker   what the agent does once it is told to {@code begin}; @HERE@ is its home, @THERE@ the other.
+     * @param walker   the agent's plans once it is told to {@code begin}; @HERE@ is its home, @THERE@ the other.
      * @param listener is told each line that a MAS prints.
      */
     public MovingAgents(Emulator emulator, Path folder, List<String> boards, List<Address> ids, List<Boolean> admits,
@@ -150,7 +150,7 @@ public final class MovingAgents implements AutoCloseable {
         processes.get(side).kill();
     }
 
-    /** What was seen of the agent. */
+    /** The log of the agent's walk. */
     public WalkerLog walk() {
         return walk;
     }
@@ -182,7 +182,7 @@ public final class MovingAgents implements AutoCloseable {
         await("ticks", (int) lines().stream().filter(ticks).count() + more, ticks);
     }
 
-    /** What a host has said of a move (SPEC 9.1), such as "offer"; "" if the event is none of these. */
+    /** The word of a host about a move (SPEC 9.1), such as "offer"; "" if the event is none of these. */
     public static String said(TraceEvent event) {
         try {
             String kind = HostMessage.decode(Bytes.copyOf(event.said().orElse(new byte[0]))).kind().name();

@@ -7,12 +7,12 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What runs a multi-agent system.
+ * The Java and the program that run a multi-agent system.
  *
  * @param java      the home of a Java.
- * @param classPath what that Java has.
+ * @param classPath that Java's class path.
  * @param launcher  its main class.
- * @param suffix    of the programs that this takes.
+ * @param suffix    the ending of the programs that this takes.
  */
 public record Platform(Path java, String classPath, String launcher, String suffix) {
 
@@ -33,7 +33,7 @@ public record Platform(Path java, String classPath, String launcher, String suff
         return new Platform(java, classPath, otherLauncher, otherSuffix);
     }
 
-    /** What starts that program in a small Java, which is up soon: a campaign has a dozen. */
+    /** The command that starts that program in a small Java, which is up soon: a campaign has a dozen. */
     List<String> command(String name, Path logging) {
         return List.of(java.resolve("bin/java").toString(), "-Djava.awt.headless=true", "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp", classPath, launcher,

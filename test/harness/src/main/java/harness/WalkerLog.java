@@ -7,9 +7,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where an agent was awake that moves between two MAS and counts meanwhile: {@code tick N TIME}, N from 0, TIME in ms
- * by the clock of the one computer on which both run. It must go on counting where it arrives, and be nowhere else
- * then. After a kill of its MAS it may begin again with the number with which it had come there.
+ * The places of an agent that moves between two MAS and counts meanwhile: {@code tick N TIME}, N from 0, TIME in ms by
+ * the clock of the one computer on which both run. It must go on counting where it arrives, and be nowhere else then.
+ * After a kill of its MAS it may begin again with the number with which it had come there.
  */
 public final class WalkerLog {
 
@@ -26,11 +26,11 @@ public final class WalkerLog {
     }
 
     /**
-     * What the signs of a whole walk say.
+     * The verdict by the signs of a whole walk.
      *
      * @param twice   signs of an agent that was awake elsewhere.
      * @param changed signs with another number than the next.
-     * @param sides   where it was, one after the other.
+     * @param sides   the sides on which it was, one after the other.
      */
     public record Verdict(List<Tick> twice, List<Tick> changed, List<Integer> sides) {
     }
@@ -49,7 +49,7 @@ public final class WalkerLog {
     /** All signs until now, in order of time. */
     public synchronized List<Tick> ticks() {
         List<Tick> sorted = new ArrayList<>(ticks);
-        // Where two are of one millisecond, the number decides: the agent may have been carried within it.
+        // The number decides between two of one millisecond: the agent may have been carried within it.
         sorted.sort(Comparator.comparingLong(Tick::at).thenComparingInt(Tick::number));
         return sorted;
     }
