@@ -16,9 +16,9 @@ import uppaal.network.Successors;
 import uppaal.network.Transition;
 
 /**
- * What a model does: its states and moves, as far as needed to see a wrong verdict.
+ * The behaviour of a model: its states and moves, as far as needed to see a wrong verdict.
  *
- * @param wrong  what has a verdict that is not the expected one, or that a variable left its range; empty for none
+ * @param wrong  the query whose verdict is not the expected one, or that a variable left its range; empty for none
  * @param states how many there are, or were seen until then
  * @param print  the same for models that have the same states and moves
  * @param whole  whether all states were seen
@@ -113,7 +113,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             }
         }
 
-        /** What a property is where a state settles it; the opposite where none does. */
+        /** The value of a property that a state settles; the opposite where none does. */
         private static boolean settlesToTrue(Property property) {
             return property.text().startsWith("E<>");
         }
@@ -124,7 +124,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             }
         }
 
-        /** What no single state settles, such as that one thing leads to another. */
+        /** Judges the queries that no single state settles, such as that one thing leads to another. */
         private void later() {
             if (wrong != null || more.isEmpty()) {
                 return;
@@ -152,7 +152,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             return hash;
         }
 
-        /** Who hears something and goes on as before might as well not have heard it. */
+        /** An automaton that hears something and goes on as before might as well not have heard it. */
         private static boolean changesNothing(Transition transition) {
             return transition.source() == transition.target() && transition.assignments().isEmpty()
                     && !transition.sends()

@@ -30,7 +30,7 @@ import trace.TraceEvent;
  * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in fragments, partners
  * that are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who
  * repeats what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their
- * hosts never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are
+ * hosts never wait. If the seed is odd, no bits are wrong, and one board is away for long; some of these runs are
  * jammed. In half of the runs they stand in a line, and the one in the middle is a relay for the others.
  */
 final class DeliveryRun {
@@ -40,7 +40,7 @@ final class DeliveryRun {
     private static final double END = 95;
     private static final double RESET_AT = 9;
     private static final double CUT_AT = 19;
-    /** Of every other run: in the others all that arrives is undamaged, and a partner is away for long. */
+    /** The cut in every other run: in the others all that arrives is undamaged, and a partner is away for long. */
     private static final double CUT_SECONDS = 0.2;
     private static final double AWAY_SECONDS = 30;
     private static final double BIT_ERRORS = 0.001;
@@ -91,10 +91,10 @@ final class DeliveryRun {
     /**
      * Lets boards run a program.
      *
-     * @param seed   of the air
+     * @param seed   that of the air
      * @param folder for all that the run writes
      * @param trace  takes each line of the trace
-     * @return what hosts did not get that they must, or that a program crashed; empty if all was fine
+     * @return the lack of a host that misses a message, or that a program crashed; empty if all was fine
      */
     static String run(Path program, long seed, Path folder, Consumer<String> trace)
             throws IOException, InterruptedException {
@@ -205,7 +205,7 @@ final class DeliveryRun {
         return now() > CUT_AT + AFTER_CUT && !early.isEmpty() ? early.poll() : overheard.poll();
     }
 
-    /** What was on the air comes again, some time later; half of it with a wrong bit behind the header. */
+    /** A packet that was on the air comes again, some time later; half of them with a wrong bit behind the header. */
     private void attack(Emulator emulator) {
         String payload = heard();
         if (payload != null) {
@@ -218,7 +218,7 @@ final class DeliveryRun {
         }
     }
 
-    /** What the other hosts have of a talker that they must not have, or lack. */
+    /** The messages of a talker that the other hosts have and must not have, or lack. */
     private String wrong(Talker from) {
         for (Talker to : talkers) {
             Set<String> seen = new HashSet<>();
@@ -242,7 +242,7 @@ final class DeliveryRun {
             }
         }
         synchronized (from) {
-            // Whose power is cut may be away for nearly all of the time in which the others talk.
+            // The board whose power is cut may be away for nearly all of the time in which the others talk.
             return from.delivered.isEmpty() && !from.id.equals(IDS.get(2)) ? from.id + " got nothing delivered" : "";
         }
     }

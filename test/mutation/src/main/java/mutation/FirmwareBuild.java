@@ -25,7 +25,7 @@ final class FirmwareBuild {
      * Copies the library.
      *
      * @param place   a folder for the copy and what is built of it
-     * @param command what builds the sketch, with {@code PLACE} where the folder is to be
+     * @param command the command that builds the sketch, with {@code PLACE} for the folder
      */
     FirmwareBuild(Path root, Path place, List<String> command) throws IOException {
         this.place = place;
@@ -41,7 +41,7 @@ final class FirmwareBuild {
         }
     }
 
-    /** What builds the sketch, as Gradle says it. */
+    /** The command that builds the sketch, as Gradle gives it. */
     static List<String> command() {
         return List.of(System.getProperty("javino.build").split("\n"));
     }

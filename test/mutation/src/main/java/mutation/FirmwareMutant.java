@@ -43,7 +43,7 @@ record FirmwareMutant(String file, int line, String right, String what, String w
         return lines.lines().map(line -> gson.fromJson(line, FirmwareMutant.class)).toList();
     }
 
-    /** Where what it does is recorded. */
+    /** The folder in which its runs are recorded. */
     String folderName() {
         return file.replaceAll("[/.]", "-") + "-" + line + "-" + Integer.toHexString(wrong.hashCode());
     }
@@ -88,7 +88,7 @@ record FirmwareMutant(String file, int line, String right, String what, String w
                 right.strip().startsWith(ELSE_IF) ? right.replace(ELSE_IF, ELSE_IF + TRAPPED) : TRAP + right);
     }
 
-    /** Where the changed operand begins, if an operator before it may decide without it; else 0. */
+    /** The beginning of the changed operand, if an operator before it may decide without it; else 0. */
     private int operand() {
         int first = 0;
         while (right.charAt(first) == wrong.charAt(first)) {

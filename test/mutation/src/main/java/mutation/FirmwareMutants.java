@@ -22,7 +22,7 @@ final class FirmwareMutants implements Part {
 
     private static final double GOAL = 0.85;
     private static final int USUAL = 60;
-    /** Of the air. A mutant that the first does not kill has other chances. */
+    /** The seeds of the air. A mutant that the first does not kill has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L);
     /**
      * The others decide how well a board hears, which no trace tells, or how its EEPROM keeps what it holds. Carrier
@@ -31,7 +31,7 @@ final class FirmwareMutants implements Part {
     private static final Pattern SOURCES = Pattern.compile(
             "(delivery|secure)/.*|radio/(AskRadio|RadioEncoder|RadioQueue)\\.cpp|storage/BootEpoch\\.cpp");
 
-    /** What became of a mutant. */
+    /** The fate of a mutant. */
     private enum Fate {
         UNBUILT, UNREACHED, REFUSED, FAILED, SURVIVED
     }

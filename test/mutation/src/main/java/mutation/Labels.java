@@ -20,14 +20,14 @@ record Labels(Set<String> constants) {
             Map.of("<", List.of("<=", "!="), "<=", List.of("<", "=="), ">", List.of(">=", "!="), ">=",
                     List.of(">", "=="), "==", List.of("<=", ">="), "!=", List.of("<", ">"), "&&", List.of("||"), "||",
                     List.of("&&"), "true", List.of("false"), "false", List.of("true"));
-    /** What makes a condition its opposite. A clock's has none, since clocks are never compared by {@code <}. */
+    /** The operators of opposite conditions. A clock's has none, since clocks are never compared by {@code <}. */
     private static final Map<String, String> OPPOSITES =
             Map.of("==", "!=", "!=", "==", "<", ">=", ">=", "<", ">", "<=", "<=", ">");
     private static final Pattern COMPARISON = Pattern.compile("([\\w.\\[\\] +*-]+?) *(==|!=|<=|>=|<|>) *"
             + "([\\w.\\[\\] +*-]+)");
     private static final Pattern STEP = Pattern.compile("([\\w.\\[\\]]+) *(\\+\\+|--)");
 
-    /** Of a guard: a part negated or left out, another operator, another number. */
+    /** The changes of a guard: a part negated or left out, another operator, another number. */
     List<Change> ofGuard(String guard) {
         List<Change> changes = new ArrayList<>();
         List<String> parts = parts(guard, "&&");
@@ -40,7 +40,7 @@ record Labels(Set<String> constants) {
         return changes;
     }
 
-    /** Of an invariant: a part left out, made tighter or looser by one. */
+    /** The changes of an invariant: a part left out, made tighter or looser by one. */
     List<Change> ofInvariant(String invariant) {
         List<Change> changes = new ArrayList<>();
         List<String> parts = parts(invariant, "&&");
@@ -54,7 +54,7 @@ record Labels(Set<String> constants) {
         return changes;
     }
 
-    /** Of assignments: one left out, turned round, or given another value. */
+    /** The changes of assignments: one left out, turned round, or given another value. */
     List<Change> ofUpdate(String update) {
         List<Change> changes = new ArrayList<>();
         List<String> parts = parts(update, ",");
@@ -77,7 +77,7 @@ record Labels(Set<String> constants) {
     }
 
     /**
-     * Of a synchronisation: none, the other end of the channel, or the next channel of the same kind.
+     * The changes of a synchronisation: none, the other end of the channel, or the next channel of the same kind.
      *
      * @param kinds channels of each kind, in the order of the file
      */
@@ -132,7 +132,7 @@ record Labels(Set<String> constants) {
         return "!(" + condition + ")";
     }
 
-    /** What stands between separators, but not within parentheses. */
+    /** The parts between separators, but not within parentheses. */
     static List<String> parts(String text, String separator) {
         List<String> parts = new ArrayList<>();
         int depth = 0;

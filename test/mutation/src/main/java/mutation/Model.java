@@ -26,22 +26,22 @@ import uppaal.report.Firmware;
 import uppaal.report.Scene;
 
 /**
- * A file with automata, and what is asked of them.
+ * A file with automata, and the queries about them.
  *
- * @param name     of the file
+ * @param name     the name of the file
  * @param xml      its text
- * @param settings who runs together, with the queries about them
- * @param firmware whose numbers it must have
+ * @param settings the automata that run together, with the queries about them
+ * @param firmware the sources whose numbers it must have
  */
 record Model(String name, String xml, List<Model.Setting> settings, Firmware firmware) {
 
-    /** What kills a number that is no longer the firmware's. */
+    /** The judge that kills a number that is no longer the firmware's. */
     static final String FIRMWARE = "firmware";
 
     /** Templates that only observe, and the rest of the world of a trace: mutants of these are none of boards. */
     private static final Set<String> BESIDE = Set.of("Witness", "Gap", "Pause", "Told", "Deadline", "Others");
 
-    /** What became of a mutant. */
+    /** The fate of a mutant. */
     enum Fate {
         /** It is outside what UPPAAL or our checker reads. */
         INVALID,
@@ -54,16 +54,16 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
     }
 
     /**
-     * What became of a mutant, and why.
+     * The fate of a mutant, and the reason.
      *
-     * @param by what killed it
+     * @param by the property or the check that killed it
      */
     record Verdict(Fate fate, String by) {}
 
     /**
      * The automata of a file as they run together.
      *
-     * @param change  what is other than in the file
+     * @param change  the difference from the file
      * @param queries all that is asked
      */
     record Setting(UnaryOperator<String> change, List<Query> queries) {
@@ -96,8 +96,8 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
         Path models = root.resolve("uppaal/models");
         Firmware firmware = Firmware.of(root.resolve("javino-firmware/src"));
         String quiet = Files.readString(models.resolve(Scene.QUIET.model()));
-        // What is wrong in the paper's automata may show only once their connection stays online; but nothing forces
-        // their senders to go on.
+        // A fault of the paper's automata may show only once their connection stays online; but nothing forces their
+        // senders to go on.
         Setting withoutLoss = new Setting(
                 xml -> xml.replace(template(xml, "Connection"), template(quiet, "Connection")),
                 Scene.QUIET.queries(models).stream().filter(Behaviour::isSettledByStates).toList());
@@ -143,7 +143,7 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
     }
 
     /**
-     * What each scene does as the model is.
+     * The behaviour of each scene as the model is.
      *
      * @throws IllegalStateException where a verdict is not as expected even so
      */
@@ -157,7 +157,7 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
         }).toList();
     }
 
-    /** @param sound what {@link #sound()} gives */
+    /** @param sound the result of {@link #sound()} */
     Verdict judge(ModelMutant mutant, List<Behaviour> sound) {
         try {
             if (!Constants.differences(document(mutant.xml()), firmware).isEmpty()) {

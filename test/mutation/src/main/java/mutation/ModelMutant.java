@@ -3,7 +3,7 @@ package mutation;
 /**
  * A model with one small change.
  *
- * @param place where the change is, as a person finds it: template, edge or location, kind of the label
+ * @param place the place of the change, as a person finds it: template, edge or location, kind of the label
  * @param what the change
  * @param xml the whole file with it
  */

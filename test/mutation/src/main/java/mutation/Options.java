@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * What a run tries.
+ * The options of a run.
  *
  * @param wanted    how many mutants of each kind; each part has a number of its own if it is not said
  * @param survivors those that are known, with reasons

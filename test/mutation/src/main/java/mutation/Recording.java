@@ -14,9 +14,9 @@ import java.util.zip.GZIPOutputStream;
 import uppaal.conformance.Replay;
 
 /**
- * What boards did that run a program, and what came of it, in a folder: so it can be judged again and again.
+ * The trace of boards that ran a program, and its outcome, in a folder: so it can be judged again and again.
  *
- * @param seed of the air
+ * @param seed that of the air
  */
 record Recording(Path folder, long seed) {
 
@@ -42,7 +42,7 @@ record Recording(Path folder, long seed) {
         return Files.exists(file("hosts"));
     }
 
-    /** What hosts did not get that they must; empty if all was fine. */
+    /** The lack of a host that misses a message; empty if all was fine. */
     String hosts() throws IOException {
         return Files.readString(file("hosts"));
     }

@@ -11,7 +11,7 @@ import javino.protocol.Payload;
 /**
  * A part of a packet's bytes (SPEC 2, 5, 7).
  *
- * @param begin of its first byte
+ * @param begin the number of its first byte
  * @param end   behind its last byte
  */
 record Region(String name, int begin, int end) {
@@ -46,7 +46,7 @@ record Region(String name, int begin, int end) {
                 new Region("tag", length - Payload.TAG_LENGTH, length));
     }
 
-    /** Where a packet has its nonce, if it is a sealed message in one packet. */
+    /** The place of the nonce in a packet, if it is a sealed message in one packet. */
     static Optional<Region> nonce(String kind, String payload) {
         return of(kind, payload).stream().filter(region -> region.name.equals("nonce")).findFirst();
     }

@@ -20,7 +20,7 @@ final class Trace {
      * A transmission.
      *
      * @param sent  its {@code rf-tx}
-     * @param heard what other boards had of it
+     * @param heard the events of other boards that had it
      */
     record Packet(TraceEvent sent, List<TraceEvent> heard) {
         List<TraceEvent> all() {

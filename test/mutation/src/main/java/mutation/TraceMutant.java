@@ -7,8 +7,8 @@ import java.util.function.Supplier;
  * A trace with one small change.
  *
  * @param operator the kind of change
- * @param event    what was changed, e.g. {@code rf-tx unicast}
- * @param line     where, from 1
+ * @param event    the event that was changed, e.g. {@code rf-tx unicast}
+ * @param line     its line, from 1
  * @param detail   the change in full; empty where the operator says it
  * @param lines    the trace with it
  */

@@ -40,7 +40,7 @@ final class TraceMutants {
     private static final int ATTEMPTS = 8;
     /** Whoever sends by a command: he may send anything. */
     private static final String INJECTOR = "injector";
-    /** What hosts and boards may say as often as they like. */
+    /** The events that hosts and boards may tell as often as they like. */
     private static final Set<String> REPEATED =
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
     private static final List<String> OPERANDS =
@@ -114,7 +114,7 @@ final class TraceMutants {
         }
     }
 
-    /** What a board's program declares by trace points, and a host of its machines. */
+    /** Changes events that a board's program declares by trace points, and a host of its machines. */
     private void declared(int line) {
         TraceEvent event = genuine.events().get(line);
         String name = event.is("point") ? "name" : "state";
@@ -288,7 +288,7 @@ final class TraceMutants {
         };
     }
 
-    /** What else this board and its host do from here on, up to a reset. */
+    /** All else that this board and its host do from here on, up to a reset. */
     private Stream<TraceEvent> then(int line) {
         return of(genuine.events().get(line).board(), genuine.events().subList(line + 1, lines.size())).stream()
                 .takeWhile(other -> !other.is("reset"));
@@ -382,12 +382,12 @@ final class TraceMutants {
         if (isTold(first) && isTold(second)) {
             return names.equals(Set.of("host-handed"));
         }
-        // What a reset breaks off is told behind it.
+        // Events that a reset breaks off are told behind it.
         return !names.equals(Set.of("reset"))
                 && (!second.is("rf-tx") || second.real("start") > first.seconds());
     }
 
-    /** What a board tells its host when that asks: all that there is. */
+    /** A board tells all such events that there are when its host asks. */
     private static boolean isTold(TraceEvent event) {
         return event.is("host-handed") || event.is("host-outcome");
     }
@@ -421,7 +421,7 @@ final class TraceMutants {
         return events.stream().filter(event -> event.board().equals(board)).toList();
     }
 
-    /** What a board itself does, in the order in which it does it. */
+    /** A board itself does this, in the order of the trace. */
     private static boolean isOwn(TraceEvent event) {
         return event.is("rf-tx") || event.is("reset")
                 || event.name().startsWith("host-") && !event.is("host-nothing");

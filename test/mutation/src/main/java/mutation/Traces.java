@@ -21,7 +21,7 @@ final class Traces implements Part {
     private static final double GOAL = 0.998;
     private static final int USUAL = 40;
 
-    /** @param keys of its run */
+    /** @param keys those of its run */
     private record Genuine(String name, List<String> lines, Path keys) {}
 
     private record Judged(TraceMutant mutant, String file, boolean refused) {}
@@ -133,7 +133,7 @@ final class Traces implements Part {
                 Table.percent(refused, judged.size()), Table.percent(refused, refused + harmful));
     }
 
-    /** What was accepted, by change and event, with where it can be seen. */
+    /** Reports the mutants that were accepted, by change and event, with where they can be seen. */
     private static void reasons(List<Judged> all, Survivors known, Report report) {
         Map<String, List<Judged>> alike = new TreeMap<>(all.stream().filter(each -> !each.refused)
                 .collect(Collectors.groupingBy(each -> each.mutant.toString())));
