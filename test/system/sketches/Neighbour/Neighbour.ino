@@ -1,4 +1,4 @@
-// What sketches have beside the library: other libraries, texts on the line, delays, their own EEPROM, a button.
+// A sketch with things beside the library: other libraries, texts on the line, delays, an EEPROM, a button.
 //
 // Actions: print(Millis), a text so often, 0 for never; wait(Millis), in the action; keep(Number), in the EEPROM;
 // slowLoop(Millis), slowPercepts(Millis), what each call takes more.

@@ -33,7 +33,7 @@ import trace.TraceEvent;
 class CounterexampleTest {
 
     private static final int NONCE_END = 16;
-    /** Of eight attempts: each one is answered while the sender waits, unless it has begun the next one meanwhile. */
+    /** The attempts of eight that are answered: while the sender waits, unless it has begun the next one meanwhile. */
     private static final int ANSWERED_ATTEMPTS = 4;
     private static final int MOST_PLAYS = 10;
 
@@ -151,7 +151,7 @@ class CounterexampleTest {
         return sent.bytes("payload");
     }
 
-    /** Where an acknowledgement of a sealed frame goes (SPEC 7.3): the last 12 bits of its nonce as two digits. */
+    /** The address of the acknowledgement of a sealed frame (SPEC 7.3): the last 12 bits of its nonce as two digits. */
     private static String address(byte[] sealed) {
         return Address.acknowledgement(Payload.of(Bytes.copyOf(sealed)).lastBits()).toString();
     }

@@ -8,8 +8,8 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 
 /**
- * A real link whose bytes get lost, flipped and inserted on the way, both ways, and come in small pieces. What is
- * damaged comes from one seed; where it falls depends on how the bytes arrive.
+ * A real link whose bytes get lost, flipped and inserted on the way, both ways, and come in small pieces. The damage
+ * comes from one seed; its places depend on how the bytes arrive.
  */
 final class DamagedLink extends ForwardedLink {
 

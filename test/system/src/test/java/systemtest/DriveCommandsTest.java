@@ -51,7 +51,7 @@ class DriveCommandsTest {
         return builder.redirectError(ProcessBuilder.Redirect.DISCARD).start();
     }
 
-    /** What it prints, and at last its exit status. */
+    /** The lines that it prints, and at last its exit status. */
     private static List<String> end(Process process) throws InterruptedException {
         Stream<String> lines = process.inputReader().lines().toList().stream();
         return Stream.concat(lines, Stream.of("" + process.waitFor())).toList();

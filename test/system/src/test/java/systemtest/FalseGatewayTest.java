@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import trace.TraceEvent;
 
-/** Who has a user at the broker, the broker itself, or a radio in a cell, and what he cannot do (SECURITY.md). */
+/** An intruder with a user at the broker, the broker itself, or a radio in a cell, and his limits (SECURITY.md). */
 class FalseGatewayTest extends JoinedCells {
 
     private static final double BIT_RATE = 2000;

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What gateways relay, and what they do where broker, gateway, board or network fail. */
+/** Gateways relay messages, also where broker, gateway, board or network fail. */
 class GatewayTest extends JoinedCells {
 
     private static final double MINUTE = 60;

@@ -304,7 +304,7 @@ class HighwayTest {
     }
 
     /**
-     * What it prints and starts until its end.
+     * The lines that it prints and the programs that it starts until its end.
      *
      * @param signals words, and what the emulator is sent when a line has them; for all such lines.
      */

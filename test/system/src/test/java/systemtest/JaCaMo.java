@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** JaCaMo, where -Pjacamo has named its Maven repository. */
 final class JaCaMo {
 
-    /** What an agent's program includes for artifacts and organisations. */
+    /** The lines by which an agent's program includes artifacts and organisations. */
     static final String TEMPLATES = """
             { include("$jacamo/templates/common-cartago.asl") }
             { include("$jacamo/templates/common-moise.asl") }

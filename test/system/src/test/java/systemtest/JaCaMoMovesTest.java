@@ -55,7 +55,7 @@ class JaCaMoMovesTest {
     @TempDir
     private Path folder;
 
-    /** What the agent says that begins as the walker of one of the two, until it says that it is done. */
+    /** The words of the agent that begins as the walker of one of the two, until it says that it is done. */
     private List<String> said(Platform home, Platform away, String agent, String program) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
@@ -63,7 +63,7 @@ class JaCaMoMovesTest {
                         List.of(true, true), program, line -> {})) {
             for (int side : List.of(MovingAgents.HOME, MovingAgents.AWAY)) {
                 Path place = travels.place(side);
-                // That of the other MAS must not have the name.
+                // An agent of the other MAS must not have the name.
                 String mas = side == MovingAgents.HOME ? MAS.replace("@AGENT@", agent)
                         : MAS.replace("@AGENT@", "").replace("agent walker : walker.asl", "agent other : other.asl");
                 Files.writeString(place.resolve("mas.jcm"), mas);

@@ -153,7 +153,7 @@ class KeyAgreementTest {
                 authority.enroll("SUPO", identities);
                 authority.revoke("SUPO", "ROMA", identities);
             }
-            // Where the authority is, this day ends later than where the agents are.
+            // This day ends later for the authority than for the agents.
             case "expired" -> authority.enroll("SUPO", identities, "--until", LocalDate.now().toString());
             default -> new Certificates(folder, "other").enroll("SUPO", identities);
         }

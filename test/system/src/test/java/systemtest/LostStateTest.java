@@ -39,7 +39,7 @@ import trace.TraceEvent;
 class LostStateTest {
 
     private static final Address SUPP = Address.parse("SUPP");
-    /** Where the library's README says that the copies of the boot epochs are in EEPROM, and how long each is. */
+    /** The places of the copies of the boot epochs in EEPROM by the library's README, and the length of each. */
     private static final List<Integer> EPOCHS_AT = List.of(751, 4048);
     private static final int EPOCHS_LENGTH = 48;
     private static final int NONCE_AT = 10;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What CMake has built before its clone was moved or copied, which it refuses to build on. */
+/** CMake refuses to build on a folder that it has built before its clone was moved or copied. */
 @Tag("verify")
 class MovedCloneTest {
 
@@ -46,7 +46,7 @@ class MovedCloneTest {
         assertFalse(Files.exists(clone.resolve("build/stale")));
         assertTrue(Files.exists(clone.resolve("build/other/stale")), "another folder has its own task");
 
-        // What is of this place stays.
+        // Files of this place stay.
         Files.writeString(clone.resolve("build/kept"), "");
         assertEquals(0, NewProjectTest.gradle("make", "--rerun-tasks").directory(clone.toFile()).inheritIO().start()
                 .waitFor());

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What sketches do beside the library: wait, keep things in the EEPROM, hold up interrupts. */
+/** Sketches do other things beside the library: wait, keep things in the EEPROM, hold up interrupts. */
 @Tag("verify")
 class NeighboursTest {
 

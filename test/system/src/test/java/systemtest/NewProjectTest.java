@@ -84,7 +84,7 @@ class NewProjectTest {
     void sketch_forAnUno_takesLibrariesOfProjectAndSketchbookAndTellsItsSize(@TempDir Path folder) throws Exception {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, "--board", "uno").waitFor());
-        // That of the project goes before the other of its name; the published library does not go before ours, which
+        // The project's library goes before the other of its name; the published library does not go before ours, which
         // has the Javino.h too if JavinoBDI.h is included first.
         Path sketchbook = folder.resolve("Arduino/libraries");
         write(project.resolve("libraries/Lamp/Lamp.h"), "#define LAMP 13");

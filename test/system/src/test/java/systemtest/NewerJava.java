@@ -19,12 +19,12 @@ final class NewerJava {
 
     private NewerJava() {}
 
-    /** That Java with Jason 3.3; who asks is skipped, and says so, where there is none. */
+    /** A newer Java with Jason 3.3; a test that asks is skipped, and says so, where there is none. */
     static Platform withNewerJason() throws IOException {
         return with(System.getProperty("javino.newerJason"), "Jason 3.3");
     }
 
-    /** That Java with other libraries in the place of Jason. */
+    /** A newer Java with other libraries in the place of Jason. */
     static Platform with(String libraries, String what) throws IOException {
         Optional<Path> home = home();
         String skipped = "skipped: " + what + " needs Java " + LEAST + " or newer, beside "

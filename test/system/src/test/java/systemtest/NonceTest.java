@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
-/** What a board seals with over its life. */
+/** The nonces that a board seals with over its life. */
 class NonceTest {
 
     private static final int RUNS = 4;

@@ -22,7 +22,7 @@ final class Nuisance {
     private final Emulator emulator;
     private final List<Integer> place;
 
-    /** @param place where the injector is */
+    /** @param place the injector's */
     Nuisance(Emulator emulator, List<Integer> place) {
         this.emulator = emulator;
         this.place = place;

@@ -54,13 +54,13 @@ class PagesTest {
             Pattern.compile("^(bash|console|shell)$|\\A\n(\\./|(cd|gradle|javino|sudo) )", Pattern.MULTILINE);
     private static final Pattern BLOCK = Pattern.compile("(?:`([\\w/]+\\.(?:asl|json|mas2j|sh))`(?: is|:)\n\n)?"
             + "^```(.*)\n((?s:.*?))^```$|^<!-- ends (\\S+) -->$", Pattern.MULTILINE);
-    /** What a page says to write in place of a board's port. */
+    /** The port that a page says to write in place of a board's. */
     private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
     private static final Pattern TASK = Pattern.compile("(?<![\\w-])gradle ((?::?\\w[:\\w-]* *)*)");
     /** Those of Gradle itself, of a project of the reader's, of JaCaMo, and of a sketch that the reader writes. */
     private static final Set<String> OTHER_TASKS =
             Set.of("tasks", "run", "sketch", "bundle", "buildJCMDeps", ":javino-firmware:firmwareFollower");
-    /** What an emulator makes before it can be used: its scenario's ports, and its control socket. */
+    /** The files that an emulator makes before it can be used: its scenario's ports, and its control socket. */
     private static final Pattern SCENARIO = Pattern.compile("javino-emulator (\\S+)");
     private static final Pattern MADE = Pattern.compile("(?:\"port\": *\"|--control )([\\w/]+)");
     private static final String BROKER = "mqtt://localhost";
@@ -224,10 +224,10 @@ class PagesTest {
     }
 
     /**
-     * Does what a block says.
+     * Does the steps of a block.
      *
      * @param last the mark of the commands before it
-     * @return that mark, or the one of this block
+     * @return the same mark, or the one of this block
      */
     private String follow(MatchResult block, String last, String where, Map<String, String> ports) throws Exception {
         if (block.group(4) != null) {
@@ -267,7 +267,7 @@ class PagesTest {
         return last;
     }
 
-    /** What that line of a page means: a run has other numbers and keys. */
+    /** The pattern of a page's line: a run has other numbers and keys. */
     private static Pattern expected(String line) {
         Matcher variable = Pattern.compile("(?<=check value )\\w+|\\d+|…|\\s+").matcher(line.strip());
         StringBuilder pattern = new StringBuilder();

@@ -201,7 +201,7 @@ class PhasesTest {
         for (int known = 1; !lost.isDone(); nuisance.now()) {
             List<TraceEvent> sent = emulator.trace().stream().filter(event -> event.name().equals("rf-tx")).toList();
             for (; known < sent.size(); known++) {
-                // That fragment comes next behind an answer, and once after an attempt that had none.
+                // The lost fragment comes next behind an answer, and once after an attempt that had none.
                 if (sent.get(known).board().equals("support")) {
                     nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
                 } else if (known + 1 == FIRST_REPEAT) {

@@ -54,7 +54,7 @@ class ProMiniTest {
                 .dropWhile(edge -> edge.number("level") == 0).toList();
         assertEquals(LineCode.bits("////LAMPBItell;help"), LineCode.bits(edges, BIT_SECONDS));
         double seconds = edges.get(edges.size() - 1).seconds() - edges.get(0).seconds();
-        // Where the interrupt of millis() is at work, an edge is some 15 µs late.
+        // The interrupt of millis() may make an edge some 15 µs late.
         assertEquals(0, Math.IEEEremainder(seconds, BIT_SECONDS), BIT_SECONDS / 20);
     }
 

@@ -75,7 +75,7 @@ class RadioExchangeTest {
         police.send("SUPP", "tell;help");
         police.send("SUPP", "tell;help");
 
-        // What a host on a busy machine takes late is sent again, but byte for byte.
+        // A packet that a host on a busy machine takes late is sent again, but byte for byte.
         String first = emulator.await("a packet", event -> event.is("rf-tx", "police")).text("payload");
         String second = emulator.await("another packet",
                 event -> event.is("rf-tx", "police") && !event.text("payload").equals(first)).text("payload");

@@ -117,7 +117,7 @@ class RelayTest {
         assertTrue(copies.stream().anyMatch(copy -> copy.distance().equals(OptionalInt.of(3))));
     }
 
-    /** Who hears the relay only has it once, as does who hears its sender, too. */
+    /** A receiver that hears the relay only has it once, as does one that hears its sender, too. */
     @Test
     void whatIsForMany_overARelay_comesOnce() throws Exception {
         emulator = new Emulator.Scenario().board("from", "Station", at(0)).board("relay1", "Relay", at(1))

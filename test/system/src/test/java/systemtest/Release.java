@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What {@code gradle release} has made. */
+/** The files that {@code gradle release} has made. */
 final class Release {
 
     static final Path FOLDER = Path.of(System.getProperty("javino.root"), "build/release");

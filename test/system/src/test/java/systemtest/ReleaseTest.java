@@ -77,7 +77,7 @@ class ReleaseTest {
         Path into = Files
                 .createDirectories(Path.of(call.get(call.indexOf("--build-path") + call.indexOf("-build-path") + 2)));
         Files.createDirectories(folder.resolve("core"));
-        // What was made of the last sketch for this board; the compiled library stays.
+        // Files made of the last sketch for this board go; the compiled library stays.
         Release.run("rm", "-rf", into + "/sketch", into + "/preproc", into + "/build.options.json");
         Path said = folder.resolve("said");
         int status = new ProcessBuilder(call).redirectErrorStream(true).redirectOutput(said.toFile()).start().waitFor();

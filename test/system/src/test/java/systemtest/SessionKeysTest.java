@@ -33,7 +33,7 @@ class SessionKeysTest {
 
     private static final Address SUPO = Address.parse("SUPO");
     private static final Address SUPP = Address.parse("SUPP");
-    /** Where the library's README says that keys and floors are in EEPROM. */
+    /** The places of keys and floors in EEPROM, by the library's README. */
     private static final int KEYS_AT = 799;
     private static final int FLOORS_END = 4043;
     private static final int PLACES = 8;

@@ -56,7 +56,7 @@ class SeveralBoardsTest {
         }
     }
 
-    /** What an LDR sees; where that changes, after the board has switched its headlights on. */
+    /** The light that an LDR sees; a change comes after the board has switched its headlights on. */
     private static Map<String, Object> light(List<List<Number>> series) {
         return Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", series, "after", HEADLIGHTS)));
     }

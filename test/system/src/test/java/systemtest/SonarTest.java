@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the vehicle sees ahead. */
+/** The distance that the vehicle sees ahead. */
 @Tag("verify")
 class SonarTest {
 

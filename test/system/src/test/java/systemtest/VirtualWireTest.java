@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
-/** What our boards send and hear, against the line code's definition. */
+/** Packets that our boards send and hear, against the line code's definition. */
 class VirtualWireTest {
 
     private static final double BIT_SECONDS = 1 / 2000.0;

@@ -3,7 +3,7 @@
 
 +!start <- .port("ports/antenna"); .setMyRFId(CAFE).
 
-// Who may move in, once agents may.
+// Lets agents of ROMA move in, once agents may.
 +!admit <- .add_plan({ +!moveIn(_, mutualism)[cast(unicast, From)] : .term2string(From, "ROMA") }).
 
 +openness(S)[source(percept)] <- .print("openness ", S); !then(S).

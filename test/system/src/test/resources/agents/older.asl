@@ -15,7 +15,7 @@
     !until(ledOff, led(off)).
 +led(off) : done <- .print("led is off").
 
-// That protocol acknowledges no action, and a busy machine may lose one.
+// The older protocol acknowledges no action, and a busy machine may lose one.
 +!until(_, Percept) : Percept.
 +!until(Action, Percept) <- .act(Action); .wait(2000); !until(Action, Percept).
 

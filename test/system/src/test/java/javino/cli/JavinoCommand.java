@@ -17,7 +17,7 @@ public final class JavinoCommand {
     private JavinoCommand() {
     }
 
-    /** What a command wrote, on either output, and at last its exit status. */
+    /** The lines that a command wrote, on either output, and at last its exit status. */
     public static List<String> run(String... words) {
         StringWriter written = new StringWriter();
         CommandLine command = Main.commandLine(
