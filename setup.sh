@@ -111,7 +111,7 @@ fi
 export DEBIAN_FRONTEND=noninteractive
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-# What apt prints is shown only if it fails.
+# The output of apt is shown only if it fails.
 apt() {
     "${as_root[@]}" apt-get "$@" >"$log" 2>&1 && return
     tail -n 20 "$log" >&2

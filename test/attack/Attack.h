@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-/// What came of an attack.
+/// The counts of an attack.
 struct Tally {
   uint64_t tries = 0;     ///< hostile packets, or messages in fragments
   uint64_t accepted = 0;  ///< how often one of them was taken for genuine

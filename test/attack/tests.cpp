@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(All, EachAttack, testing::ValuesIn(allAttacks()), [](co
   return name;
 });
 
-// What the attacks count is seen where it happens.
+// Tests of Victim: the events that the attacks count are seen where they happen.
 
 TEST(Victim, counts_a_message_that_nobody_expects_as_accepted) {
   Victim victim(1);

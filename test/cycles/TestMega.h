@@ -6,7 +6,7 @@
 /// The Mega that all tests of a run share, and how they ask it.
 Mega &mega();
 
-/// What came of an operation.
+/// The result of an operation.
 struct Outcome {
   uint64_t cycles;
   Mailbox mailbox;

@@ -49,7 +49,7 @@ Bytes sealedFrame() {
 
 const size_t LONGEST_PAYLOAD = 77;
 
-// Of the interrupts, for each bit of the longest packet.
+// The cycles of the interrupts, for each bit of the longest packet.
 double cyclesABitHeard() {
   const Outcome heard = perform(Mailbox::HEAR_PACKET, {}, {}, random(LONGEST_PAYLOAD));
   if (heard.bytes(heard.mailbox.length) != random(LONGEST_PAYLOAD))
@@ -75,7 +75,7 @@ struct Mending {
   }
 };
 
-// Of the longest packet, each so many-th symbol of which is wrong, when so many copies of it have come.
+// The mending of the longest packet, each so many-th symbol of which is wrong, when so many copies of it have come.
 Mending mendPacket(uint8_t distance, uint8_t copies) {
   const Bytes payload = RandomBytes(10u * distance + copies).bytes(LONGEST_PAYLOAD);
   Mending mending;

@@ -1,4 +1,4 @@
-// What the assembly relies on: LPM reads the lowest 64 KiB, and a byte is an address within an aligned table.
+// The places that the assembly relies on: LPM reads the lowest 64 KiB, and a byte is an address in an aligned table.
 #include <gtest/gtest.h>
 
 #include <fstream>

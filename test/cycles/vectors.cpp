@@ -1,4 +1,4 @@
-// What the assembly computes: the same vectors that the portable code and the Java library are held to.
+// The results of the assembly: the same vectors that the portable code and the Java library are held to.
 #include "../firmware/support/Reference.h"
 #include "../firmware/support/Vectors.h"
 

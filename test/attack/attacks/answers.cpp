@@ -81,7 +81,7 @@ Bytes proof(const Bytes &key, Proof::Type type, const Bytes &nonce, const std::s
   return made;
 }
 
-// What ROMA says of a frame with this nonce.
+// ROMA's answer to a frame with this nonce.
 Bytes genuine(Proof::Type type, const Bytes &nonce, const Bytes &body = Bytes()) {
   return answer(nonce, "ROMA", body + proof(Victim::pairKey(), type, nonce, "SUPO", "ROMA", body));
 }

@@ -1,4 +1,4 @@
-// What a board makes of damaged packets, from one who damages them on purpose.
+// Packets that somebody damages on purpose, and what boards make of them.
 
 #include "attacks/attacks.h"
 

@@ -8,7 +8,7 @@ namespace {
 const uint32_t RAISE = 32;  // by which a sender goes above a floor
 const size_t MOST_RECORDED = 300;
 
-/// What was on the air, for whoever listened.
+/// The frames that were on the air, for whoever listened.
 class Recording {
  public:
   explicit Recording(Victim &victim) : victim_(victim) {}

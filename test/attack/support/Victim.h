@@ -36,7 +36,7 @@ class Victim {
   /// A new sealed frame of ROMA, with a content of this length, to SUPO or its group.
   Bytes genuine(size_t contentLength, bool toGroup);
 
-  /// Has the host take over all that waits. What is not allowed, or came before, counts as accepted.
+  /// Has the host take over all that waits. A message that is not allowed, or came before, counts as accepted.
   void take();
 
   /// Hears a genuine frame, in one packet or in fragments, and takes what came: it is lost where that is not it.
@@ -45,7 +45,7 @@ class Victim {
   /// The content of a frame that is about to be heard may come once, but need not.
   void allow(const Bytes &frame);
 
-  /// What has not come until now must not come any more.
+  /// Allowed messages that have not come until now must not come any more.
   void disallow() { allowed_.clear(); }
 
   /// Lets this long pass at once; what the board sends meanwhile is on the air for no time.
@@ -70,7 +70,7 @@ class Victim {
 char digit(unsigned value);
 
 /// The fragments of a frame, by SPEC 7.1.
-/// @param frame of 78…521 bytes
+/// @param frame one of 78…521 bytes
 /// @param id 0…63
 std::vector<Bytes> fragmentsOf(const Bytes &frame, unsigned id);
 

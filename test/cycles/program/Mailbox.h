@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-/// What the test asks of the program on the emulated Mega, and what comes back: laid out alike by both compilers.
+/// The test's order to the program on the emulated Mega, and its answer: laid out alike by both compilers.
 struct Mailbox {
   enum Operation : uint8_t {
     NOTHING,        ///< the cost of measuring

@@ -214,7 +214,7 @@ const uint8_t PERCEPTS = config::LARGE ? 40 : 20;
 const char PIN_NAME[] JAVINO_FLASH = "pin";
 const FlashText *const PIN = reinterpret_cast<const FlashText *>(PIN_NAME);
 
-// Of a name and a number as sketches have them: as many as a reply holds.
+// Percepts of a name and a number as sketches have them: as many as a reply holds.
 void perceive(Percepts &percepts) {
   for (uint8_t i = 0; i < PERCEPTS; i++) percepts.add(PIN, 1000 + i);
 }

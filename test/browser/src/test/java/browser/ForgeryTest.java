@@ -142,7 +142,7 @@ class ForgeryTest {
             page.driver().findElement(By.tagName("body")).sendKeys(Keys.SPACE);
             page.awaitText("#source", "paused");
             page.awaitText("#story", "The run is paused.");
-            // Where the browser has little time, its clock still goes on to the moment of the pause.
+            // A browser that has little time still lets its clock go on to the moment of the pause.
             double time = page.await("a clock that stands", driver -> standing(page));
             List<TraceEvent> off = run.events(OFF);
             Thread.sleep(LONGER_THAN_PATIENCE_MILLIS);
@@ -165,7 +165,7 @@ class ForgeryTest {
         }
     }
 
-    /** Where the run is slower than told, or its events come late, the clock runs ahead of them. */
+    /** The clock runs ahead of a run that is slower than told, or whose events come late. */
     private static final String AHEAD = """
             return import('/app/clock.js').then(({ Clock }) => {
               const clock = new Clock(true);

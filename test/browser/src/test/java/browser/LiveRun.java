@@ -121,7 +121,7 @@ final class LiveRun implements AutoCloseable {
         }
     }
 
-    /** Where the page is, with its token. */
+    /** The page's address, with its token. */
     String address() throws Exception {
         return address.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     }

@@ -148,7 +148,7 @@ final class Page implements AutoCloseable {
         return new Actions(driver);
     }
 
-    /** What the page has complained of: errors of its scripts, and what its own policy has kept away. */
+    /** The page's complaints: errors of its scripts, and what its own policy has kept away. */
     List<String> log() {
         return driver.manage().logs().get("browser").getAll().stream().map(Object::toString).toList();
     }

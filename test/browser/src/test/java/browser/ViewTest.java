@@ -18,7 +18,7 @@ import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.WebElement;
 
-/** What is where on the page: labels, cards, the camera's frame, plots, and the menu of a vehicle. */
+/** The places of things on the page: labels, cards, the camera's frame, plots, and the menu of a vehicle. */
 class ViewTest {
 
     private static final List<Dimension> SIZES =
@@ -195,7 +195,7 @@ class ViewTest {
         return (List<?>) page.script(DRAWN_AT, hue);
     }
 
-    /** Where it is drawn, unless that changes with the page's layout. */
+    /** The place where it is drawn, unless that changes with the page's layout. */
     private static List<?> standing(Page page, int hue) {
         List<?> before = drawnAt(page, hue);
         LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));

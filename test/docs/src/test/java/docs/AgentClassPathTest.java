@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** What an agent with all optional modules takes onto its computer: no command line, no server of pages, no broker. */
+/** The libraries that an agent with all optional modules has: no command line, no server of pages, no broker. */
 class AgentClassPathTest {
 
     private static final Pattern UNWANTED = Pattern.compile("picocli|javino-cli|javalin|jetty|mqtt|netty");

@@ -112,7 +112,7 @@ class ErrorsPageTest {
         assertEntries("On the command line", found("EXIT_[A-Z]+ = (\\d)", Repository.text("emulator/src/main.c")));
     }
 
-    /** What the first group that takes part matches, wherever the pattern does. */
+    /** The matches of the first group that takes part, wherever the pattern matches. */
     private static Stream<String> found(String pattern, String text) {
         return Pattern.compile(pattern).matcher(text).results().map(ErrorsPageTest::group).toList().stream();
     }
@@ -122,7 +122,7 @@ class ErrorsPageTest {
                 .orElse(null);
     }
 
-    /** Of each error's expression the longest part that is always the same; none where that is less than two words. */
+    /** The longest fixed part of each error's expression; none where that is less than two words. */
     private static Stream<String> texts(String pattern, String source) {
         return found(pattern, source).flatMap(expression -> LITERALS.matcher(expression).results()
                 .map(literal -> literal.group().replaceAll("(?<!\\\\)\"\\s*\\+?\\s*\"", "")
@@ -151,7 +151,7 @@ class ErrorsPageTest {
                 "these have no entry in docs/errors.md, \"" + section + "\"");
     }
 
-    /** What is written as code in the first column of a section's tables. */
+    /** The code in the first column of a section's tables. */
     private static List<String> entries(String section) {
         String rest = PAGE.substring(PAGE.indexOf("\n## " + section) + 1);
         int end = rest.indexOf("\n## ");

@@ -22,7 +22,7 @@ class GlossaryTest {
             Map.entry("word", "host message"), Map.entry("mistake", "mutant, or fault"),
             Map.entry("borne", "tolerated"), Map.entry("forgetful", "what happens"), Map.entry("hurry", "flush"));
 
-    /** Whose names are to change with other work. */
+    /** Files whose names are to change with other work. */
     private static final Pattern LATER = Pattern.compile("(javino-firmware/src|uppaal/replay/src/main)/.*");
 
     /** In a name such as {@code radioFragmentsDropped}, {@code RADIO_QUEUE_FULL} or {@code --least-until}. */

@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What pages call Gradle with, taken by the real one: it makes a property of each {@code -P}, which hides whatever has
- * its name in any build file.
+ * The commands by which pages call Gradle, taken by the real one: it makes a property of each {@code -P}, which hides
+ * whatever has its name in any build file.
  */
 class GradleCommandsTest {
 
@@ -64,7 +64,7 @@ class GradleCommandsTest {
         assertTrue(properties.keySet().containsAll(Set.of("agent", "live", "radio", "seed")), properties::toString);
         assertTrue(tasks.containsAll(Set.of("agent", "highway", "install", ":uppaal:test")), tasks::toString);
 
-        // Of a dry run, which waits for no other build of this folder.
+        // A dry run waits for no other build of this folder.
         List<String> command = new ArrayList<>(List.of(System.getProperty("javino.gradle"), "--no-daemon", "--console",
                 "plain", "--gradle-user-home", System.getProperty("javino.gradleUserHome"), "--project-cache-dir",
                 folder.toString(), "--dry-run"));

@@ -24,7 +24,7 @@ class IgnoredFilesTest {
 
     private static final Path PROJECT = Path.of("javino-cli/src/main/resources/javino/cli/project/common/gitignore");
 
-    /** What is written: by a command, by a scenario's board, or by the reader, who is told its name. */
+    /** The files that are written: by a command, by a scenario's board, or by the reader, who is told the name. */
     private static final Pattern MADE =
             Pattern.compile("(?:--out|--renew|--trace) ([a-z][\\w/.]*)|\"eeprom\": \"([\\w/]+)"
                     + "|`(?:examples/highway/)?(agents/\\w+\\.asl|\\w+\\.mas2j|(?:fleet|follower)\\.\\w+)`");
@@ -64,7 +64,7 @@ class IgnoredFilesTest {
         Files.writeString(path, "made");
     }
 
-    /** What {@code git add -A} would take in, beside the lists of what is ignored. */
+    /** The files that {@code git add -A} would take in, beside the lists of what is ignored. */
     private String unknown() throws IOException, InterruptedException {
         git("add", "*.gitignore");
         return git("status", "--porcelain", "--untracked-files=all").lines().filter(line -> line.startsWith("??"))

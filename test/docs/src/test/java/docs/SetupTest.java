@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What {@code setup.sh} says, on a Debian that is played. */
+/** The output of {@code setup.sh}, on a Debian that is played. */
 class SetupTest {
 
     /** Nothing is installed, all packages are known, and none can be had. */

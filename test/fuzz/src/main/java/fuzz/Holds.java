@@ -2,7 +2,7 @@ package fuzz;
 
 import java.util.Objects;
 
-/** What targets check. */
+/** The checks of targets. */
 final class Holds {
 
     private Holds() {

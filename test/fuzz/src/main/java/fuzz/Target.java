@@ -9,8 +9,8 @@ import keyagreement.KeyAgreementTarget;
 /**
  * Something that takes any bytes and fails where it finds a fault.
  *
- * @param name    one word; its corpus has the same name.
- * @param command what runs it, to be followed by libFuzzer's options and then the folders of its corpus.
+ * @param name    a single word; its corpus has the same name.
+ * @param command the command that runs it, to be followed by libFuzzer's options and then the folders of its corpus.
  */
 public record Target(String name, List<String> command) {
 
