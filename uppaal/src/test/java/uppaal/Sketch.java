@@ -31,7 +31,7 @@ public final class Sketch {
         return new Sketch(declarations);
     }
 
-    /** What each template declares that is added from now on. */
+    /** Declares this in each template that is added from now on. */
     public Sketch local(String declared) {
         local = declared;
         return this;

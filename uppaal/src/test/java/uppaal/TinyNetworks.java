@@ -10,7 +10,7 @@ public final class TinyNetworks {
      * @param rule the rule of UPPAAL's that it shows
      * @param states how many states can be reached
      * @param deadlocks how many of them have no next one
-     * @param property what is asked
+     * @param property the property that is asked
      * @param holds whether that holds
      */
     public record Tiny(String rule, Sketch sketch, int states, int deadlocks, String property, boolean holds) {

@@ -10,7 +10,7 @@ public final class ModelException extends RuntimeException {
 
     /**
      * @param where file and element, e.g. {@code paper.xml, template Channel, edge Released -> Not_Released, guard}
-     * @param what what is wrong there
+     * @param what the fault there
      */
     public ModelException(String where, String what) {
         super(where + ": " + what);

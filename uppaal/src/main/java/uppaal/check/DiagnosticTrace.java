@@ -12,10 +12,10 @@ import uppaal.network.Slot;
  *
  * @param moves the steps
  * @param last the state that they lead to
- * @param loopStart where it goes on there as before: the index of the step that comes next
+ * @param loopStart the index of the step that comes next, where it goes on there as before
  */
 public record DiagnosticTrace(Network network, List<JointMove> moves, int[] last, Ending ending, int loopStart) {
-    /** What comes after the last state. */
+    /** The way that it goes on after the last state. */
     public enum Ending {
         /** It is what was looked for. */
         REACHED,

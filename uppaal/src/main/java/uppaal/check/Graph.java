@@ -46,7 +46,7 @@ final class Graph {
         return ends[state];
     }
 
-    /** Where the step of a place leads. */
+    /** The state to which the step of a place leads. */
     int target(int step) {
         return targets[step];
     }

@@ -162,7 +162,7 @@ final class LivenessCheck {
     /**
      * A shortest way through lost states.
      *
-     * @param to where it leads, or nowhere for any state where a run may end or go round
+     * @param to the state that it leads to, or nowhere for any state where a run may end or go round
      * @return the states behind the first
      */
     private List<Integer> way(int from, int to) {

@@ -12,8 +12,8 @@ import uppaal.network.Network;
 /**
  * {@code A[] formula}, {@code E<> formula}, {@code A<> formula} or {@code premise --> formula}.
  *
- * @param premise what comes before, with {@code -->}; else always true
- * @param formula what is asked of each state; it is evaluated on an observed state (with {@code deadlock})
+ * @param premise the condition before {@code -->}; else always true
+ * @param formula the condition for each state; it is evaluated on an observed state (with {@code deadlock})
  * @param text the property as UPPAAL writes it
  */
 public record Property(Quantifier quantifier, Term premise, Term formula, String text) {

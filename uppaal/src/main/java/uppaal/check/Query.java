@@ -5,7 +5,7 @@ package uppaal.check;
  *
  * @param name e.g. {@code P3}
  * @param expected whether it is to hold
- * @param sentence what it says, in plain words
+ * @param sentence its meaning, in plain words
  * @param text the property as UPPAAL writes it, in one line
  * @param where file and line, for messages
  */

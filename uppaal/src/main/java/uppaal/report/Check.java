@@ -14,7 +14,7 @@ import uppaal.network.NetworkBuilder;
 /**
  * A scene, checked by every engine that is there.
  *
- * @param queries what was asked
+ * @param queries the queries that were asked
  * @param own our checker's findings
  * @param verifyta UPPAAL's verdicts, where it is installed
  */
@@ -39,7 +39,7 @@ record Check(Scene scene, Network network, List<Query> queries, Exploration own,
         return queries.stream().map(query -> Property.parse(query.text(), network, query.where())).toList();
     }
 
-    /** What is not as expected; a line each. */
+    /** The verdicts that are not as expected; a line each. */
     List<String> disagreements() {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < queries.size(); i++) {

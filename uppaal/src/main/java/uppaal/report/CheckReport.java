@@ -12,7 +12,7 @@ final class CheckReport {
         this.out = out;
     }
 
-    /** What each engine says of each query of a scene. */
+    /** Prints the verdict of each engine on each query of a scene. */
     void verdicts(Check check) {
         heading(check.scene().title());
         out.printf("%-6s%-10s%-10s%-10s%s%n", "", "expected", "checker", "verifyta", "says");
@@ -47,7 +47,7 @@ final class CheckReport {
         }
     }
 
-    /** What comes of other readings of the paper's text. */
+    /** Prints the outcome of other readings of the paper's text. */
     void readings(List<Interpretation> readings) {
         heading("Other readings of the paper's text");
         out.printf("%-8s%-16s%s%n", "states", "failing", "what is other");

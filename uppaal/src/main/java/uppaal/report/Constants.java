@@ -13,9 +13,13 @@ import uppaal.language.Names;
 import uppaal.language.Term;
 
 /**
- * Compares the constants of a model with the firmware's. What stands behind a declaration tells where its number comes
- * from: {@code // = EXPRESSION}, with the firmware's names, perhaps closed by a colon; {@code // model: …} where it
- * is of the model alone; or neither, where the firmware has the same name.
+ * Compares the constants of a model with the firmware's. The comment behind a declaration tells where its number comes
+ * from:
+ * <ol>
+ * <li>{@code // = EXPRESSION}, with the firmware's names, perhaps closed by a colon: from these;</li>
+ * <li>{@code // model: …}: from the model alone;</li>
+ * <li>neither: the firmware has the same name.</li>
+ * </ol>
  */
 public final class Constants {
     private static final Pattern DECLARATION =
@@ -32,7 +36,7 @@ public final class Constants {
         this.firmware = firmware;
     }
 
-    /** What is not as in the firmware, or says nothing of where it comes from; a line each. */
+    /** The constants that are not as in the firmware, or say nothing of where they come from; a line each. */
     public static List<String> differences(Document document, Firmware firmware) {
         Constants constants = new Constants(document.file(), firmware);
         constants.compare(document.declarations());

@@ -16,9 +16,9 @@ import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 
 /**
- * What comes of the paper's network where its text is read in another way than {@code paper.xml} does.
+ * The outcome of the paper's network if its text is read in another way than {@code paper.xml} does.
  *
- * @param sentence what is other
+ * @param sentence the difference in words
  * @param failing the names of the paper's properties that fail
  */
 record Interpretation(String sentence, int states, List<String> failing) {

@@ -22,7 +22,7 @@ import uppaal.document.DocumentReader;
  * whole is written as one file, so that every tool gets the same.
  *
  * @param model the file that it is made of
- * @param constants that are other than in the file
+ * @param constants those that are other than in the file
  * @param fewer likewise, for as few states as mutants of it need
  * @param queries the files of its queries, in the order in which they are asked
  */
@@ -80,7 +80,7 @@ public record Scene(String name, String title, String model, Map<String, String>
                                     "3")),
                     Map.of(), List.of("storm.q")));
 
-    /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
+    /** The scenes of moves. If contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(
             ofMoves("handover", "An agent moves, and again if that has failed", Map.of(), "move.q"),
             ofMoves("return", "An agent moves, and comes back", Map.of(), "move.q"),
@@ -103,8 +103,8 @@ public record Scene(String name, String title, String model, Map<String, String>
             "RELAY_PATIENCE", "4", "CARRIERS", "1", "FAIR", "true", "LOSSES", "0"));
 
     /**
-     * Those of delivery. With all attempts and an attacker there are 11.5 million states, and more of two boards that
-     * send to each other: so these have fewer. Where a packet's time on the air matters, it is that of the shortest
+     * The scenes of delivery. With all attempts and an attacker there are 11.5 million states, and more of two boards
+     * that send to each other: so these have fewer. If a packet's time on the air matters, it is that of the shortest
      * message, rounded up, and so is the patience.
      */
     public static final List<Scene> OF_DELIVERY = List.of(
@@ -194,7 +194,7 @@ public record Scene(String name, String title, String model, Map<String, String>
         }
     }
 
-    /** What is asked of it. */
+    /** The queries about it. */
     public List<Query> queries(Path models) {
         return queries.stream().flatMap(file -> QueryFile.read(models.resolve(file)).stream()).toList();
     }

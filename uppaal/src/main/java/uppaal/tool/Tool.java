@@ -21,7 +21,7 @@ public final class Tool {
     /**
      * Runs a command to its end.
      *
-     * @param folder where it runs
+     * @param folder the folder in which it runs
      * @return all that it wrote, errors included
      * @throws IOException when it cannot be started or ends with another status than 0
      */

@@ -41,7 +41,7 @@ class ZoneCheckerTest {
 
     @Test
     void opinion_untimedModels_isOurs() throws IOException {
-        // Of the moves those with few states: it is slow.
+        // Only the moves with few states: the zone checker is slow.
         for (Scene scene : Stream.concat(Stream.of(Scene.PAPER, Scene.QUIET, Scene.RENEWAL), Scene.OF_MOVES.stream()
                 .filter(scene -> List.of("cloning", "contact", "silence").contains(scene.name()))).toList()) {
             Check check = Check.of(scene, MODELS, folder);

@@ -7,7 +7,7 @@ package uppaal.document;
  * @param target name of the location that it enters
  * @param guard when it may be taken
  * @param synchronisation {@code channel!} or {@code channel?}
- * @param assignment what it changes
+ * @param assignment the changes that it makes
  * @param points the trace points that boards take it at, with spaces between them
  */
 public record Edge(String source, String target, String guard, String synchronisation, String assignment,
@@ -22,7 +22,7 @@ public record Edge(String source, String target, String guard, String synchronis
         return new Edge(source, target, guard, changed, assignment, points);
     }
 
-    /** Where it leads: {@code Idle -> Connected}. */
+    /** The way that it leads: {@code Idle -> Connected}. */
     public String path() {
         return source + " -> " + target;
     }

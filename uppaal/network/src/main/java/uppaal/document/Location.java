@@ -5,7 +5,7 @@ package uppaal.document;
  *
  * @param name its name, or its id where the file gives no name
  * @param haste whether time may pass here
- * @param invariant what must be true as long as an automaton is here, empty for nothing
+ * @param invariant the condition that must be true as long as an automaton is here, empty for none
  */
 public record Location(String name, Haste haste, String invariant) {
     /** How soon a location must be left. */

@@ -10,7 +10,7 @@ import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 import uppaal.ModelException;
 
-/** What {@link DocumentReader} needs of the DOM. */
+/** The parts of the DOM that {@link DocumentReader} needs. */
 final class Xml {
     /** The tags that may stand more than once in one place. */
     private static final Set<String> MANY = Set.of("template", "location", "transition", "label", "nail");

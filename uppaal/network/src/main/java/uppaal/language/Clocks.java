@@ -5,9 +5,9 @@ import java.util.List;
 import uppaal.ModelException;
 
 /**
- * What conditions may say of clocks: {@code clock <= n}, {@code clock >= n} or {@code clock == n}, joined by {@code &&}
- * to each other and to what is said of variables. So every constraint is closed and free of diagonals, and what can be
- * reached at any real times can be reached at integer ones.
+ * The words of conditions about clocks: {@code clock <= n}, {@code clock >= n} or {@code clock == n}, joined by
+ * {@code &&} to each other and to what is said of variables. So every constraint is closed and free of diagonals, and
+ * what can be reached at any real times can be reached at integer ones.
  */
 public final class Clocks {
     private Clocks() {

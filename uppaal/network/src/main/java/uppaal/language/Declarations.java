@@ -56,7 +56,7 @@ public final class Declarations {
     /**
      * Declares the formal parameters of a template as constants: {@code const int[low,high] a, const bool b}.
      *
-     * @param arguments one value for each of them
+     * @param arguments a value for each of them
      */
     public static void parameters(String text, int[] arguments, Scope scope, String where) {
         Tokens tokens = new Tokens(text, where);

@@ -22,7 +22,7 @@ public final class Labels {
      * A parsed assignment.
      *
      * @param slot the variable's place in the state
-     * @param value what it becomes
+     * @param value its new value
      */
     public record Assignment(int slot, Term value) {
     }

@@ -2,7 +2,7 @@ package uppaal.language;
 
 import java.util.Optional;
 
-/** What the names in an expression stand for. */
+/** The meanings of the names in an expression. */
 public interface Names {
     /** The value of a simple name, if it has one. */
     Optional<Term> term(String name);

@@ -31,7 +31,7 @@ public final class Scope implements Names {
         }
     }
 
-    /** What a name, or an element {@code name[0]} of an array, stands for here. */
+    /** The meaning of a name, or of an element {@code name[0]} of an array, here. */
     public Optional<Symbol> find(String name) {
         boolean here = symbols.containsKey(name.split("\\[")[0]);
         return here || around == null ? Optional.ofNullable(symbols.get(name)) : around.find(name);

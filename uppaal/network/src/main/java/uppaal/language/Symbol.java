@@ -1,6 +1,6 @@
 package uppaal.language;
 
-/** What a declared name stands for. */
+/** The meaning of a declared name. */
 public sealed interface Symbol {
     /** A constant, or a parameter of an instance. */
     record Number(int value) implements Symbol {

@@ -15,7 +15,7 @@ public sealed interface Term {
         return value(state) != 0;
     }
 
-    /** What it is made of. */
+    /** The terms that it is made of. */
     default List<Term> operands() {
         return List.of();
     }
@@ -28,7 +28,7 @@ public sealed interface Term {
         }
     }
 
-    /** What a slot holds. */
+    /** The value that a slot holds. */
     record Variable(int slot) implements Term {
         @Override
         public int value(int[] state) {

@@ -71,7 +71,7 @@ final class Tokens {
         return next().text();
     }
 
-    /** What to throw when the next token is not what must stand here. */
+    /** The exception to throw when the next token is not what must stand here. */
     ModelException unexpected(String wanted) {
         Token token = peek();
         return KEYWORDS.contains(token.text())

@@ -20,11 +20,11 @@ public final class Automaton {
     private final Scope scope;
 
     /**
-     * @param slot where the state holds its location
-     * @param invariants one for each location
+     * @param slot the place of its location in the state
+     * @param invariants those of the locations, in their order
      * @param clocks the slots of its own clocks
      * @param transitions in the order of the file
-     * @param scope what the names in the template stand for in this instance
+     * @param scope the meanings of the names in the template, in this instance
      */
     Automaton(String name, int slot, List<Location> locations, List<Term> invariants, Set<Integer> clocks,
             List<Transition> transitions, Scope scope) {
@@ -90,12 +90,12 @@ public final class Automaton {
                 .toList();
     }
 
-    /** What must be true as long as it is at the location of this index. */
+    /** The condition that must be true as long as it is at the location of this index. */
     public Term invariant(int location) {
         return invariants.get(location);
     }
 
-    /** What the names in its template stand for. */
+    /** The meanings of the names in its template. */
     public Scope scope() {
         return scope;
     }

@@ -7,7 +7,7 @@ import uppaal.language.Labels;
 import uppaal.language.Symbol;
 
 /**
- * What the network does in one step: one transition alone, a sender's with those of its receivers, or waiting.
+ * A step of the network: one transition alone, a sender's with those of its receivers, or waiting.
  *
  * @param parts the sender's part first, then the receivers' in the order of the system line; none where a unit of time
  *     passes

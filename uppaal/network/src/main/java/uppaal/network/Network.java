@@ -11,9 +11,9 @@ import uppaal.language.Term;
  * A network of automata that can run: all names resolved, all parameters filled in.
  *
  * @param file the file that it comes from, for messages
- * @param slots what a state consists of, one {@code int} each
+ * @param slots the parts of a state, one {@code int} each
  * @param automata in the order of the system line, in which those that hear a broadcast make their assignments
- * @param global what the global names stand for
+ * @param global the meanings of the global names
  */
 public record Network(String file, List<Slot> slots, List<Automaton> automata, Scope global) implements Names {
 

@@ -23,7 +23,7 @@ import uppaal.network.JointMove.Part;
  * <li>while one is at a committed or an urgent location, or a step on an urgent channel is possible, no time
  * passes.</li>
  * </ul>
- * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with,
+ * Time passes in units, for all clocks at once that matter. If each is already past all that it is compared with,
  * waiting changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.
  */
 public final class Successors {
@@ -67,7 +67,7 @@ public final class Successors {
     }
 
     /**
-     * What an automaton begins alone or as a sender.
+     * A step that an automaton begins alone or as a sender.
      *
      * @param alone its own part
      * @param others none where it moves alone

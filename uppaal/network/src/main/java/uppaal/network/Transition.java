@@ -14,7 +14,7 @@ import uppaal.language.Term;
  * @param target index of the location that it enters
  * @param guard when it may be taken
  * @param synchronisation empty for a move that the automaton makes alone
- * @param assignments what it changes, in this order
+ * @param assignments the changes that it makes, in this order
  * @param points the trace points that boards take it at
  */
 public record Transition(int source, int target, Term guard, Optional<Labels.Synchronisation> synchronisation,
