@@ -59,7 +59,7 @@ try:
 except ImportError:
 
     class Robot:
-        """What this file needs of Webots' Robot, its motors and its distance sensor."""
+        """The part of Webots' Robot, its motors and its distance sensor that this file needs."""
 
         def __init__(self):
             self.velocity = 0.0

@@ -105,7 +105,7 @@ final class Behaviour {
         return awaited.isEmpty();
     }
 
-    /** What has not been seen yet. */
+    /** The evidence that has not been seen yet. */
     List<String> missing() {
         return awaited.stream().map(Evidence::missing).toList();
     }

@@ -15,7 +15,7 @@ import trace.TraceEvent;
 /** All events of a run, one JSON object a line: in a file and, where the run is watched, on the page. */
 final class EventLog implements AutoCloseable {
 
-    /** What {@code live.ObservedMas} tells of an agent; other lines of this form are the agent's own words. */
+    /** Events that {@code live.ObservedMas} tells of an agent; other lines of this form are the agent's own words. */
     private static final Set<String> OF_AGENTS = Set.of("beliefs", "intentions", "counters-of-board", "printed");
     private static final Gson JSON = new Gson();
 
@@ -23,7 +23,7 @@ final class EventLog implements AutoCloseable {
     private PageFeed page;
 
     EventLog(Path path) throws IOException {
-        // Each line at once: who disturbs a run wants to see what came of it.
+        // Each line is written at once: somebody who disturbs a run wants to see what came of it.
         file = new PrintStream(Files.newOutputStream(path), true, StandardCharsets.UTF_8);
     }
 

@@ -24,14 +24,14 @@ sealed interface Observation {
      * A packet with which one host speaks to another, before they have a key (SPEC 11.3).
      *
      * @param destination the address of the other
-     * @param words       what it is
+     * @param words       the kind of packet
      */
     record Hosts(double seconds, String origin, String destination, String words) implements Observation {}
 
     /**
      * An acknowledgement that was sent (SPEC 7.3).
      *
-     * @param answers what it says (SPEC 7.3)
+     * @param answers its meaning (SPEC 7.3)
      */
     record Acknowledged(double seconds, String origin, String answers) implements Observation {}
 

@@ -17,7 +17,7 @@ import javino.board.Transitions;
 import keyagreement.BoardKeyAgreement;
 import trace.TransitionHandler;
 
-/** What a run can be told on the command line, and the commands that follow from it. */
+/** The options of a run on the command line, and the commands that follow from them. */
 final class Options {
 
     /** The emulator's control socket. */
@@ -165,7 +165,7 @@ final class Options {
         return Files.writeString(Files.createDirectories(Path.of("build")).resolve(file), text).toString();
     }
 
-    /** @param keys where it writes the keys that hosts agree on. */
+    /** @param keys the file in which it writes the keys that hosts agree on. */
     List<String> emulatorCommand(Path keys) throws IOException {
         List<String> command =
                 new ArrayList<>(List.of(emulator.toString(), scenario(), "--trace", "-", "--seed", "" + seed,

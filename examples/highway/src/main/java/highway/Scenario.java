@@ -51,7 +51,7 @@ final class Scenario implements AutoCloseable {
 
     private static final Path KEYRING = Path.of("build", "keyring");
 
-    /** Of the authority: its own file, requests and certificates. */
+    /** The folder of the authority: its own file, requests and certificates. */
     private static final Path AUTHORITY = Path.of("build", "authority");
 
     private static final Path EEPROM = Path.of("build", "eeprom");
@@ -78,7 +78,7 @@ final class Scenario implements AutoCloseable {
     private final List<ChildProcess> children = new ArrayList<>();
     private FileChannel lock;
     private EventLog log;
-    /** Where the page is: its address is the last line. */
+    /** The lines about the page: its address is the last one. */
     private final List<String> page = new ArrayList<>();
     private boolean introduced;
     private String verdict = "";
@@ -138,7 +138,7 @@ final class Scenario implements AutoCloseable {
             deleteAll(EEPROM);
         }
         Files.createDirectories(EEPROM);
-        // Of a run that was broken off.
+        // Moves of a run that was broken off.
         deleteAll(MOVES);
         start("emulator", options.emulatorCommand(KEYRING), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
@@ -340,7 +340,7 @@ final class Scenario implements AutoCloseable {
         });
     }
 
-    /** What Jason marks with its name an agent says, but for the warnings that {@code live.ObservedMas} tells. */
+    /** A line that Jason marks with an agent's name is the agent's, but for warnings of {@code live.ObservedMas}. */
     private Observation printed(Device device, String line) {
         String tag = "[" + device.id() + "] ";
         if (line.startsWith(tag)) {
@@ -438,7 +438,7 @@ final class Scenario implements AutoCloseable {
         if (happening != null) {
             happening.run();
         }
-        // What ends after close() was ended by it.
+        // Processes that end after close() were ended by it.
         if (failure != null && !closed) {
             throw new BrokenOffException(failure);
         }

@@ -68,7 +68,7 @@ final class SequenceDiagram {
     }
 
     private static String row(Observation seen, int y) {
-        // Of what an agent says it is only known between which events it was.
+        // The words of an agent have no time of their own: they came between two events.
         if (seen instanceof Said said) {
             // Another agent than the device's own has its name before what it says: it travels.
             return box(said.device(), "“" + said.text() + "”", y, said.text().startsWith("[") ? TRAVELLER : "white");
@@ -87,7 +87,7 @@ final class SequenceDiagram {
                 aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content()), y) : "";
     }
 
-    /** What a device said or did: a box that begins at its lifeline, and the last one's ends there. */
+    /** The words or the act of a device: a box that begins at its lifeline, and the last one's ends there. */
     private static String box(Device device, String text, int y, String fill) {
         int length = (int) Math.round(text.length() * LETTER);
         int left = Math.min(x(device) - PADDING, WIDTH - length - 3 * PADDING);

@@ -11,7 +11,7 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
 
-/** What the run looks like on the terminal: one line an observation, then the table. */
+/** The run on the terminal: one line an observation, then the table. */
 final class Timeline {
 
     private static final int GREY = 90;
@@ -99,7 +99,7 @@ final class Timeline {
         println("highway: " + observed + " of " + behaviours.size() + " behaviours observed");
     }
 
-    /** What the model says of the run. */
+    /** Shows the model's verdict on the run. */
     void verdict(String text, boolean good) {
         println(good ? text : paint(RED, text));
     }

@@ -13,7 +13,7 @@ import javino.protocol.HostMessage;
 import javino.protocol.ProtocolException;
 import trace.TraceEvent;
 
-/** What the emulator's trace shows (emulator/README.md). */
+/** The observations in the emulator's trace (emulator/README.md). */
 final class Trace {
 
     /** Kinds of host messages in broadcasts, in the order of their numbers. */
@@ -23,7 +23,7 @@ final class Trace {
     private Trace() {
     }
 
-    /** What an event shows of the scenario; nothing for those that are of no interest here. */
+    /** The observation of an event; nothing for those that are of no interest here. */
     static Optional<Observation> read(TraceEvent event) {
         double seconds = event.seconds();
         return switch (event.name()) {
@@ -39,7 +39,7 @@ final class Trace {
         };
     }
 
-    /** What one host says to another in a broadcast. */
+    /** The message of one host to another in a broadcast. */
     private static Optional<Hosts> word(TraceEvent event) {
         Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
         if (payload.kind() != Payload.Kind.BROADCAST) {
