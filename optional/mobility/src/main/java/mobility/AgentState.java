@@ -50,7 +50,7 @@ final class AgentState {
     /**
      * Enters an agent that has no state yet, before it runs. Once only.
      *
-     * @param why what the intention fails with that was to move the agent, which stays after all.
+     * @param why the failure of the intention that was to move the agent, which stays after all.
      */
     void enter(TransitionSystem ts, Optional<Failure> why) {
         Agent agent = ts.getAg();

@@ -120,7 +120,7 @@ final class AgentStateWriter {
         }
     }
 
-    /** What is perceived belongs to the place. */
+    /** Percepts belong to the place. */
     private void writeBelief(Literal belief) throws RefusedException {
         Literal known = belief.copy();
         known.delAnnot(BeliefBase.TPercept);

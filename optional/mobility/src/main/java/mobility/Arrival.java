@@ -136,7 +136,7 @@ record Arrival(State state, Move.Key key, Move move, MoveMessage.Offer offer) im
         return List.of(become(State.NONE), Course::tidy);
     }
 
-    /** @param unneeded what has come of its parts goes. */
+    /** @param unneeded its parts that are forgotten. */
     private List<Consumer<Course>> refuse(RefusedException why, List<Part> unneeded) {
         return List.of(become(State.NONE), course -> course.refuse(why, unneeded));
     }

@@ -107,7 +107,7 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
         return moves;
     }
 
-    // What the agents want
+    // Requests of the agents
 
     /**
      * Moves an agent that sleeps, or is cloned.
@@ -136,7 +136,7 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
         }, clock::execute).thenCompose(end -> end);
     }
 
-    // What the board asks
+    // Calls of the board
 
     @Override
     public Set<HostMessage.Use> uses() {

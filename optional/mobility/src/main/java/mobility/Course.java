@@ -26,10 +26,10 @@ final class Course {
     private final Optional<CompletableFuture<String>> end;
     private Machine machine;
     private long reported;
-    /** What waits for an earlier time is over. */
+    /** A wait that began in an earlier turn is over. */
     private int turn;
 
-    /** @param end of one that leaves: completes with the agent's name there; none where nobody waits for it. */
+    /** @param end completes with the name there of an agent that leaves; none where nobody waits for it. */
     Course(Moves moves, Move.Key key, Machine machine, Optional<CompletableFuture<String>> end) {
         this.moves = moves;
         this.key = key;
@@ -79,7 +79,7 @@ final class Course {
         message.say(Optional.empty(), 0);
     }
 
-    // What follows from an event
+    // Effects of an event
 
     /** Writes or deletes the record of a state; then it is the state, and its message is said. */
     void become(Machine next) {
@@ -90,7 +90,7 @@ final class Course {
         machine = next;
         moves.reached(this);
         if (!next.message().equals(before.message())) {
-            // Where all has been delivered, an answer may be on its way.
+            // If all has been delivered, an answer may be on its way.
             message.say(next.message(), next.state() == Departure.State.SENT ? Retransmission.ANSWER_MILLIS : 0);
         }
     }
@@ -104,7 +104,7 @@ final class Course {
         int mine = ++turn;
         moves.clock.after(millis, () -> {
             if (mine == turn && machine.patience() > 0) {
-                // Where the disk fails it is tried again.
+                // If the disk fails, it is tried again.
                 await(Retransmission.LEAST_PAUSE_MILLIS);
                 step(new Event.Expired());
             }
@@ -151,7 +151,7 @@ final class Course {
         moves.mas.left(machine.move());
     }
 
-    /** @param name what the agent is called there. */
+    /** @param name the agent's name there. */
     void arrived(String name) {
         moves.note(Moves.Count.LEFT);
         end.ifPresent(waiting -> waiting.complete(name));

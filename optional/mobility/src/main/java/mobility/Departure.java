@@ -17,7 +17,7 @@ import javino.protocol.Bytes;
  * A move of an agent that leaves.
  *
  * @param move  null in NONE.
- * @param parts what travels; null once the agent has gone.
+ * @param parts its texts; null once the agent has gone.
  * @param there how many bytes of each part are there.
  * @param most  the most bytes that were ever there, as far as is known; less than none before an answer.
  */
@@ -169,7 +169,7 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
     }
 
     private List<Consumer<Course>> awake(MoveMessage.Awake awake, Moves moves) {
-        // Where it is at home, it is known by its token when it comes back.
+        // At its home, an agent is known by its token when it comes back.
         return left(move.isOurs() || moves.isHome(move.identity()) ? State.AWAY : State.NONE, awake.agent());
     }
 

@@ -23,7 +23,7 @@ import diffuser.report.Failure;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
-/** What {@code .moveOut} does in the MAS that agents leave. */
+/** The action {@code .moveOut} in the MAS that agents leave. */
 public final class Departures {
 
     private static final AtomicLong COUNT = new AtomicLong();
@@ -34,7 +34,7 @@ public final class Departures {
     /**
      * Begins to move agents, and suspends the intention that says so.
      *
-     * @param ts of the agent that says so, on its thread.
+     * @param ts the agent's that says so, on its thread.
      * @throws JasonException if none of them leaves; then nothing has changed.
      */
     public static void begin(TransitionSystem ts, Address to, Protocol protocol, List<String> agents)

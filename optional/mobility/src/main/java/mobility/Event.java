@@ -2,7 +2,7 @@ package mobility;
 
 import diffuser.report.Failure;
 
-/** What may happen to a move: a message of the other side, or something on this one. */
+/** An event of a move: a message of the other side, or something on this one. */
 sealed interface Event permits MoveMessage.Said, Event.Delivered, Event.Undelivered, Event.NotTaken, Event.Accepted,
         Event.Rejected, Event.Woken, Event.Superseded, Event.Expired {
 

@@ -62,7 +62,7 @@ public class GuestAgent extends Agent {
     /** So many questions of others may be open; of more, the oldest can be answered no longer. */
     private static final int MOST_ASKED = 100;
 
-    /** What it was asked and has not answered: by whom, and the id of the message, with the performative. */
+    /** Questions that it has not answered: by asker and id of the message, with the performative. */
     private final transient Map<List<String>, Performative> asked = new LinkedHashMap<>();
 
     /** Each other internal action fails. */

@@ -41,11 +41,11 @@ final class IntentionText {
     private final List<String> others;
     private final Variables variables = new Variables();
     private final StringBuilder text = new StringBuilder();
-    /** What the variables without a name are called in the plan of the frame that is being written. */
+    /** Names for the variables without one in the plan of the frame that is being written. */
     private Map<Term, VarTerm> names = Map.of();
 
     /**
-     * @param numbers of the plans that have one; others get theirs here.
+     * @param numbers the numbers of plans that have one; others get theirs here.
      * @param others  the texts of these others.
      */
     IntentionText(Map<Plan, Integer> numbers, List<String> others) {
@@ -72,7 +72,7 @@ final class IntentionText {
 
     /**
      * @param event  the event, or the goal for which the intention waits; null if there is none.
-     * @param frames of the intention, the lowest first; none if it is only an event.
+     * @param frames the frames of the intention, the lowest first; none if it is only an event.
      */
     String of(Trigger event, List<Frame> frames, boolean suspended) throws RefusedException {
         text.append(suspended ? 'S' : 'I');
@@ -119,7 +119,7 @@ final class IntentionText {
         return next;
     }
 
-    /** Of those steps that are written as the plan's, no variable that is {@code _} there has a value. */
+    /** A variable that is {@code _} in a step that is written as the plan's has no value. */
     private void addVariables(List<PlanBody> steps, int kept, Set<Term> needed) {
         Set<Term> planned = new HashSet<>();
         steps.subList(steps.size() - kept, steps.size()).forEach(step -> addVariables(step.getBodyTerm(), planned));
@@ -135,7 +135,7 @@ final class IntentionText {
         return numbers.get(plan);
     }
 
-    /** Of what a plan looks at while it is carried out: the condition of its goal, and the plans within it. */
+    /** Variables that a plan looks at while it is carried out: in its goal's condition, and in the plans within it. */
     private static Set<Term> variables(Plan plan) {
         Set<Term> variables = new HashSet<>();
         if (plan.getGoalCondition() != null) {
@@ -200,7 +200,7 @@ final class IntentionText {
         return copy;
     }
 
-    /** What is left of a {@code for}: it is computed now, and the loop goes on with it. */
+    /** The rest of a {@code for}: it is computed now, and the loop goes on with it. */
     private ListTerm solutions(Structure step, int place, Set<Term> needed) throws RefusedException {
         List<Object> left = new ArrayList<>();
         Iterator<?> rest = (Iterator<?>) ((ObjectTerm) step.getTerm(place)).getObject();

@@ -42,7 +42,7 @@ record LocalAgents(Diffuser diffuser) {
     /** Set while an agent is made here, which is not away, whatever its record says. */
     private static final ThreadLocal<Boolean> MAKING = ThreadLocal.withInitial(() -> false);
 
-    /** Where the moves of an agent's board are recorded, as its {@code .mas2j} says, or by default. */
+    /** The folder for the moves of an agent's board, as its {@code .mas2j} says, or by default. */
     static Path folder(String agent, Settings settings) {
         return Path.of(parameter(settings, FOLDER).orElse(FOLDER + "/" + agent));
     }
@@ -52,7 +52,7 @@ record LocalAgents(Diffuser diffuser) {
                 .map(text -> text.replaceAll("^\"(.*)\"$", "$1"));
     }
 
-    /** What the MAS bears, as the {@code .mas2j} says; by default where it says no number. */
+    /** The limits of the MAS, as the {@code .mas2j} says; by default where it says no number. */
     Moves.Limits limits() {
         return new Moves.Limits(number(LENGTH, Moves.Limits.USUAL.length()),
                 (int) number(AGENTS, Moves.Limits.USUAL.agents()));
@@ -82,8 +82,8 @@ record LocalAgents(Diffuser diffuser) {
     /**
      * Lets an agent live here.
      *
-     * @param records of all moves.
-     * @param why     where it was to leave and stays: what its plan fails with.
+     * @param records the records of all moves.
+     * @param why     the failure of its plan, if it was to leave and stays.
      * @param named   is told the name that it gets, before it does anything.
      */
     void settle(Move move, List<Bytes> texts, List<Move> records, Optional<Failure> why, Consumer<String> named) {

@@ -9,21 +9,21 @@ sealed interface Machine permits Departure, Arrival {
 
     Enum<?> state();
 
-    /** What is known of the move; null before it begins. */
+    /** The move; null before it begins. */
     Move move();
 
-    /** What the disk has of it in this state. */
+    /** The record of it on the disk in this state. */
     Optional<Move> record();
 
-    /** What is said until it is answered. */
+    /** The message that is said until it is answered. */
     Optional<MoveMessage.Said> message();
 
     /** After so long {@link Event.Expired} comes; 0 for never. */
     long patience();
 
     /**
-     * @param moves where it may look something up.
-     * @return what is to be done. Where one thing fails, as the disk may, those behind it are not done.
+     * @param moves for look-ups.
+     * @return the effects. If one fails, as the disk may, those behind it are not done.
      */
     List<Consumer<Course>> step(Event event, Moves moves);
 }

@@ -53,7 +53,7 @@ interface Mas {
     /** So much of an agent has come or gone, of a move that takes long. */
     void progress(String agent, Address peer, boolean out, int percent);
 
-    /** What the user should know. */
+    /** Tells the user something. */
     void warn(String what);
 
     /**

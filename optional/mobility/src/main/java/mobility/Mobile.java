@@ -95,7 +95,7 @@ public class Mobile extends AgArch {
         Library.of(agent).clear();
     }
 
-    /** Of a belief, what is not from perception: all of it, or its other sources, of which there may be none. */
+    /** The part of a belief that is not perceived: all of it, or its other sources, of which there may be none. */
     private static Literal unperceived(Literal belief) {
         if (!belief.hasAnnot(BeliefBase.TPercept)) {
             return belief;
@@ -106,7 +106,7 @@ public class Mobile extends AgArch {
         return others;
     }
 
-    /** What the agent perceives is an event for an agent that has come, as for each new agent. */
+    /** Makes each percept an event for an agent that has come, as for each new agent. */
     static void perceiveAnew(TransitionSystem ts) {
         List<Literal> percepts = new ArrayList<>();
         ts.getAg().getBB().getPercepts().forEachRemaining(percepts::add);
@@ -158,7 +158,7 @@ public class Mobile extends AgArch {
         getTS().getC().addPendingIntention(ASLEEP, ASSyntax.createAtom(ASLEEP), sleep, false);
     }
 
-    /** What comes while the agent sleeps, as the end of a {@code .wait}, takes its place and waits like all else. */
+    /** Intentions that come while the agent sleeps, as the end of a {@code .wait}, take their place and wait, too. */
     private final class Guard implements CircumstanceListener {
 
         private static final long serialVersionUID = 1L;

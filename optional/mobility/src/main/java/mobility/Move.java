@@ -20,13 +20,12 @@ import javino.protocol.Bytes;
  *
  * @param key      which move.
  * @param state    how far it is.
- * @param protocol what becomes of the agent.
- * @param identity who moves.
- * @param name     what the agent is called on this side.
+ * @param protocol the agent's role after it.
+ * @param identity the agent that moves.
+ * @param name     the agent's name on this side.
  * @param parts    the hashes of its texts.
  * @param isOurs   whether the program of this MAS starts the agent, so that it must not as long as the agent is away.
- * @param before   of an agent that came by a move and moves on: the record of that one, which ends when this agent has
- *                 gone.
+ * @param before   the move by which an agent came that moves on; its record ends when the agent has gone.
  */
 record Move(Key key, State state, Protocol protocol, Identity identity, String name, List<Bytes> parts,
         boolean isOurs, Optional<Key> before) {
@@ -37,7 +36,7 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
      * An agent that travels, wherever it is, and whatever it is called there.
      *
      * @param home  the device of the MAS from which it first came.
-     * @param name  what it was called there.
+     * @param name  its name there.
      * @param token 8 random bytes, drawn each time that it leaves its home, known only where it has been since.
      */
     record Identity(Address home, String name, Bytes token) {
@@ -117,9 +116,9 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
     }
 
     /**
-     * Where the agent comes from that comes by this move.
+     * The origin of an agent that comes by this move.
      *
-     * @param peer    what the key of the device on the other side says about it.
+     * @param peer    the trust level of the device on the other side, by its key.
      * @param here    the board to which it comes; where that is not known, any agent may be at home there.
      * @param returns whether it {@link #isReturnOf} a going from there.
      */

@@ -50,7 +50,7 @@ record MoveInRequest(Diffuser diffuser) {
     /**
      * Asks the agent, in its next cycle.
      *
-     * @param decision what its plans must ask for.
+     * @param decision has the marks that its plans must ask for.
      * @return fails with a {@link RefusedException}.
      */
     CompletableFuture<Void> ask(Move newcomer, Provenance of, Policy.Decision decision) {

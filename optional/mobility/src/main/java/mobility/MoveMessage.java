@@ -11,10 +11,10 @@ import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
 
 /**
- * What the two hosts of a move say to each other (SPEC 9.1).
+ * A message between the two hosts of a move (SPEC 9.1).
  *
  * @param move the number of the move, 32 bits, as its sender has chosen it.
- * @param said what is said of it.
+ * @param said the content.
  */
 record MoveMessage(int move, Said said) {
 

@@ -26,8 +26,8 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 /**
- * Where a MAS keeps the records of its moves and the texts of the agents (SPEC 9.3), for its user only. What a method
- * has written is on the disk when it returns, so that a computer that loses power goes on from there.
+ * The folder with the records of a MAS's moves and the texts of the agents (SPEC 9.3), for its user only. A method's
+ * changes are on the disk when it returns, so that a computer that loses power goes on from there.
  *
  * <p>All methods throw {@link UncheckedIOException} where the disk fails.
  */
@@ -44,7 +44,7 @@ class MoveStore implements AutoCloseable {
     private final Path place;
     private final FileChannel lock;
 
-    /** What the disk does. */
+    /** An operation on the disk. */
     private interface Access<T> {
         T run() throws IOException;
     }

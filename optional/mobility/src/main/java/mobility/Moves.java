@@ -41,7 +41,7 @@ final class Moves {
             + " begins with a small letter, no word of AgentSpeak, and not of four letters, as a device's address";
 
     /**
-     * What a MAS bears.
+     * The limits of a MAS.
      *
      * @param length the most bytes of text of one agent.
      * @param agents the most agents that come or have come.
@@ -51,7 +51,7 @@ final class Moves {
         static final Limits USUAL = new Limits(65_536, 16);
     }
 
-    /** What is counted, for who looks for a fault. */
+    /** Counts, for people who look for a fault. */
     enum Count {
         CAME, LEFT, REFUSED, STAYED, DROPPED
     }
@@ -84,7 +84,7 @@ final class Moves {
 
     /** Goes on from the records. */
     void start() {
-        // What is one step, the program may have ended in the midst of.
+        // The program may have ended in the midst of a step.
         List<Move> records = folder.records();
         Set<Move.Key> over = records.stream().filter(Move::isAbsent).flatMap(move -> move.before().stream())
                 .collect(Collectors.toSet());
@@ -112,7 +112,7 @@ final class Moves {
             mas.warn(move.name() + " is not started: it has moved to " + move.key().peer()
                     + "; to start it anew delete the file " + move.key() + ".move");
         }
-        // What cannot be read must not be offered, nor called ready.
+        // An agent whose texts cannot be read must not be offered, nor called ready.
         List<Bytes> texts = move.isOpen() ? texts(move) : List.of();
         Machine machine = move.key().out() ? Departure.of(move, texts) : Arrival.of(move, leaves);
         new Course(this, move.key(), machine, Optional.empty()).goOn();
@@ -187,7 +187,7 @@ final class Moves {
         come(agent).toList().forEach(course -> course.step(new Event.Superseded()));
     }
 
-    /** What another device has said of a move. */
+    /** Takes a message of another device about a move. */
     void received(Address from, HostMessage message) {
         try {
             MoveMessage read = MoveMessage.decode(message);
@@ -230,7 +230,7 @@ final class Moves {
         folder.tidy();
     }
 
-    /** What is known of an agent's going, also where nobody has said that it arrived. A clone is another agent. */
+    /** Records of an agent's going, also where nobody has said that it arrived. A clone is another agent. */
     List<Move> absences(Move came) {
         return came.isClone() ? List.of() : folder.records().stream().filter(came::isReturnOf).toList();
     }
@@ -267,7 +267,7 @@ final class Moves {
         }
     }
 
-    /** Of an agent that may travel: messages to a device and what a source says must not be mistaken. */
+    /** Whether an agent of this name may travel: it must not be mistaken for a device's address or a word of Jason. */
     static boolean isName(String agent) {
         return agent.matches("[a-z]\\w*") && agent.length() != Address.LENGTH && agent.length() <= MoveMessage.MOST_NAME
                 && !RESERVED.contains(agent);

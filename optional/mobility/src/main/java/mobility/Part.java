@@ -25,7 +25,8 @@ record Part(Bytes hash, int packed, int length) {
     static final int HASH_LENGTH = 8;
 
     /**
-     * What AgentSpeak repeats, the most frequent last, as Deflate reaches what is near with fewer bits (SPEC 9.5).
+     * Texts that AgentSpeak repeats, the most frequent last, as Deflate reaches what is near with fewer bits (SPEC
+     * 9.5).
      */
     static final String DICTIONARY = """
             atomic priority(.succeed_goal(.fail_goal(.drop_desire(.drop_intention(.findall(.member(.length(.concat(.nth(
@@ -76,7 +77,7 @@ record Part(Bytes hash, int packed, int length) {
                 return text;
             }
         } catch (IOException | ProtocolException e) {
-            // What is no packed text is no part either.
+            // Bytes that are no packed text are no part either.
         } finally {
             inflater.end();
         }

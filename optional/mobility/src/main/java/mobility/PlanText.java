@@ -24,10 +24,7 @@ final class PlanText {
     private PlanText() {
     }
 
-    /**
-     * What the variables without a name are called in a plan where they stand more than once; plans within it have the
-     * same variables.
-     */
+    /** Names for variables without one that stand more than once in a plan; plans within it have the same variables. */
     static Map<Term, VarTerm> names(Plan plan) {
         return names(visitor -> Library.all(plan).forEach(part -> visit(part, visitor)));
     }

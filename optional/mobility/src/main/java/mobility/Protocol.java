@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What becomes of an agent that moves in, and of the MAS that takes it in: the words of Hermes (SPEC 9.1). */
+/** The effects of a move on the agent, and on the MAS that takes it in: the words of Hermes (SPEC 9.1). */
 public enum Protocol {
     /** The newcomer lives as any agent of the MAS. */
     MUTUALISM,
@@ -25,12 +25,12 @@ public enum Protocol {
         return Arrays.stream(values()).filter(protocol -> protocol.letter() == letter).findFirst();
     }
 
-    /** What an agent calls it. */
+    /** Its name for an agent. */
     String atom() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** What an offer calls it. */
+    /** Its name in an offer. */
     int letter() {
         return atom().charAt(0);
     }

@@ -25,10 +25,10 @@ final class Retransmission {
     private Optional<MoveMessage.Said> message = Optional.empty();
     private CompletableFuture<Outcome> underWay = CompletableFuture.completedFuture(Outcome.DELIVERED);
     private long pause;
-    /** What was begun for an earlier message says no more. */
+    /** A step that was begun for an earlier message says no more. */
     private int turn;
 
-    /** @param told what has become of the message, each time that it was said. */
+    /** @param told takes the outcome of the message, each time that it was said. */
     Retransmission(HostClock clock, Function<MoveMessage.Said, CompletableFuture<Outcome>> send,
             Consumer<Event> told) {
         this.clock = clock;
@@ -77,7 +77,7 @@ final class Retransmission {
             told.accept(new Event.Delivered());
             return;
         }
-        // Where the board has too much to send, the other side may well be there.
+        // If the board has too much to send, the other side may well be there.
         say(thrown == null ? pause : LEAST_PAUSE_MILLIS);
         pause = thrown == null ? Math.min(MOST_PAUSE_MILLIS, 2 * pause) : LEAST_PAUSE_MILLIS;
         told.accept(thrown == null ? new Event.Undelivered() : new Event.NotTaken(Failure.of(thrown)));

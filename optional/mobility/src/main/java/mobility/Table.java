@@ -7,24 +7,24 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
- * What a machine does in each state at each event: the tables of SPEC 9.3.
+ * The effects of each event on a machine in each state: the tables of SPEC 9.3.
  *
  * @param <S> its states.
  * @param <M> the machine.
  */
 final class Table<S extends Enum<S>, M extends Machine> {
 
-    /** What follows. */
+    /** Gives the effects of an event. */
     interface Action<M, E> {
         List<Consumer<Course>> of(M machine, E event, Moves moves);
     }
 
     /**
-     * What follows in some states at some events.
+     * The effects of some events in some states.
      *
      * @param in    none for all in which no other row has the event.
      * @param next  the states that may follow; none if it stays.
-     * @param words what SPEC says of it.
+     * @param words those of SPEC.
      */
     record Row<S, M>(Set<S> in, List<Class<? extends Event>> at, Set<S> next, String words, Action<M, Event> action) {
     }
@@ -40,13 +40,13 @@ final class Table<S extends Enum<S>, M extends Machine> {
         return this;
     }
 
-    /** Of what is ignored, only messages are counted. */
+    /** Ignores events; only messages among them are counted. */
     Table<S, M> ignore(List<Class<? extends Event>> at, String why) {
         return on(Set.of(), at, Set.of(), "ignored: " + why,
                 (machine, event, moves) -> event instanceof MoveMessage.Said ? List.of(Course::drop) : List.of());
     }
 
-    /** What may happen to these machines. */
+    /** The events that may come to these machines. */
     Set<Class<? extends Event>> events() {
         return rows.stream().flatMap(row -> row.at().stream()).collect(Collectors.toSet());
     }

@@ -38,7 +38,7 @@ import diffuser.gate.Plans;
 import diffuser.gate.Terms;
 import diffuser.gate.Texts;
 
-/** Reads the texts of an agent from elsewhere. What is read is looked at, and nothing in it is computed. */
+/** Reads the texts of an agent from elsewhere. Terms are only looked at: nothing in them is computed. */
 final class TermReader {
 
     /** The one function that belongs to each agent, and not to Jason as a whole. */
@@ -52,7 +52,7 @@ final class TermReader {
     private static final int DEEPEST = 100;
     private static final String STDLIB = "jason.stdlib";
     private static final String JASONS_LABELS = "kqml";
-    /** What a label is called here that has only annotations. */
+    /** The name here of a label that has only annotations. */
     static final String NO_LABEL = "undefined";
 
     private final boolean numbersVariables;
@@ -63,7 +63,7 @@ final class TermReader {
         this.numbersVariables = numbersVariables;
     }
 
-    /** What belongs together in the state of an agent: a belief, or an event with its intention. */
+    /** A reader for one part of an agent's state: a belief, or an event with its intention. */
     static TermReader ofState() {
         return new TermReader(true);
     }

@@ -32,7 +32,7 @@ final class TermTexts {
     private static final Pattern HANDLE = Pattern.compile("cobj_\\d+");
     private static final int MOST_BRIEF = 80;
 
-    /** What a variable without a name is called. */
+    /** Names a variable without a name. */
     interface Naming {
         VarTerm of(UnnamedVar variable);
     }

@@ -23,16 +23,16 @@ public final class RandomMoves {
     /** So many messages an attacker sends meanwhile. */
     private static final int ACTS = 5;
 
-    /** Of each run, the first or more of them. */
+    /** The first of them, or more, move in each run. */
     private static final List<String> AGENTS = List.of("inspector", "porter", "guide", "clerk");
 
     /**
-     * What came of a run.
+     * The results of a run.
      *
      * @param refusing moves begun to a MAS that admitted nobody then.
      * @param lost     messages that did not arrive.
      * @param faults   kills and resets, by what the program was about to do or had just done.
-     * @param wrong    what was accepted or set, and should not have been.
+     * @param wrong    messages accepted or keys set that should not have been.
      * @param both     times at which two were awake, with what was known.
      * @param changed  agents that, as those lost and doubled, are not as before when contact has been back for long.
      * @param unasked  arrivals that no plan had admitted.
@@ -53,7 +53,7 @@ public final class RandomMoves {
         return run(seed, new Simulation(seed, folder));
     }
 
-    /** Between hosts of any kind. @param maker of the host that has an address. */
+    /** Between hosts of any kind. @param maker makes the host that has an address. */
     public static Tally run(long seed, Path folder, BiFunction<Network<?>, Address, SimulatedHost> maker) {
         return run(seed, new Simulation(seed, folder, maker));
     }

@@ -42,11 +42,11 @@ final class Simulation extends Network<SimulatedHost> {
     private static final List<Bytes> FORGED = List.of(Bytes.ofText("+!start <- .stopMAS."), Bytes.EMPTY);
 
     private final Map<Address, Side> sides = new LinkedHashMap<>();
-    /** Of the messages that came last, this comes again to a program that starts again. */
+    /** The share of a program's starts at which the last message comes again. */
     double again;
     /** Never are two awake of an agent of these names, or of one that was made of it. */
     final Set<String> watched = new HashSet<>();
-    /** What an agent has become since it came, when it leaves. */
+    /** The change of an agent since it came, when it leaves. */
     UnaryOperator<List<Bytes>> lived = UnaryOperator.identity();
     /** Told where two were awake at once. */
     final List<String> both = new ArrayList<>();
@@ -66,7 +66,7 @@ final class Simulation extends Network<SimulatedHost> {
         }));
     }
 
-    /** @param maker of the host that has an address. */
+    /** @param maker makes the host that has an address. */
     Simulation(long seed, Path folder, BiFunction<Network<?>, Address, SimulatedHost> maker) {
         super(seed);
         restartMillis = 20_000;
@@ -128,16 +128,16 @@ final class Simulation extends Network<SimulatedHost> {
         /** The agents that are awake, with what they are. */
         final Map<String, List<Bytes>> awake = new HashMap<>();
         final List<String> told = new ArrayList<>();
-        /** What the machines of its moves have come to. */
+        /** States that the machines of its moves have reached. */
         final List<Enum<?>> reached = new ArrayList<>();
         /** Names of agents that the program starts. */
         final Map<String, List<Bytes>> program = new HashMap<>();
-        /** Of agents that are at home here: the tokens that were ever drawn for them. */
+        /** The tokens that were ever drawn for each agent that is at home here. */
         final Map<String, List<Bytes>> drawn = new HashMap<>();
-        /** What came last. */
+        /** Delivers the last message once more. */
         private Runnable last = () -> {};
         boolean admits = true;
-        /** What its disk does not do now: write, delete. */
+        /** Operations that its disk does not do now: write, delete. */
         final Set<String> broken = new HashSet<>();
         /** Its MAS cannot make an agent now. */
         boolean crowded;
@@ -220,7 +220,7 @@ final class Simulation extends Network<SimulatedHost> {
             awake.clear();
         }
 
-        /** What is recorded of moves that have not ended. */
+        /** The records of moves that have not ended. */
         List<Move> open() {
             return folder.records().stream()
                     .filter(move -> !Set.of(Move.State.HERE, Move.State.AWAY, Move.State.LEFT).contains(move.state()))

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * Who can change what of an agent: each act by each sender, as an answer to each question and as none, at home and
- * away, against an agent that runs. What must come of it is said by rights here, and not by the rows of {@link Policy}.
+ * Rights to change an agent: each act by each sender, as an answer to each question and as none, at home and away,
+ * against an agent that runs. The expected effects follow from rights here, and not from the rows of {@link Policy}.
  */
 class RightsTest {
 
@@ -48,7 +48,7 @@ class RightsTest {
         }
     }
 
-    /** What somebody tries, and what it comes to if nobody hinders it. */
+    /** Attempts, and their effects if nobody hinders them. */
     enum Try {
         TELL("tell", "new(1)", Effect.BELIEVES),
         TELL_AS_A_PERCEPT("tell", "new(2)[source(percept),source(self),cast(unicast,'SUPO')]", Effect.BELIEVES),
@@ -111,7 +111,7 @@ class RightsTest {
         }
     }
 
-    /** Who was asked that, and whether an intention waits for it. */
+    /** The agent that was asked, and whether an intention waits for the answer. */
     enum Of {
         NOBODY, SENDER_AWAITED, SENDER, GROUP, SENDER_BEFORE, ANOTHER_AWAITED, ANOTHER;
 
@@ -163,7 +163,7 @@ class RightsTest {
             return List.of(who, what, asked, of, away);
         }
 
-        /** What must come of it. */
+        /** The effects that it must have. */
         Set<Effect> expected() {
             if (away) {
                 return Set.of();
@@ -230,7 +230,7 @@ class RightsTest {
         }
     }
 
-    /** What somebody may do to an agent, beside answering what it was asked. */
+    /** Rights of others against an agent, beside that to answer its questions. */
     private enum Right {
         NONE, TELL, COMMAND, COMMAND_WHERE_ASKED, STOP_ITS_OWN, READ, READ_PLANS, TEACH
     }
@@ -265,11 +265,11 @@ class RightsTest {
 
     private static final String SENDER = "SUPO";
 
-    /** @param air what the act becomes on its way. */
+    /** @param air changes the act on its way. */
     private static Set<Effect> tried(Victim victim, Cell cell, UnaryOperator<ReceivedMessage> air) {
         victim.away(false);
         Who who = cell.who;
-        // What the sender has told, set and taught, and what others have.
+        // The sender's beliefs, goals and plans, and those of others.
         if (who == Who.GUEST) {
             victim.local("tell", null, Literals.of("theirs(1)"));
         } else {
@@ -325,7 +325,7 @@ class RightsTest {
         check(cells, UnaryOperator.identity());
     }
 
-    /** @param air what each act becomes on its way, but for a guest's. */
+    /** @param air changes each act on its way, but for a guest's. */
     static void check(List<Cell> cells, UnaryOperator<ReceivedMessage> air) {
         List<String> wrong = new ArrayList<>();
         Victim victim = new Victim(false);

@@ -37,7 +37,7 @@ class SequencesTest {
     private static final String SENDER = "SUPO";
     private static final List<String> OTHERS = List.of(SENDER, SENDER, "ROMA", "//SU", Victim.GUEST);
 
-    /** What happens next. */
+    /** The kinds of steps. */
     private enum Kind {
         ASK, ACT, SLEEP, WAKE
     }
@@ -45,7 +45,7 @@ class SequencesTest {
     /**
      * One step.
      *
-     * @param question of an act, which of the questions it says it answers, from the last one on; 0 for none.
+     * @param question the question that an act says it answers, counted from the last one on; 0 for none.
      */
     private record Step(Kind kind, Who who, Try what, Asked asked, int to, boolean awaited, int question) {
     }

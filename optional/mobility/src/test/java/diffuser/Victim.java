@@ -51,7 +51,7 @@ final class Victim implements AutoCloseable {
     static final String GUEST = "visitor";
     static final Address SELF = Address.parse("CAFE");
 
-    /** What can become of an agent by what others do. */
+    /** Effects on an agent of what others do. */
     enum Effect {
         /** It has a plan that it had not. */
         TAUGHT,
@@ -117,7 +117,7 @@ final class Victim implements AutoCloseable {
     private final List<String> acts = new ArrayList<>();
     private String lastAsked;
 
-    /** What is there before something happens. */
+    /** The agent's state before something happens. */
     private record State(List<String> plans, Set<String> beliefs, Set<String> goals, int acts) {
     }
 
@@ -218,7 +218,7 @@ final class Victim implements AutoCloseable {
         return field.get(diffuser);
     }
 
-    // What the test does
+    // Steps of a test
 
     void achieve(String goal) {
         body.receiveMsg(new Message("achieve", "test", NAME, goal));
@@ -236,7 +236,7 @@ final class Victim implements AutoCloseable {
         radio(UnaryOperator.identity(), from, to, peer, performative, asked, term);
     }
 
-    /** The same. @param air what a message becomes on its way. */
+    /** The same. @param air changes a message on its way. */
     void radio(UnaryOperator<ReceivedMessage> air, String from, Address to, TrustLevel peer, String performative,
             String asked, String term) {
         String conversation = asked == null ? performative.startsWith("ask") ? "#AbC" : ""
@@ -308,7 +308,7 @@ final class Victim implements AutoCloseable {
         return now.plans.equals(first.plans) && now.beliefs.equals(first.beliefs) && now.goals.equals(first.goals);
     }
 
-    // What has come of it
+    // Effects
 
     private State state() {
         List<String> plans = new ArrayList<>();
@@ -326,7 +326,7 @@ final class Victim implements AutoCloseable {
         return new State(plans, beliefs, goals, acts.size());
     }
 
-    /** @param marks what marks what came so; all others are forged. */
+    /** @param marks the marks of what came so; all others are forged. */
     Set<Effect> effects(String... marks) {
         State now = state();
         Set<Effect> effects = EnumSet.noneOf(Effect.class);

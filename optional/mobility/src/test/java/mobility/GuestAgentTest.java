@@ -30,7 +30,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What an agent may do that has come under inquilinism. */
+/** Rights of an agent that has come under inquilinism. */
 class GuestAgentTest {
 
     private static final String PROGRAM = """

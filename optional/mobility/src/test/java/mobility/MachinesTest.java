@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 class MachinesTest {
 
     private static final List<Bytes> TEXTS = List.of(Bytes.ofText("+!start."), Bytes.ofText("b(1)"));
-    /** Of texts that are not here. */
+    /** An offer of texts that are not here. */
     private static final MoveMessage.Offer OFFER = new MoveMessage.Offer(Protocol.MUTUALISM,
             List.of(new Part(Part.hash(Bytes.ofText("x")), 9, 9), new Part(Part.hash(Bytes.ofText("y")), 9, 9)),
             identity(Simulation.BUS));
@@ -105,7 +105,7 @@ class MachinesTest {
         check(Arrival.TABLE, Arrival.State.values(), machines);
     }
 
-    /** Of an agent and of a clone, of this board and of another one. */
+    /** Moves of an agent and of a clone, of this board and of another one. */
     private static List<Move> moves(boolean out) {
         return Stream.of(Protocol.MUTUALISM, Protocol.CLONING)
                 .flatMap(protocol -> Stream.of(Simulation.STATION, Simulation.BUS).map(home -> new Move(

@@ -123,7 +123,7 @@ class MobileTest {
         assertEquals(List.of("say dark", "say light 5"), stage.run(5).done.stream().sorted().toList());
     }
 
-    /** Where the bus has not sensed anything yet, an ask of its inspector fails. */
+    /** If the bus has not sensed anything yet, an ask of its inspector fails. */
     @Test
     void inspector_whoseBusHasSensedNothingYet_asksAgainAndGoesHome() throws Exception {
         Path program = Path.of(System.getProperty("javino.root"), "examples/highway/inspector/inspector.asl");

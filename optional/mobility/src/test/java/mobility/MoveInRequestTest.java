@@ -37,7 +37,7 @@ class MoveInRequestTest {
         return move.provenance(peer, Optional.of(HERE), returns);
     }
 
-    /** What an agent with one plan has done, or why it does not let the newcomer in. */
+    /** The deeds of an agent with one plan, or why it does not let the newcomer in. */
     private static String asked(String marks, TrustLevel peer, String home, boolean returns) {
         Move move = offer(Protocol.MUTUALISM, home);
         Provenance of = from(peer, move, returns);

@@ -515,7 +515,7 @@ class MovesTest {
         assertTrue(condition.getAsBoolean());
     }
 
-    /** What does not become shorter. */
+    /** A text of random letters, which packing shortens little. */
     private static Bytes much() {
         byte[] much = new byte[10_000];
         new Random(2).nextBytes(much);

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
-/** Who brings an agent home, and where a guest may go: what a device offers that knows all but the return token. */
+/** Returns of an agent, and moves of a guest: offers of a device that knows all but the return token. */
 class ReturnsTest {
 
     private static final String AGENT = "inspector";
@@ -111,7 +111,7 @@ class ReturnsTest {
         assertOnlyAt(bus);
     }
 
-    /** Where it went, somebody may send another mind home, but no second one. */
+    /** The device to which it went may send another mind home, but no second one. */
     @Test
     void agent_broughtBackTwice_wakesOnce() {
         move(station, Protocol.MUTUALISM, bus);

@@ -34,7 +34,7 @@ final class Stage extends AgArch {
         LOG.setLevel(Level.OFF);
     }
 
-    /** What the agent has done, an action each. */
+    /** Actions that the agent has done. */
     final transient List<String> done = new ArrayList<>();
     final transient TransitionSystem ts;
     /** The intention that has said {@code mobility.leave}. */

@@ -11,7 +11,7 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
 
-/** What Jason keeps to its own package of an {@link IntendedMeans}, a plan that is being carried out. */
+/** The parts of an {@link IntendedMeans}, a plan that is being carried out, that Jason keeps to its own package. */
 public final class Frames {
 
     /** Jason computes what is in a trigger that it is given; in this one there is nothing. */
@@ -25,8 +25,8 @@ public final class Frames {
      * A plan that is being carried out.
      *
      * @param toDo    its steps that are still to be done; null if none.
-     * @param values  of its variables.
-     * @param renamed what its variables are called in the goal that it waits for; null if it has not waited.
+     * @param values  the values of its variables.
+     * @param renamed names of its variables in the goal that it waits for; null if it has not waited.
      * @param atFirst the values when it began, which its goal's condition and its plans within have.
      */
     public static IntendedMeans of(Plan plan, Trigger trigger, PlanBody toDo, Map<VarTerm, Term> values,
@@ -54,12 +54,12 @@ public final class Frames {
         return unifier;
     }
 
-    /** What a unifier has; it may be null. */
+    /** The values in a unifier, which may be null. */
     public static Map<VarTerm, Term> values(Unifier unifier) {
         return unifier == null ? Map.of() : unifier.function;
     }
 
-    /** What a plan's variables are called in the goal that it waits for. */
+    /** Names of a plan's variables in the goal that it waits for. */
     public static Map<VarTerm, Term> renamed(IntendedMeans frame) {
         return values(frame.renamedVars);
     }
