@@ -5,7 +5,7 @@ import jason.asSyntax.Structure;
 
 import javino.protocol.Address;
 
-/** To whom a message went, and so who can have forged it. */
+/** The receivers of a message, and so the devices that can have forged it. */
 public enum Cast {
     /** To all in range, sealed by no key. */
     BROADCAST,

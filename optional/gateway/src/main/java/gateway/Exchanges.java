@@ -61,7 +61,9 @@ final class Exchanges {
                 ? Optional.of(Address.parse(whole.destination())) : Optional.empty();
     }
 
-    /** For whom a frame is, or the message whose fragment it is; nothing where the first fragment is not known. */
+    /**
+     * The destination of a frame, or of the message whose fragment it is; nothing if the first fragment is not known.
+     */
     Optional<Address> destination(Frame frame) {
         return frame.destination().kind() == Address.Kind.FRAGMENT
                 ? header(frame).or(() -> Optional.ofNullable(headers.get(message(frame))))
@@ -79,7 +81,7 @@ final class Exchanges {
                 .filter(when -> now - when < UNDER_WAY_MILLIS).isPresent();
     }
 
-    /** By what an acknowledgement of a frame is known: who answers, and the last 12 bits of the nonce. */
+    /** The key to an acknowledgement of a frame: the device that answers, and the last 12 bits of the nonce. */
     private static Optional<String> question(Payload whole) {
         return whole.hasNonce() ? Optional.of(whole.destination() + " " + whole.lastBits()) : Optional.empty();
     }
@@ -88,7 +90,7 @@ final class Exchanges {
         return acknowledgement.origin() + " " + (acknowledgement.destination().value() & 0xFFF);
     }
 
-    /** By what the fragments of a message are known. */
+    /** The key to the fragments of a message. */
     private static String message(Frame fragment) {
         return fragment.origin() + " " + fragment.destination().toString().charAt(ID);
     }

@@ -83,8 +83,12 @@ final class FrameHistory {
         }
 
         /**
-         * Which attempt of another cell it is that comes now; 0 if that has come before, by another gateway or topic,
-         * or twice by the broker, or if too many cells tell of it, or if it was on the air here that often already.
+         * The number of the attempt of another cell that comes now. It is 0 for one of no use:
+         * <ol>
+         * <li>it has come before, by another gateway or topic, or twice by the broker;</li>
+         * <li>too many cells tell of it;</li>
+         * <li>it was on the air here that often already.</li>
+         * </ol>
          *
          * @param attempt how often it was heard there; 0 if that is not said: then it is one more.
          */
@@ -105,7 +109,7 @@ final class FrameHistory {
             return nth - onAir;
         }
 
-        /** That attempt of another cell has come. Tells whether nobody else has told of it yet. */
+        /** The n-th attempt of another cell has come. Tells whether nobody else has told of it yet. */
         boolean arrived(String cell, int nth, long now) {
             seen(now);
             arrivals.put(cell, nth);

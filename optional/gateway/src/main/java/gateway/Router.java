@@ -60,7 +60,7 @@ final class Router {
     private final AirtimeBudget published;
     private List<RouterEffect> effects = new ArrayList<>();
 
-    /** For whom a frame is published. */
+    /** The cells for which a frame is published. */
     enum Whom {
         /** For a cell. */
         CELL,

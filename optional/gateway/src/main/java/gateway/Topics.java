@@ -41,7 +41,7 @@ final class Topics {
      */
     record Topic(About about, String name, String from, String heard) {
 
-        /** For whom it is, if it is about a frame. */
+        /** The cells for which it is, if it is about a frame. */
         Router.Whom whom() {
             return about == About.TO ? Router.Whom.CELL : Router.Whom.valueOf(about.name());
         }

@@ -50,7 +50,7 @@ abstract class RouterFixture {
         return done.subList(before, done.size()).stream().anyMatch(each -> each.matches("[A-Z]{3,} .*"));
     }
 
-    /** For whom a frame goes to the broker that the board has heard, and what is sought. */
+    /** The cells for which a frame that the board has heard goes to the broker, and the devices that are sought. */
     List<String> publishes(Bytes frame) {
         int before = done.size();
         heard(frame);

@@ -36,7 +36,7 @@ public record AuthorityKeys(Bytes certificates, Bytes revocationLists) {
         return fingerprint().at(0);
     }
 
-    /** By which people compare authorities: 8 bytes. */
+    /** The 8 bytes by which people compare authorities. */
     public Bytes fingerprint() {
         return Kdf.hash(toBytes()).slice(0, 8);
     }

@@ -33,7 +33,7 @@ record Request(Address address, Bytes point) {
         return Bytes.join(Bytes.ofNumber(address.value(), 3), point);
     }
 
-    /** By which people see that the authority has got the device's own request: 8 bytes. */
+    /** The 8 bytes by which people see that the authority has got the device's own request. */
     Bytes fingerprint() {
         return Kdf.hash(toBytes()).slice(0, 8);
     }

@@ -6,7 +6,7 @@ import javino.protocol.HostMessage.Kind;
 enum Round {
     /** By certificates. */
     FULL(Kind.MESSAGE_1, Kind.MESSAGE_2, Kind.MESSAGE_3, 1200, 1400),
-    /** By what both have kept. */
+    /** By the secret that both have kept. */
     RENEWAL(Kind.RENEWAL_1, Kind.RENEWAL_2, Kind.RENEWAL_3, 800, 1000);
 
     final Kind first;

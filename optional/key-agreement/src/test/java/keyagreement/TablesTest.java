@@ -182,7 +182,7 @@ class TablesTest {
         }
     }
 
-    /** By which messages SPEC has the other side learn of it. */
+    /** The messages by which SPEC has the other side learn of it. */
     private static List<Kind> said(HandshakeState state, Input input, Handshake run) {
         boolean late = input == Input.LATE || input == Input.LACKING;
         return switch (state) {

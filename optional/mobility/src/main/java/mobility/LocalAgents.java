@@ -258,7 +258,7 @@ record LocalAgents(Diffuser diffuser) {
         return Optional.ofNullable(BaseLocalMAS.getRunner()).map(mas -> mas.getAg(name));
     }
 
-    /** By which board an agent moves: its own, or that of the first one of this MAS that has one. */
+    /** The board by which an agent moves: its own, or that of the first one of this MAS that has one. */
     static Optional<BoardMoves> door(AgArch first) {
         return board(first)
                 .or(() -> all(BaseLocalMAS.getRunner()).filter(moves -> moves.here().isPresent()).findFirst());
@@ -277,7 +277,7 @@ record LocalAgents(Diffuser diffuser) {
         }
     }
 
-    /** By which board an agent has come that lives here; none if it is from here. */
+    /** The board by which an agent that lives here has come; none if it is from here. */
     static Optional<BoardMoves> bringer(String name) {
         return all(BaseLocalMAS.getRunner()).filter(moves -> moves.hasBrought(name)).findFirst();
     }

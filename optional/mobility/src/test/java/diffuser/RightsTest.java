@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
  */
 class RightsTest {
 
-    /** By whom and how an act comes. */
+    /** Senders of an act, and its casts and keys. */
     enum Who {
         ANYBODY("////", TrustLevel.PROVISIONED), GROUP("//CA", TrustLevel.PROVISIONED),
         OPEN_GROUP("//CA", TrustLevel.CERTIFIED),

@@ -60,7 +60,7 @@ const app = {
   async send(body) {
     showError(await source.command(body));
   },
-  /** For what is dragged: at most ten commands a second, and always the last one. */
+  /** Sends commands of a dragged thing: at most ten a second, and always the last one. */
   often(body) {
     later = body;
     if (!waiting) flush();
