@@ -37,7 +37,7 @@ public final class FakeBoard {
     /** All other requests: {@code act stop}, {@code radio 1}, {@code ROMA tell;help} for a message. */
     public final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
 
-    /** By the requests' beginnings. */
+    /** The refusals that wait, by the requests' beginnings. */
     private final Map<String, Refusal> refusals = new ConcurrentHashMap<>();
     private final Map<String, List<Bytes>> effects = new ConcurrentHashMap<>();
     private final Map<String, Integer> transmissions = new ConcurrentHashMap<>();
@@ -282,7 +282,7 @@ public final class FakeBoard {
         return isHostMessage ? message.hex() : textOf(message);
     }
 
-    // By air.
+    // The air.
 
     /** Shares this air with others from now on: what it transmits comes to them, as far as they have its key. */
     public FakeBoard join(FakeAir shared) {

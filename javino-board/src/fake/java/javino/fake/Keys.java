@@ -27,9 +27,9 @@ public final class Keys {
     private final Set<String> doubted = new HashSet<>();
     /** The check values of all session keys since the boot. */
     private final Set<Bytes> sessionKeys = new HashSet<>();
-    /** In EEPROM, of stored keys: no nonce up to this is new after a loss of power. */
+    /** Floors of stored keys, in EEPROM: no nonce up to this is new after a loss of power. */
     private final Map<Place, Long> floors = new LinkedHashMap<>();
-    /** In RAM. */
+    /** The highest nonces seen, in RAM. */
     private final Map<Place, Long> highest = new LinkedHashMap<>();
     private int counter;
     /** As one that hosts have raised before: far above the clock. */

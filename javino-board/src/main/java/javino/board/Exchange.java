@@ -150,7 +150,7 @@ final class Exchange {
         return askedAgain;
     }
 
-    /** For how long a board is known to be there: since it asked again, or else since the last hello began. */
+    /** The time for which a board is known to be there: since it asked again, or else since the last hello began. */
     Duration presence() {
         return Duration.ofNanos(System.nanoTime() - presentSince);
     }

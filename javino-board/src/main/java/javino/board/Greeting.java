@@ -60,12 +60,12 @@ final class Greeting {
         legacyExchange = new LegacyExchange(link, context.counters());
     }
 
-    /** For a board that has answered hello. */
+    /** The exchange with a board that has answered hello. */
     Exchange exchange() {
         return exchange;
     }
 
-    /** For a board that has answered in the older protocol. */
+    /** The exchange with a board that has answered in the older protocol. */
     LegacyExchange legacyExchange() {
         return legacyExchange;
     }

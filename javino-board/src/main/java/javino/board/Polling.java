@@ -18,7 +18,7 @@ import javino.protocol.HostMessage;
 /** Makes polls, and turns what they bring into calls of the listener. For the session's thread only. */
 final class Polling {
 
-    /** From one reading to the next at least: for a board whose readings differ all the time. */
+    /** The least time from one reading to the next: for a board whose readings differ all the time. */
     private static final long LEAST_MILLIS = 10;
     private static final Duration LONGEST_LEAST = Duration.ofMillis(Request.MAX_LEAST_MILLIS);
 

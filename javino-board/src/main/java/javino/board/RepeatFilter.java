@@ -11,7 +11,7 @@ import javino.protocol.PollReply;
  */
 final class RepeatFilter {
 
-    /** By these a message is known over a reset. */
+    /** The fields by which a message is known over a reset. */
     private record Mark(Address origin, Address destination, int id) {
 
         private static final int IDS = 0x1000000;

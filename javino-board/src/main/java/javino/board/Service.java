@@ -25,7 +25,7 @@ final class Service {
     /** The time that a board may take to write to its EEPROM, beyond that for a reply (SPEC 4.2). */
     private static final Duration EEPROM_TIME = Duration.ofMillis(400);
 
-    /** From one poll to the next at most, while requests follow each other. */
+    /** The most time from one poll to the next, while requests follow each other. */
     private static final Duration MOST_INTERVAL = Duration.ofMillis(35);
 
     private final SessionContext context;
@@ -236,7 +236,7 @@ final class Service {
         // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
         Thread.interrupted();
         Duration timeout = context.config().replyTimeout();
-        // Until the time of an action is over: a board may be slow, and what follows may reset it.
+        // The request is asked until the time of an action is over: a board may be slow, and what follows may reset it.
         Optional<Reply> reply = exchange.ask(request,
                 request.command().writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout, this::hasMore,
                 attempts -> !context.queue().isClosed());

@@ -12,7 +12,7 @@ final class SessionThread {
     static Thread of(String name, Runnable task) {
         try {
             Object builder = Thread.class.getMethod("ofVirtual").invoke(null);
-            // By the interface, as the class behind it is not public.
+            // The interface gives the methods, as the class behind it is not public.
             Class<?> type = Class.forName("java.lang.Thread$Builder");
             Method named = type.getMethod("name", String.class);
             return (Thread) type.getMethod("unstarted", Runnable.class).invoke(named.invoke(builder, name), task);

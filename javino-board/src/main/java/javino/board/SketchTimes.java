@@ -50,7 +50,7 @@ public final class SketchTimes {
         return found;
     }
 
-    /** For people: that the sketch's loop() delays all requests, if it does. */
+    /** The text that the sketch's loop() delays all requests, if it does. */
     static Optional<String> ofLoop(Map<Counter, Long> counters) {
         long longest = counters.getOrDefault(Counter.LOOP_MILLIS, 0L);
         return longest <= WITHOUT_RADIO_MILLIS ? Optional.empty()

@@ -18,7 +18,7 @@ enum UnwritableNumber {
         this.cause = cause;
     }
 
-    /** Which percept is left out and why, if one is. */
+    /** The text that a percept is left out and why, if it is. */
     static Optional<String> cause(String percept) {
         Stream<UnwritableNumber> found = Arrays.stream(values()).filter(each -> percept.endsWith(each.end));
         return found.findFirst().map(each -> "percept " + percept.substring(0, percept.length() - each.end.length())

@@ -45,7 +45,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
         return new BoardNote(lost, lower, keys, former);
     }
 
-    /** With what it has told of its keys. A key that it does not tell any more stays noted: it has lost that. */
+    /** The note with what the board has told of its keys. A key that it tells no more stays noted: it has lost that. */
     public BoardNote withTold(Map<Address, HeldKeys> told) {
         Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
         told.forEach((with, each) -> known.merge(with, each,
@@ -53,7 +53,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
         return with(known).withSeen(told);
     }
 
-    /** With keys that it has told beside those that are noted: once it has lost these, it does not get them again. */
+    /** The note with further keys that the board has told: once it has lost these, it does not get them again. */
     public BoardNote withSeen(Map<Address, HeldKeys> told) {
         return new BoardNote(lost, epoch, keys, formerAnd(told, keys));
     }

@@ -22,7 +22,7 @@ public interface BoardNotes {
     /** Whether the keys that a board tells are noted; else only those that it was given by whoever notes. */
     boolean keepsTold();
 
-    /** Those of an agent's host: of the keyring that it names, and of its devices with certificates. */
+    /** The notes of an agent's host: of the keyring that it names, and of its devices with certificates. */
     static List<BoardNotes> ofHost() {
         Stream<BoardNotes> keyring = Optional.ofNullable(System.getProperty(KeyringNotes.PROPERTY)).stream()
                 .map(Path::of).map(KeyringNotes::new);

@@ -66,12 +66,12 @@ public record BoundedClock(InstantSource source, boolean isRight) {
         }
     }
 
-    /** For people. */
+    /** The text that this clock cannot be right. */
     public String notBelieved() {
         return notBelieved("this computer's clock", day());
     }
 
-    /** For people: that a day cannot be right. */
+    /** The text that a day cannot be right. */
     public static String notBelieved(Object whose, LocalDate day) {
         return whose + " says " + day + ", more than 20 years after this release of Javino";
     }

@@ -26,7 +26,7 @@ public record DeviceNotes(Path folder) implements BoardNotes {
         return Path.of(System.getProperty("user.home"), ".javino");
     }
 
-    /** Those of the folder that the property names, or of the default one. */
+    /** The notes in the folder that the property names, or in the default one. */
     public static DeviceNotes named() {
         return new DeviceNotes(Path.of(System.getProperty(FOLDER_PROPERTY, defaultFolder().toString())));
     }

@@ -40,7 +40,7 @@ public record HeldKeys(Bytes current, Bytes next, Bytes previous) {
         };
     }
 
-    /** Those that there are, the oldest first. */
+    /** The check values that there are, the oldest first. */
     Stream<Bytes> checks() {
         return Stream.of(previous, current, next).filter(Objects::nonNull);
     }

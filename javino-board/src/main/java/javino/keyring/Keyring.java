@@ -153,7 +153,7 @@ public final class Keyring {
         String[] names = sides[0].strip().split("\\s+");
         boolean areNames = Stream.of(names).allMatch(name -> name.length() <= Address.LENGTH);
         if (sides.length != 2 || names.length > 2 || !areNames) {
-            // Without the line itself, which may hold a key.
+            // The error is without the line itself, which may hold a key.
             throw new IllegalArgumentException("expected ROMA SUPO = key, or //SU = key");
         }
         SharedKey key = SharedKey.parse(sides[1].strip());
@@ -230,7 +230,7 @@ public final class Keyring {
         return membersOf(device, with).map(keys::get);
     }
 
-    /** Under whose names a device's key with an address stands. */
+    /** The members under whose names a device's key with an address stands. */
     public Optional<Members> membersOf(Address device, Address with) {
         Members members = with.kind() == Address.Kind.MULTICAST ? Members.group(with)
                 : device.equals(with) ? null : Members.pair(device, with);

@@ -16,7 +16,7 @@ public record SharedKey(Key key, Key next) {
         return next == null ? key : next;
     }
 
-    /** Those that a board may be sealing with. */
+    /** The keys that a board may be sealing with. */
     public List<Key> all() {
         return next == null ? List.of(key) : List.of(key, next);
     }

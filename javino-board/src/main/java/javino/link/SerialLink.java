@@ -201,7 +201,7 @@ public final class SerialLink implements Link {
         }
     }
 
-    /** Behind the byte that was read already. */
+    /** Reads the bytes that are there, behind the one that was read already. */
     private int readWhatIsThere(byte[] buffer) {
         int there = port.bytesAvailable();
         int more = there <= 0 ? there : port.readBytes(buffer, Math.min(there, buffer.length - 1), 1);

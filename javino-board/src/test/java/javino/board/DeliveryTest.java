@@ -93,7 +93,7 @@ class DeliveryTest extends BoardFixture {
         });
         opened.complete(board);
         acted.get();
-        // Behind hello, list actions and list keys; what comes later may be there already.
+        // The requests behind hello, list actions and list keys; what comes later may be there already.
         assertEquals(List.of(POLL, POLL + "00", Bytes.ofText("Astop").hex()), requests().subList(3, 6));
     }
 

@@ -39,7 +39,7 @@ public abstract class AddressOption implements ITypeConverter<Address> {
 
     /** A device's own address. */
     public static final class Device extends AddressOption {
-        /** For picocli. */
+        /** The constructor for picocli. */
         public Device() {
             super(EnumSet.of(Kind.DEVICE), "a device such as SUPO, which begins with one of A-Z a-z 0-9,");
         }
@@ -78,7 +78,7 @@ public abstract class AddressOption implements ITypeConverter<Address> {
 
     /** A group by its two digits. */
     public static final class Group implements ITypeConverter<Address> {
-        /** For picocli. */
+        /** The constructor for picocli. */
         public Group() {
         }
 

@@ -5,7 +5,7 @@ import javino.JavinoException;
 import javino.keyring.BoundedClock;
 import picocli.CommandLine.Option;
 
-/** For a command that takes steps by this computer's clock which cannot be undone. */
+/** The option of a command that takes steps by this computer's clock which cannot be undone. */
 public final class ClockOption {
 
     private final BoundedClock clock;
@@ -14,7 +14,7 @@ public final class ClockOption {
             description = "Believe a day that is more than 20 years after this release.")
     private boolean isRight;
 
-    /** By the system's clock. */
+    /** An option by the system's clock. */
     public ClockOption() {
         this(BoundedClock.SYSTEM);
     }

@@ -28,7 +28,7 @@ final class ForgetCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    /** Which keys; one of them is set. */
+    /** The keys to forget; one of the two is set. */
     private static final class Which {
 
         @Option(names = "--key", required = true, paramLabel = "ADDRESS", converter = AddressOption.KeyHolder.class,

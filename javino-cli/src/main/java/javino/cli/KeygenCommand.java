@@ -47,7 +47,7 @@ final class KeygenCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    /** Which file; one of them is set. */
+    /** The file to write; one of the two is set. */
     private static final class Which {
 
         @Option(names = "--out", required = true, paramLabel = "FILE", description = "The keyring; must not exist yet.")

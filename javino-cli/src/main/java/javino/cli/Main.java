@@ -46,7 +46,7 @@ public final class Main implements Callable<Integer> {
         }
     }
 
-    /** Without a subcommand: says which there are. */
+    /** Says which subcommands there are, if none was given. */
     @Override
     public Integer call() {
         spec.commandLine().usage(spec.commandLine().getErr());

@@ -60,7 +60,7 @@ final class Provisioning {
         this.out = out;
     }
 
-    /** For how long a message may keep a step from being taken; 60 s unless set. */
+    /** Sets for how long a message may keep a step from being taken; 60 s by default. */
     Provisioning setPatience(Duration longest) {
         patience = longest;
         return this;

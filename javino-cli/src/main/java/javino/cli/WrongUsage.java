@@ -102,7 +102,7 @@ public final class WrongUsage {
                 .map(each -> new UnmatchedArgumentException(each, each.getUnmatchedArguments()));
     }
 
-    /** Which word is too much, and one that is near to it. */
+    /** Names the word that is too much, and one that is near to it. */
     private static String describe(UnmatchedArgumentException unmatched) {
         String kind = unmatched.isUnknownOption() ? "there is no option "
                 : unmatched.getCommandLine().getSubcommands().isEmpty() ? "there is no place for "

@@ -26,11 +26,11 @@ import picocli.CommandLine;
 @Timeout(120)
 class LostPortTest {
 
-    /** Those that go on until Ctrl-C look for the board again. */
+    /** Commands that go on until Ctrl-C look for the board again. */
     private static final List<String> GO_ON = List.of("monitor", "--follow", "capture", "gateway", "watch");
     /** Hello, the list of actions, and the command's own request: it needs them all, and may need more. */
     private static final int FEWEST_PACKETS = 3;
-    /** From then on they only poll. */
+    /** Commands only poll from then on. */
     private static final int MOST_PACKETS = 10;
 
     private final BoardConfig config = BoardConfig.create(builder -> builder.setHold(Duration.ofMillis(20))

@@ -19,7 +19,7 @@ import java.util.Set;
 public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpoch, Set<Capability> capabilities,
         String firmware, List<String> actions) {
 
-    /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
+    /** A value in place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;
     /** The last epoch that nonces have; a board that has none left tells one more. */
     public static final int LAST_EPOCH = 0xFFFFFE;

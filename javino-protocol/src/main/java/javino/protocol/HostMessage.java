@@ -132,12 +132,12 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
         }
     }
 
-    /** For a unicast. */
+    /** A message in a unicast. */
     public HostMessage(Kind kind, Bytes body) {
         this(kind, Optional.empty(), 0, body);
     }
 
-    /** For a broadcast, where it has one fragment. */
+    /** A message in a broadcast, of a kind that has one fragment. */
     public HostMessage(Kind kind, Address to, Bytes body) {
         this(kind, Optional.of(to), 0, body);
     }

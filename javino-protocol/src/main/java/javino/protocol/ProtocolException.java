@@ -18,7 +18,7 @@ public final class ProtocolException extends JavinoException {
         this.error = error;
     }
 
-    /** In which way the bytes are wrong. */
+    /** The way in which the bytes are wrong. */
     public ProtocolError error() {
         return error;
     }

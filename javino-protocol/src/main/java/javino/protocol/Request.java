@@ -13,7 +13,7 @@ public record Request(Command command, Frame frame, String description) {
 
     /** The version of the protocol that these classes speak. */
     public static final int PROTOCOL_VERSION = 1;
-    /** Instead of a message's number: no message was taken yet. */
+    /** A value in place of a message's number: no message was taken yet. */
     public static final int NOTHING_TAKEN = -1;
     /** The longest hold that a poll can allow, in ms. */
     public static final int MAX_HOLD_MILLIS = 0xFFFF;
@@ -21,7 +21,7 @@ public record Request(Command command, Frame frame, String description) {
     public static final int MAX_LEAST_MILLIS = 0xFFFFFF;
 
     static final int MAX_OFFSET = 0xFFFF;
-    /** In the message of a poll, behind command and flags. */
+    /** The place of the hold in the message of a poll, behind command and flags. */
     private static final int HOLD_AT = 2;
 
     /** All requests, with their letters on the line. */
