@@ -276,7 +276,7 @@ void board_drive(board *b, int pin, bool level) {
   uint8_t mask = (uint8_t)(1 << location.bit);
   b->ports[index].driven |= mask;
   b->ports[index].external = (uint8_t)(level ? b->ports[index].external | mask : b->ports[index].external & ~mask);
-  // Without this, simavr's pull-ups would win over what drives the pin.
+  // The pull-ups of simavr would otherwise win over what drives the pin.
   avr_ioport_external_t pull = {
       .name = (unsigned char)location.port & 0x7F, .mask = b->ports[index].driven, .value = b->ports[index].external};
   avr_ioctl(b->avr, (uint32_t)AVR_IOCTL_IOPORT_SET_EXTERNAL(location.port), &pull);

@@ -376,7 +376,7 @@ int emulation_run(emulation *e, cycles_t until) {
     for (size_t i = 0; i < e->node_count; i++)
       if (run_board(e, &e->nodes[i], end) != 0) return -1;
     injector_advance(&e->injector, end);
-    // In this order a packet is known at its sender before it arrives anywhere.
+    // A packet must be known at its sender before it arrives anywhere: hence this order.
     sniffer_advance_tx(&e->listener, end);
     serial_modules_send(&e->modules, e->now, end);
     rf_bus_advance(&e->air, end);

@@ -77,7 +77,7 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
 // large as the model's or NULL.
 int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms);
 
-// From now on keeps what comes from outside, and writes down keys that hosts give boards; either may be NULL.
+// Keeps what comes from outside from now on, and writes down keys that hosts give boards; either may be NULL.
 void emulation_keep(emulation *e, record *kept, FILE *keys);
 
 // Runs all boards up to `until`. Returns 0, or -1 with one line in `error`: a program crashed, or

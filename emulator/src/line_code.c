@@ -11,7 +11,7 @@
 #define SYMBOL_MASK 0x3Fu
 #define TRAINING_SYMBOL 0x2Au
 #define TRAINING_SYMBOLS 6
-// From the first carrier of the training to the end of the start symbol: the first bit is a 0.
+// The bits from the first carrier of the training to the end of the start symbol: the first bit is a 0.
 #define LEAD_BITS 47
 // The first byte of a trailer (SPEC 6.1), the first bit lowest; then the lengths of a trailer.
 #define MARK_WORD (0x1Cu | 0x23u << 6)

@@ -40,7 +40,7 @@ extern const char *const MODEL_NAMES[];
 // The model whose name is the index-th.
 const model *model_at(int index);
 
-// Which port bit of the chip is behind a digital pin.
+// The port bit of the chip that is behind a digital pin.
 typedef struct {
   char port;  // 'A'…'L' without 'I'
   int bit;    // 0…7

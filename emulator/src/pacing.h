@@ -30,7 +30,7 @@ typedef struct {
 // Starts at emulated time 0.
 void pacing_start(pacing *p, double speed);
 
-// From `now` on emulated time runs at `speed`; 0: it stands still.
+// Emulated time runs at `speed` from `now` on; 0: it stands still.
 void pacing_change(pacing *p, double speed, cycles_t now);
 
 // How far to run now: between `now`, when it is too early for more, and `now` + PACING_SLICE.

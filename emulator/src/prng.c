@@ -40,7 +40,7 @@ int prng_chance(prng *generator, double probability) { return prng_uniform(gener
 
 double prng_exponential(prng *generator, double mean) { return -mean * log1p(-prng_uniform(generator)); }
 
-// By Box and Muller.
+// Box and Muller's method.
 double prng_normal(prng *generator) {
   double length = sqrt(prng_exponential(generator, 2));
   return length * cos(2 * M_PI * prng_uniform(generator));

@@ -15,7 +15,7 @@ void prng_seed(prng *generator, uint64_t seed, uint64_t stream);
 // The next 64 random bits.
 uint64_t prng_next(prng *generator);
 
-// From 0 to below 1.
+// A number from 0 to below 1.
 double prng_uniform(prng *generator);
 
 // True with the given probability, 0…1.
@@ -24,7 +24,7 @@ int prng_chance(prng *generator, double probability);
 // How long until something that happens at any time with the same chance, with this mean.
 double prng_exponential(prng *generator, double mean);
 
-// From the normal distribution, with mean 0 and standard deviation 1.
+// A number of the normal distribution, with mean 0 and standard deviation 1.
 double prng_normal(prng *generator);
 
 #endif

@@ -279,7 +279,7 @@ static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t heard, bool s
   }
 }
 
-// Those of the sources heard that the receiver does not take for silence.
+// The sources heard that the receiver does not take for silence.
 static uint64_t captured(const rf_bus *bus, const rf_receiver *receiver, uint64_t heard) {
   if (bus->capture_ratio <= 0 || (heard & (heard - 1)) == 0) return heard;
   size_t best = nearest(receiver, heard);

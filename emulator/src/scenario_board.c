@@ -318,7 +318,7 @@ static void read_wiring(board_config *board, const json_node *node) {
   read_clock_error(board, &clock_error);
 }
 
-// In the trace the injector is called so.
+// No board may have the injector's name: the trace calls the injector so.
 static void check_name(const char *name, const json_node *board) {
   json_node node = json_member(board, "name");
   if (name && strcmp(name, INJECTOR) == 0) json_expected(&node, "another name: the injector of the trace has this one");

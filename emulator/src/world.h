@@ -62,7 +62,7 @@ int world_put_obstacle(world *w, const obstacle_config *obstacle);
 // Returns 0, or -1 where there is none of this name.
 int world_remove_obstacle(world *w, const char *name);
 
-// From the vehicle's nose to what is straight ahead, in metres; infinity where there is nothing.
+// The distance from the vehicle's nose to what is straight ahead, in metres; infinity where there is nothing.
 double world_distance_m(const world *w, size_t board);
 
 #endif

@@ -21,7 +21,7 @@ struct Outcome {
   std::string out, err;
 };
 
-// With its output in a file, unless a descriptor for it is given.
+// Starts the emulator with its output in a file, unless a descriptor for it is given.
 pid_t start(const Scratch &scratch, std::vector<std::string> arguments, int out = -1) {
   pid_t child = fork();
   if (child != 0) return child;

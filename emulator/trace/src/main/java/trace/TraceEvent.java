@@ -70,7 +70,7 @@ public final class TraceEvent {
         return new TraceEvent(number, changed.toString(), changed);
     }
 
-    /** For what only its user knows to be wrong. */
+    /** An exception for what only the event's user knows to be wrong. */
     public MalformedEventException wrong(String why) {
         return new MalformedEventException(number, why);
     }
