@@ -220,7 +220,7 @@ Tally forgeStaleAcknowledgements(uint32_t seed, uint64_t tries) {
       forged[HEADER + victim.random.number(16)] ^= static_cast<uint8_t>(1 + victim.random.number(255));
       victim.suffer(forged);
     }
-    // With a right proof even: of a floor that no receiver can have.
+    // Acknowledgements with a right proof even: of a floor that no receiver can have.
     victim.suffer(stale(nonce, raised(nonce, 34 + victim.random.number(1000000))));
     victim.suffer(stale(nonce, Bytes{0xFF, 0xFF, 0xFE} + Bytes(nonce.begin() + 3, nonce.end())));
     for (const Bytes &earlier : recorded) {

@@ -30,7 +30,7 @@ final class AgentProcess {
                 "--log-conf", Machine.ROOT.resolve("examples/highway/logging.properties").toString(), "--no-net"));
         Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
                 .redirectOutput(folder.resolve(name + ".log").toFile()).start();
-        // For a run that is broken off: nothing stays behind.
+        // A run that is broken off leaves no process behind.
         Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
         return process;
     }

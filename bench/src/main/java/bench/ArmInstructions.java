@@ -34,7 +34,7 @@ final class ArmInstructions implements Subject {
         """;
     private static final int HEADLIGHTS_PIN = 30;
 
-    // In seconds. The light's course has three parts: each reading differs, while Java compiles; none does; some do.
+    // Seconds. The light's course has three parts: each reading differs, while Java compiles; none does; some do.
     private static final int MEASURED = 60;
     /** Before and after what is measured, for an emulator that comes late. */
     private static final int MARGIN = 10;

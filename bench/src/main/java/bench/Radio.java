@@ -118,7 +118,7 @@ final class Radio implements Subject {
         receiver.message();
         long ended = System.nanoTime();
         sent.taken().join();
-        // For the acknowledgement and a long quiet, and so that the next one comes at another moment between two polls.
+        // A pause for the acknowledgement and a long quiet, and so that the next one comes elsewhere between two polls.
         Thread.sleep(ThreadLocalRandom.current().nextInt(400, 440));
         return (ended - begun) / 1e6 - REQUEST_MILLISECONDS;
     }

@@ -15,7 +15,7 @@ import trace.TraceEvent;
 /** How soon an agent knows what has changed at its board, and how soon what it says is on the air. */
 final class Reaction implements Subject {
 
-    /** In milliseconds. */
+    /** The latencies of serial bridges, in ms. */
     static final List<Integer> BRIDGES = List.of(0, 4, 16);
 
     private static final int CHANGES = 40;

@@ -88,7 +88,7 @@ class ForgeryTest {
         }
     }
 
-    /** By no pointer: what is said of a packet moves as more is known of it. */
+    /** Clicks without a pointer: what is said of a packet moves as more is known of it. */
     private static void press(Page page, String css) {
         page.script("arguments[0].click()", page.await("#forged " + css));
     }

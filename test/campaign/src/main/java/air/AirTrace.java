@@ -159,7 +159,7 @@ final class AirTrace {
         return id.isEmpty() ? board : board + " " + id;
     }
 
-    /** Those that have sent something, {@code board10} behind {@code board9}. */
+    /** The boards that have sent something, {@code board10} behind {@code board9}. */
     Set<String> boards() {
         Set<String> names = new TreeSet<>(Comparator.comparingInt(String::length).thenComparing(name -> name));
         names.addAll(sent.keySet());

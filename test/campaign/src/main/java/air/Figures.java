@@ -113,7 +113,7 @@ final class Figures {
                 apart[0], apart[apart.length - 1], apart[apart.length / 2]));
     }
 
-    /** From the beginning of the one that began last before. */
+    /** The bits since the packet began that began last before. */
     private static double bitsApart(Packet packet) {
         double before = packet.earlier().stream().mapToDouble(other -> other.start).max().orElse(packet.start);
         return (packet.start - before) / packet.slot * SLOT_BITS;

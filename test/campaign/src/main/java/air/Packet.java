@@ -43,7 +43,7 @@ final class Packet {
     /** Boards in range, whether it was damaged there or not. */
     final Set<String> heardBy = new HashSet<>();
     final List<String> damagedAt = new ArrayList<>();
-    /** Those that were on the air at the same time and that some board heard too, in the order of their beginnings. */
+    /** The packets on the air at the same time that some board heard too, in the order of their beginnings. */
     final List<Packet> met = new ArrayList<>();
     /** The boards whose transmissions began to overlap it at a board where it was damaged; may be a jam's. */
     final Set<String> beside = new HashSet<>();
@@ -84,7 +84,7 @@ final class Packet {
                 || heardBy.stream().anyMatch(other.heardBy::contains);
     }
 
-    /** Those that were on the air when it began. */
+    /** The packets that were on the air when it began. */
     List<Packet> earlier() {
         return met.stream().filter(other -> other.start <= start && !other.isAfter(this)).toList();
     }

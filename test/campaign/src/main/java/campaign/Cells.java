@@ -13,7 +13,7 @@ final class Cells implements Campaign {
     /** The most that a gateway adds, beside the broker's own time. */
     private static final double MOST_MILLIS = 50;
     private static final double MANY_SECONDS = 120;
-    /** By how much a gateway among the most cells may need more than among the fewest, and the broker for each. */
+    /** The most growth of a gateway's need from the fewest cells to the most, and of the broker's for each. */
     private static final double GATEWAY_GROWTH = 1.2;
     private static final double BROKER_GROWTH = 1.1;
     private static final int COUNTRY = 10_000;

@@ -28,7 +28,7 @@ import javino.protocol.Outcome;
  */
 record CellsRun(long seed, int cells, int boards, double seconds) implements Callable<CellsRun.Result> {
 
-    /** From one message of a device to its next one to the same partner. */
+    /** The mean time from one message of a device to its next one to the same partner. */
     static final double MEAN_SECONDS = 90;
 
     /**
@@ -47,7 +47,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
     /** A cell with its hosts; what they send is entered where it is sent. */
     private record Cell(Timetable timetable, AirUsage air, Field field, List<Flow> flows) {}
 
-    /** From one device to another, and how long its messages waited. */
+    /** Messages from one device to another, and how long they waited. */
     private record Flow(boolean near, Endpoint from, Address to, Ledger ledger, List<Double> waits) {
 
         CompletableFuture<Outcome> send(Timetable timetable) {

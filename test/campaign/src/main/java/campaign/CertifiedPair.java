@@ -28,7 +28,7 @@ import trace.TraceEvent;
 /** Two hosts that have certificates and no common key. */
 final class CertifiedPair implements AutoCloseable {
 
-    /** In emulated seconds: what takes longer counts as lost. */
+    /** Emulated seconds after which a message counts as lost. */
     static final double PATIENCE = 90;
 
     private static final double REST = 6;

@@ -5,10 +5,10 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** Which faults befall whom, and when: mixed, and each pair of boards at its own times. */
+/** The plan of faults, of their boards and times: mixed, and each pair of boards at its own times. */
 final class FaultPlan {
 
-    /** From one fault of a pair to its next: time to recover, and for a host to start. */
+    /** The time from one fault of a pair to its next: to recover, and for a host to start. */
     static final double BETWEEN_SECONDS = 8;
     private static final int MOST_WRITES = 30;
 

@@ -126,7 +126,7 @@ final class Field implements AutoCloseable {
         return emulator;
     }
 
-    /** For whatever belongs to this run. */
+    /** The folder for whatever belongs to this run. */
     Path folder() {
         return folder;
     }

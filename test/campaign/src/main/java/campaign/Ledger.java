@@ -38,12 +38,12 @@ final class Ledger {
                     wrong + other.wrong, twice + other.twice);
         }
 
-        /** Those whose end is not known yet. */
+        /** The number of messages whose end is not known yet. */
         long open() {
             return offered - ended();
         }
 
-        /** Those whose end is known. */
+        /** The number of messages whose end is known. */
         long ended() {
             return refused + delivered + undelivered + unknown;
         }

@@ -126,7 +126,7 @@ final class Load implements Campaign {
     public void run(Settings settings, Report report) throws Exception {
         List<Case> cases = settings.choose(campaign(), test());
         Absent absent = new Absent(settings);
-        // Those that deliver little take long to end.
+        // Plans that deliver little take long to end.
         List<TrafficRun.Plan> easy = new ArrayList<>();
         List<TrafficRun.Plan> hard = new ArrayList<>(absent.plans());
         for (Case each : cases) {

@@ -25,7 +25,7 @@ import java.util.stream.Stream;
  */
 record ManyCells(long seed, int cells, double seconds) implements Callable<ManyCells.Result> {
 
-    /** From one message of a device to its own cell to the next; the same to other cells: what two cores can play. */
+    /** The mean time between messages of a device to its own cell, and to other cells: what two cores can play. */
     static final double MEAN_SECONDS = 360;
     private static final int NUMBERS = 8;
 

@@ -40,7 +40,7 @@ final class Modules implements Campaign {
                     (2 * millis + millisAByte * (MESSAGE + ACKNOWLEDGEMENT + 2 * 6)) / 1000);
         }
 
-        /** With so many packets lost; of the ASK pair, so many of 40 bytes. */
+        /** The radio with so many packets lost; of the ASK pair, so many of 40 bytes. */
         Map<String, Object> losing(double share) {
             Map<String, Object> all = new HashMap<>(radio);
             if (share > 0 && radio.isEmpty()) {

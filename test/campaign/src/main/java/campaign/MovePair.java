@@ -61,7 +61,7 @@ final class MovePair implements AutoCloseable {
         travels.awaitTicks(1);
     }
 
-    /** From now on faults come. */
+    /** Has faults come from now on. */
     synchronized void disturb() {
         disturbed = true;
     }

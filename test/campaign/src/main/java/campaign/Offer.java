@@ -30,7 +30,7 @@ final class Offer {
     }
 
     private void next() {
-        // From when it was due, not from when it happened: lateness must not lower the rate.
+        // The time counts from when it was due, not from when it happened: lateness must not lower the rate.
         due += -Math.log(1 - random.nextDouble()) * meanSeconds;
         if (due < end) {
             timetable.at(due, this::happen);

@@ -16,7 +16,7 @@ final class Pace {
         longest = Math.max(longest, seconds - since);
     }
 
-    /** In seconds, from the first look on. */
+    /** The longest time without a change of the count, in seconds. */
     synchronized double longest() {
         return longest;
     }

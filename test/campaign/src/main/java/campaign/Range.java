@@ -16,7 +16,7 @@ final class Range implements Campaign {
     private static final List<Integer> CAMPAIGN = IntStream.iterate(95, metres -> metres <= 150, metres -> metres + 5)
             .boxed().toList();
     private static final List<Integer> TEST = List.of(90, 100);
-    /** Without shadowing, which makes a pair's every distance larger or smaller by the same factor. */
+    /** A radio without shadowing, which makes a pair's every distance larger or smaller by the same factor. */
     private static final Map<String, Object> RADIO =
             Map.of("errorsByDistance", "outdoors", "range", 200, "shadowing", 0);
 

@@ -81,12 +81,12 @@ final class Recovery {
         return answered - end;
     }
 
-    /** From the cause's end to the first unicast delivered, whoever sent it; infinite if none was. */
+    /** The time from the cause's end to the first unicast delivered, whoever sent it; infinite if none was. */
     double first() {
         return Math.min(hitDelivers, otherDelivers) - end;
     }
 
-    /** From the cause's end until both had delivered one; infinite if one never did. */
+    /** The time from the cause's end until both had delivered one; infinite if one never did. */
     double both() {
         return Math.max(hitDelivers, otherDelivers) - end;
     }

@@ -19,7 +19,7 @@ final class Relays implements Campaign {
     private static final double BIT_ERROR_RATE = 1e-3;
     /** The step between boards on a line or a square, with a range of 100 m: each hears its neighbours only. */
     private static final double STEP_METRES = 80;
-    /** From a relay of a pair to either end: these do not hear each other. */
+    /** The distance from a relay of a pair to either end: these do not hear each other. */
     private static final double PAIR_METRES = 60;
     /** Two relays so far apart do not hear each other. */
     private static final double HIDDEN_METRES = 110;

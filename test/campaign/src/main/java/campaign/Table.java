@@ -38,7 +38,7 @@ public final class Table {
         return String.join("\n", lines);
     }
 
-    /** In columns, for a screen. */
+    /** The table in columns, for a screen. */
     public String text() {
         List<Integer> widths = IntStream.range(0, rows.get(0).size())
                 .mapToObj(column -> Collections.max(rows.stream().map(row -> row.get(column).length()).toList()))

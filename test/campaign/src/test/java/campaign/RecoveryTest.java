@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.api.Test;
 import trace.TraceEvent;
 
-/** From a cause's end to the first proofs of delivery. */
+/** The times from a cause's end to the first proofs of delivery. */
 class RecoveryTest {
 
     private static final Field.Post HIT = new Field.Post("hit", Address.parse("B000"));

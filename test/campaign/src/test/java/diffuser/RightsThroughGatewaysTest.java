@@ -67,7 +67,7 @@ class RightsThroughGatewaysTest {
         }
     }
 
-    /** From its sender's board to the other's, by the next pair of cells. */
+    /** Carries an act from its sender's board to the other's, by the next pair of cells. */
     private ReceivedMessage carry(ReceivedMessage act) {
         try {
             TwoCells cells = pairs.get(acts++ % PAIRS);

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 /** One word for one thing: SPEC's glossary has each term once, and names that others see use no replaced word. */
 class GlossaryTest {
 
-    /** By its replacement each word that is none of the field's. */
+    /** The words that are none of the field's, each with its replacement. */
     private static final Map<String, String> REPLACED = Map.ofEntries(Map.entry("force", "performative"),
             Map.entry("piece", "fragment"), Map.entry("stranger", "certified device, injector, or attacker"),
             Map.entry("notice", "revocation list"), Map.entry("keeper", "group key server"),
@@ -25,7 +25,7 @@ class GlossaryTest {
     /** Files whose names are to change with other work. */
     private static final Pattern LATER = Pattern.compile("(javino-firmware/src|uppaal/replay/src/main)/.*");
 
-    /** In a name such as {@code radioFragmentsDropped}, {@code RADIO_QUEUE_FULL} or {@code --least-until}. */
+    /** A part of a name such as {@code radioFragmentsDropped}, {@code RADIO_QUEUE_FULL} or {@code --least-until}. */
     private static final Pattern PART = Pattern.compile("[A-Z]?[a-z]+|[A-Z]+(?![a-z])");
 
     private static final Pattern HEADING = Pattern.compile("(?m)^#+ .*");

@@ -73,7 +73,7 @@ class GradleUpgradeTest {
                 .orElse(Double.MAX_VALUE);
     }
 
-    /** With blanks in the place of each comment, so that all else stays where it is. */
+    /** The text with blanks in the place of each comment, so that all else stays where it is. */
     private static String withoutComments(String text) {
         return Pattern.compile("(?ms)(?<=^|\\s)(/\\*\\*?\\s.*?\\*/|//[^\\n]*)").matcher(text)
                 .replaceAll(comment -> comment.group().replaceAll("\\S", " "));

@@ -6,7 +6,7 @@ import trace.TraceEvent;
 /** One with an AVR, which our emulator runs. */
 public record AvrBoard(Emulator emulator, String name) implements SketchBoard {
 
-    /** For the scenario, so that awaitLit() sees the lamp. */
+    /** The scenario's key by which awaitLit() sees the lamp. */
     public static final Map<String, Object> LAMP = Map.of("pin", 13, "name", "lamp");
 
     @Override

@@ -34,7 +34,7 @@ import uppaal.conformance.Replay;
 public final class Emulator implements AutoCloseable {
 
     private static final String MEGA = "mega";
-    /** In the emulator's own folder, as the path of a socket must be short. */
+    /** The control socket, in the emulator's own folder, as the path of a socket must be short. */
     static final String CONTROL = "control";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
@@ -48,7 +48,7 @@ public final class Emulator implements AutoCloseable {
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
     static {
-        // For a run that is broken off: nothing stays behind.
+        // A run that is broken off leaves no process behind.
         Runtime.getRuntime().addShutdownHook(new Thread(() -> RUNNING.forEach(Process::destroy)));
     }
 
@@ -61,7 +61,7 @@ public final class Emulator implements AutoCloseable {
     private final Deque<String> latest = new ArrayDeque<>();
     private final Replay model;
     private final boolean modelled;
-    /** For hosts in this process. */
+    /** The handler for hosts in this process. */
     private final TransitionHandler transitions;
     private Thread reader;
     private int lines;

@@ -29,7 +29,7 @@ public final class GatewayProcess implements AutoCloseable {
 
     private GatewayProcess(Process process) {
         this.process = process;
-        // For a run that is broken off: nothing stays behind.
+        // A run that is broken off leaves no process behind.
         Runtime.getRuntime().addShutdownHook(new Thread(process::destroyForcibly));
         reader = new Thread(this::read, "gateway output");
         reader.setDaemon(true);
@@ -100,7 +100,7 @@ public final class GatewayProcess implements AutoCloseable {
         }
     }
 
-    /** To see what it takes. */
+    /** The process, to see how much it takes. */
     public ProcessHandle process() {
         return process.toHandle();
     }
@@ -124,7 +124,7 @@ public final class GatewayProcess implements AutoCloseable {
 
     /** Ends it as Ctrl-C does; tells what it has counted (docs/mqtt.md). */
     public Map<String, Long> end() throws InterruptedException {
-        // By its handle: the other way would drop what it has yet to say.
+        // Its handle ends it: the other way would drop what it has yet to say.
         process.toHandle().destroy();
         ended();
         String last = lines.stream().filter(line -> line.contains("\"heard\":")).findFirst()

@@ -88,7 +88,7 @@ public final class Host implements AutoCloseable {
                 config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost()))));
     }
 
-    /** For boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */
+    /** A host for boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */
     public static Host atUsualTimes(LinkOpener link) {
         return new Host(link, BoardConfig.create(config -> config.setPatience(LONGEST)));
     }

@@ -104,7 +104,7 @@ public final class Mosquitto implements AutoCloseable {
         process = new ProcessBuilder("/usr/sbin/mosquitto", "-c", path("mosquitto.conf"))
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.appendTo(folder.resolve("mosquitto.log").toFile())).start();
-        // For a run that is broken off: nothing stays behind.
+        // A run that is broken off leaves no process behind.
         Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!answers()) {
@@ -174,7 +174,7 @@ public final class Mosquitto implements AutoCloseable {
                 .map(line -> line.replaceFirst(".* as (\\S+) \\(.*", "$1")).toList();
     }
 
-    /** To see what it takes. */
+    /** The process, to see how much it takes. */
     public ProcessHandle process() {
         return process.toHandle();
     }

@@ -50,9 +50,9 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
         private final Network network;
         private final Successors successors;
         private final int limit;
-        /** Those that single states settle. */
+        /** The queries that single states settle. */
         private final List<Asked> open = new ArrayList<>();
-        /** The others. */
+        /** The other queries. */
         private final List<Query> more = new ArrayList<>();
         private final States states;
         private final Set<Long> moves = new HashSet<>();

@@ -44,7 +44,7 @@ final class DeliveryRun {
     private static final double CUT_SECONDS = 0.2;
     private static final double AWAY_SECONDS = 30;
     private static final double BIT_ERRORS = 0.001;
-    /** In each run of this number, packets are lost now and then that are not damaged else. */
+    /** The number of runs of which one is jammed: packets are lost now and then that are not damaged else. */
     private static final long JAMMED = 3;
     private static final double JAMS_FROM = 2.2;
     private static final double JAMS_APART = 1.5;

@@ -191,7 +191,7 @@ final class FirmwareMutants implements Part {
         return judged.stream().filter(each -> each.fate == fate).count();
     }
 
-    /** Those that boards come to, and nobody has said are harmless. */
+    /** The number of mutants that boards come to, and that nobody has said are harmless. */
     private static long harmful(List<Judged> judged, Options options) {
         return judged.stream().filter(each -> each.fate != Fate.UNBUILT && each.fate != Fate.UNREACHED)
                 .filter(each -> !isHarmless(each, options)).count();

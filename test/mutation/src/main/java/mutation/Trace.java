@@ -102,7 +102,7 @@ final class Trace {
         TraceEvent moved = event;
         for (String time : times.length > 0 ? times : new String[] {"t", "start", "end", "asked"}) {
             if (event.has(time)) {
-                // With microseconds, as the emulator writes them.
+                // Times have microseconds, as the emulator writes them.
                 moved = moved.with(time, BigDecimal.valueOf(event.real(time) + seconds).setScale(MICROSECONDS,
                         RoundingMode.HALF_UP));
             }

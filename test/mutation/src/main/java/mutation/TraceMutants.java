@@ -305,7 +305,7 @@ final class TraceMutants {
                     && then(line).anyMatch(other -> isTold(other) && apart(event, other) > OTHER_REQUEST);
             case "host-outcome" -> then(line)
                     .anyMatch(other -> other.is("host-handed") && apart(event, other) > OTHER_ATTEMPT);
-            // With the next one all that it has done is gone as well.
+            // All that it has done is gone with the next one as well.
             case "reset" -> then(line).anyMatch(TraceMutants::isOwn);
             // No trace tells who is in range.
             case "rf-damaged" -> false;

@@ -121,7 +121,7 @@ final class Traces implements Part {
                 .filter(each -> options.survivors().reason(each.mutant.toString()).isEmpty()).count());
     }
 
-    /** Those accepted that nobody has said are genuine. */
+    /** The number of accepted mutants that nobody has said are genuine. */
     private static long harmful(List<Judged> judged, Survivors known) {
         return judged.stream().filter(each -> !each.refused && !known.isHarmless(each.mutant.toString())).count();
     }

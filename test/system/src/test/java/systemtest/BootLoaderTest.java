@@ -23,7 +23,7 @@ class BootLoaderTest {
     /** The boot loader of Debian's arduino-core-avr, which the sketches are built with. */
     private static final String BOOT_LOADER =
             "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
-    /** From a reset to a board that does what it is asked: left alone, the boot loader takes 0.8, after a hello 5. */
+    /** The time from a reset to a board that serves: left alone, the boot loader takes 0.8, after a hello 5. */
     private static final double MOST_EMULATED_SECONDS = 4;
 
     private static Emulator.Scenario scenario(String sketch) {

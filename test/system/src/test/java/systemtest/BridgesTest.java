@@ -43,7 +43,7 @@ class BridgesTest extends JoinedCells {
         return cell.equals("west") ? western : eastern;
     }
 
-    /** Until what is published in a region comes to the other. */
+    /** Waits until what is published in a region comes to the other. */
     private void awaitBridges() throws Exception {
         awaitBridge(western, eastern, "javino/seek/AAAA/from/probe1");
         awaitBridge(eastern, western, "javino/seek/AAAA/from/probe2");

@@ -184,7 +184,7 @@ class GatewayTest extends JoinedCells {
         assertEquals(1, east.said(line -> line.contains("connected to")), "it has never lost its broker");
         west.kill();
         west = join("west");
-        // Until the gateways may use the air again.
+        // Wait until the gateways may use the air again.
         double since = now();
         emulator.await("silence", event -> event.seconds() > since + MINUTE / 2);
         exchange(1, 3);

@@ -125,7 +125,7 @@ class KeySequenceTest {
                     thief.send(packet);
                 }
                 for (Map.Entry<String, Host> each : Map.of("police", police, "support", support).entrySet()) {
-                    // Behind what has come.
+                    // The reply comes behind all messages that have come.
                     Host.get(each.getValue().board.statistics());
                     each.getValue().messages().forEach(message -> assertTrue(
                             taken.add(each.getKey() + " " + message.content()),

@@ -174,7 +174,7 @@ class NewProjectTest {
                 "--trace", "-").directory(project.toFile()));
     }
 
-    /** By Java alone. */
+    /** Starts agents by Java alone. */
     private static AgentProcess agents(Path bundle, Platform platform, String mas) throws IOException {
         return AgentProcess.start(new ProcessBuilder(platform.java().resolve("bin/java").toString(), "-cp", "lib/*",
                 platform.launcher(), mas, "--log-conf", "logging.properties", "--no-net").directory(bundle.toFile()));

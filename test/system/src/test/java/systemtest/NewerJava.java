@@ -53,7 +53,7 @@ final class NewerJava {
                         .map(variable -> Path.of(variable.getValue())));
     }
 
-    /** By the file that each Java has in its home; 0 where there is none, or no program to start. */
+    /** The version by the file that each Java has in its home; 0 where there is none, or no program to start. */
     private static int version(Path home) {
         if (!Files.isExecutable(home.resolve("bin/java"))) {
             return 0;

@@ -57,7 +57,7 @@ class PagesTest {
     /** The port that a page says to write in place of a board's. */
     private static final Pattern EMULATED = Pattern.compile("`(\\S+)` for `(/dev/\\w+)`");
     private static final Pattern TASK = Pattern.compile("(?<![\\w-])gradle ((?::?\\w[:\\w-]* *)*)");
-    /** Those of Gradle itself, of a project of the reader's, of JaCaMo, and of a sketch that the reader writes. */
+    /** Tasks of Gradle itself, of a project of the reader's, of JaCaMo, and of a sketch that the reader writes. */
     private static final Set<String> OTHER_TASKS =
             Set.of("tasks", "run", "sketch", "bundle", "buildJCMDeps", ":javino-firmware:firmwareFollower");
     /** The files that an emulator makes before it can be used: its scenario's ports, and its control socket. */

@@ -34,7 +34,7 @@ import trace.TraceEvent;
 class PhasesTest {
 
     private static final int MOST_ATTEMPTS = 8;
-    /** In three fragments. */
+    /** A content in three fragments. */
     private static final String LONG = "tell;long(\"" + "x".repeat(130) + "\")";
     /** Three fragments, an answer, and the fragment that was lost. */
     private static final int FIRST_REPEAT = 5;

@@ -46,7 +46,7 @@ class ReleaseTest {
         }
     }
 
-    /** With all warnings of the compiler, as the IDE can show them. */
+    /** The compiler shows all warnings, as the IDE can. */
     @Test
     void arduinoLibrary_installed_compilesAllExamplesForTheirBoardsWithoutAWarning() throws Exception {
         Path zip = Release.file("JavinoBDI-", "\\.zip");

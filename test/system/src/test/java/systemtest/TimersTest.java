@@ -76,7 +76,7 @@ class TimersTest {
                 .toList();
     }
 
-    /** From the first pulse of the new length. */
+    /** The events from the first pulse of the new length on. */
     private static List<TraceEvent> turned(List<TraceEvent> servo) {
         int first = IntStream.range(0, servo.size() - 1).filter(i -> servo.get(i).number("level") == 1)
                 .filter(i -> servo.get(i + 1).seconds() - servo.get(i).seconds() > TURNED_SECONDS)
