@@ -16,12 +16,12 @@ public final class ModelException extends RuntimeException {
         super(where + ": " + what);
     }
 
-    /** For something that UPPAAL knows and this checker does not. */
+    /** An exception for something that UPPAAL knows and this checker does not. */
     public static ModelException outside(String where, String construct) {
         return new ModelException(where, construct + " is outside the subset that this checker reads");
     }
 
-    /** For a file that cannot be read. */
+    /** An exception for a file that cannot be read. */
     public static ModelException unreadable(Path file, IOException problem) {
         return new ModelException(file.toString(),
                 problem instanceof NoSuchFileException ? "there is no such file"

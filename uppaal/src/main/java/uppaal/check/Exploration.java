@@ -17,7 +17,7 @@ public final class Exploration {
     private final Network network;
     private final List<Property> properties;
     private final Successors successors;
-    /** In the order of finding. */
+    /** The states, in the order of finding. */
     private final States states;
     /** The number of the state that each was first reached from. */
     private int[] parents = new int[1 << 10];

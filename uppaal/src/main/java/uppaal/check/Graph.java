@@ -3,7 +3,7 @@ package uppaal.check;
 import java.util.Arrays;
 import java.util.BitSet;
 
-/** Which states can be reached in one step from which, by their numbers; built in the order of the numbers. */
+/** The steps from states to states, by their numbers; built in the order of the numbers. */
 final class Graph {
     private int[] ends = new int[1 << 10];
     private int[] targets = new int[1 << 10];

@@ -66,7 +66,7 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene HANDSHAKE = new Scene("handshake", "Two hosts that never met come to a key",
             "handshake.xml", Map.of(), Map.of(), List.of("handshake.q"));
 
-    /** With few attempts, as all clocks of two relays run beside each other. */
+    /** Scenes with few attempts, as all clocks of two relays run beside each other. */
     public static final List<Scene> OF_RELAYS = List.of(
             ofRelays("relay", "One relay, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
             ofRelays("attempts", "One relay in doubt, with all attempts", Map.of("SHOTS", "0")),
@@ -98,7 +98,7 @@ public record Scene(String name, String title, String model, Map<String, String>
     /** Numbers with which the scenes of delivery have few states, and the same verdicts. */
     private static final Map<String, String> SMALL = with(FEW, Map.of("PATIENCE", "3", "LATE_PATIENCE", "4",
             "RELAY_PATIENCE", "5", "LOSSES", "1", "DEADLINE", "112"));
-    /** For one end of a message, as a trace is replayed in it: others do what they like, one of them at a time. */
+    /** Numbers for one end of a message, as a trace is replayed in it: others do what they like, one at a time. */
     private static final Map<String, String> END = with(FEW, Map.of("PATIENCE", "2", "LATE_PATIENCE", "3",
             "RELAY_PATIENCE", "4", "CARRIERS", "1", "FAIR", "true", "LOSSES", "0"));
 
@@ -127,7 +127,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
                     "28", "ACK_TIME", "19", "DEADLINE", "1760"), SMALL, "bound.q"));
 
-    /** Those of boards, of relays and of moves. */
+    /** The scenes of boards, of relays and of moves. */
     public static final List<Scene> OURS =
             Stream.of(List.of(RENEWAL, ROLLOVER, FRAGMENTS, BROADCAST, LATE, HIDDEN, HOST, HANDSHAKE),
                     OF_RELAYS, OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();

@@ -22,7 +22,7 @@ final class ActiveClocks {
         this.transitions = transitions;
     }
 
-    /** For each location, the clocks' slots. */
+    /** The slots of the active clocks, for each location. */
     List<Set<Integer>> byLocation() {
         List<Set<Integer>> active = new ArrayList<>();
         IntStream.range(0, invariants.size()).forEach(location -> active.add(compared(location)));

@@ -32,9 +32,9 @@ public final class Successors {
     private final Network network;
     private final List<Automaton> automata;
     private final List<Running> clocks = new ArrayList<>();
-    /** By automaton and location: what it can begin there. */
+    /** The steps that an automaton can begin, by automaton and location. */
     private final Start[][][] starts;
-    /** By automaton and location. */
+    /** The invariants, by automaton and location. */
     private final Term[][] invariants;
     private final Slot[] slots;
 
