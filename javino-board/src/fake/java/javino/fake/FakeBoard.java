@@ -109,7 +109,7 @@ public final class FakeBoard {
         }
         String request = isCommand ? describe(command, message) : frame.destination() + " " + contentOf(message);
         if (!isCommand) {
-            // Before others can see the request, and end it.
+            // The count is there before others can see the request, and end it.
             transmissions.put(request, transmissionCount);
         }
         Status refusal = log(request);

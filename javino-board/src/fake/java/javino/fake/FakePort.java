@@ -86,7 +86,7 @@ public final class FakePort implements LinkOpener {
 
         @Override
         public void write(byte[] bytes) throws LinkException {
-            // At another speed than the board's all bytes are spoiled.
+            // Bytes at another speed than the board's are all spoiled.
             pair.host().write(speed == baud ? bytes : new byte[bytes.length]);
             try {
                 device.receive(pair.board());

@@ -32,7 +32,7 @@ public final class Keys {
     /** The highest nonces seen, in RAM. */
     private final Map<Place, Long> highest = new LinkedHashMap<>();
     private int counter;
-    /** As one that hosts have raised before: far above the clock. */
+    /** An epoch that hosts have raised before: far above the clock. */
     private int epoch = 9_000_000;
     private boolean corrupt;
 

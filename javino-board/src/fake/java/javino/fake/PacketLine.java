@@ -220,7 +220,7 @@ public final class PacketLine implements FakePort.Device {
         }
     }
 
-    /** As after damage: an earlier library sends one zero for it. */
+    /** Asks again, as after damage: an earlier library sends one zero for it. */
     public synchronized void askAgain() {
         write(board.saysTaken() ? Bytes.of(0, 1, 0) : Bytes.of(0));
     }

@@ -161,7 +161,7 @@ final class Session implements Runnable {
         }
     }
 
-    /** Before anybody may send. */
+    /** Raises the board's epoch, before anybody may send. */
     private void raiseEpoch(Service service, boolean renamed)
             throws LinkException, LostException, ProtocolException {
         info = guard.raiseEpoch(service, info, renamed);

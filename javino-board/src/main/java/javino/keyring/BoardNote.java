@@ -40,7 +40,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
         return new BoardNote(lost, Math.max(epoch, higher), keys, former);
     }
 
-    /** After it was given new keys only, with which it may begin anew. */
+    /** The note after the board was given new keys only, with which it may begin anew. */
     public BoardNote withNewEpoch(int lower) {
         return new BoardNote(lost, lower, keys, former);
     }
@@ -58,7 +58,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
         return new BoardNote(lost, epoch, keys, formerAnd(told, keys));
     }
 
-    /** After it was given a key. */
+    /** The note after the board was given a key. */
     public BoardNote withGiven(Address with, HeldKeys now) {
         Map<Address, HeldKeys> known = new LinkedHashMap<>(keys);
         known.put(with, now);
@@ -105,7 +105,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
     }
 
     /**
-     * After it was provisioned.
+     * The note after the board was provisioned.
      *
      * @param found  the keys that it has.
      * @param wanted with whom it is to share keys; what it still lacks of these is kept in mind.
@@ -118,7 +118,7 @@ public record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys, Ma
         return new BoardNote(lost && !found.keySet().containsAll(wanted), epoch, noted.keys, noted.former);
     }
 
-    /** As the keyring has it. */
+    /** The note in the words of a keyring. */
     public String format() {
         Stream<String> held = keys.entrySet().stream().map(entry -> entry.getKey() + " " + entry.getValue());
         Stream<String> had = former.entrySet().stream().map(entry -> FORMER + entry.getKey() + " "

@@ -34,7 +34,7 @@ public record BoundedClock(InstantSource source, boolean isRight) {
     /** How far ahead of the clock an epoch may be that a board claims: 5 years, in minutes. */
     private static final int AHEAD = 5 * 366 * 24 * 60;
 
-    /** One at a fixed time. */
+    /** A clock at a fixed time. */
     public static BoundedClock at(Instant time) {
         return new BoundedClock(InstantSource.fixed(time), false);
     }
@@ -59,7 +59,7 @@ public record BoundedClock(InstantSource source, boolean isRight) {
         return believes(day());
     }
 
-    /** Before a step by it that cannot be undone. @throws JavinoException if it is not believed, with what to do. */
+    /** Checks it before a step that cannot be undone. @throws JavinoException if it is not believed, and what to do. */
     public void check() throws JavinoException {
         if (!isBelieved()) {
             throw new JavinoException(notBelieved() + "; set it, or say --clock-is-right");

@@ -263,7 +263,7 @@ public final class Keyring {
         return keysOf(file, read(file), device);
     }
 
-    /** As {@link #keysOf(Path, Address)}, of a keyring that was read from a file. */
+    /** A device's keys, as {@link #keysOf(Path, Address)}, of a keyring that was read from a file. */
     public static Map<Address, SharedKey> keysOf(Path file, Keyring ring, Address device) throws JavinoException {
         Map<Address, SharedKey> keys = ring.keysOf(device);
         if (keys.isEmpty()) {
@@ -287,7 +287,7 @@ public final class Keyring {
         return keys.size();
     }
 
-    /** As the file's text. */
+    /** The text of the file. */
     public String format() {
         return lines.stream().map(this::format).map(line -> line + "\n").collect(Collectors.joining());
     }

@@ -164,7 +164,7 @@ public final class PrivateFile {
     private static FileChannel claim(Path file, Path real, Path part) throws IOException, JavinoException {
         try {
             FileChannel created = open(part, true);
-            // One that another has taken over and put in place meanwhile has a text.
+            // A part that another has taken over and put in place meanwhile has a text.
             return lock(created, part, key(part), 0);
         } catch (FileAlreadyExistsException e) {
             return takeOver(real, part);
@@ -176,7 +176,7 @@ public final class PrivateFile {
         }
     }
 
-    /** One that nobody has locked was left by a program that has died, as at a loss of power. */
+    /** Takes over a part that nobody has locked: a program that has died left it, as at a loss of power. */
     private static FileChannel takeOver(Path real, Path part) throws IOException {
         try {
             if (!isPosix(part) || !Files.isRegularFile(part, LinkOption.NOFOLLOW_LINKS)

@@ -21,7 +21,7 @@ public record SharedKey(Key key, Key next) {
         return next == null ? List.of(key) : List.of(key, next);
     }
 
-    /** As the keyring has it. */
+    /** The key in the words of a keyring. */
     public String format() {
         return key.bytes().hex() + (next == null ? "" : ", next " + next.bytes().hex());
     }

@@ -74,7 +74,7 @@ public final class LegacyDecoder {
         if (matcher.matches()) {
             text = new byte[Integer.parseInt(matcher.group(1), HEXADECIMAL)];
         } else if (beginning.toString().equals("ffff")) {
-            // One more f than there should be is no harm.
+            // An f more than there should be is no harm.
             beginning.deleteCharAt(0);
             skipped++;
         } else if (!matcher.hitEnd()) {

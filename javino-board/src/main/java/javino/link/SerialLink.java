@@ -26,7 +26,7 @@ public final class SerialLink implements Link {
     private static final int SHORTEST_REPLY = 17;
     /** How many further bytes are collected, so that the reader does not wake for each. */
     private static final int SOME_BYTES = 4;
-    /** After so many milliseconds without a byte, the next one begins a reply. */
+    /** Milliseconds without a byte after which the next one begins a reply. */
     private static final int QUIET_MILLIS = 3;
     /** How long the end of the reader is waited for. */
     private static final int ENDING_MILLIS = 100;
@@ -55,7 +55,7 @@ public final class SerialLink implements Link {
         this.port = port;
         this.baud = baud;
         incoming = new Incoming(name);
-        // Not a virtual thread, as it waits in the system.
+        // No virtual thread, as it waits in the system.
         reader = new Thread(this::read, "javino " + name + " reader");
         reader.setDaemon(true);
         reader.start();

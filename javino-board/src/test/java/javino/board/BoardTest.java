@@ -44,7 +44,7 @@ class BoardTest extends BoardFixture {
     /** A hold that no test waits for. */
     private static final Duration LONG = Duration.ofMinutes(1);
     private static final Duration HOUR = Duration.ofHours(1);
-    /** So many waits in vain that a busy machine does not lose its board. */
+    /** The number of waits in vain by which a busy machine does not lose its board. */
     private static final int PATIENT = 1500;
 
     private void open() {
@@ -75,7 +75,7 @@ class BoardTest extends BoardFixture {
         return underWay;
     }
 
-    /** So that a busy machine has nothing repeated, hello included. */
+    /** Settings by which a busy machine has nothing repeated, hello included. */
     private static BoardConfig.Builder withoutHurry(BoardConfig.Builder config) {
         return config.setReplyTimeout(Duration.ofSeconds(30)).setHelloInterval(Duration.ofSeconds(30));
     }

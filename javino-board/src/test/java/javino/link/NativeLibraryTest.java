@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledOnOs(OS.LINUX)
 class NativeLibraryTest {
 
-    /** As any program with jSerialComm does: it leaves the library where the next program finds it. */
+    /** Any program with jSerialComm: it leaves the library where the next program finds it. */
     static final class Unpacking {
         public static void main(String[] args) {
             SerialPort.getVersion();

@@ -44,7 +44,7 @@ final class ActCommand implements Callable<Integer> {
         return 0;
     }
 
-    /** As it crosses the line. */
+    /** The action as it crosses the line. */
     private String action() {
         String action = arguments.isEmpty() ? name : name + "(" + String.join(",", arguments) + ")";
         try {

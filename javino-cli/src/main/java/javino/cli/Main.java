@@ -38,7 +38,7 @@ public final class Main implements Callable<Integer> {
     private Main() {
     }
 
-    /** As the jar has it. */
+    /** The version that the jar has. */
     static final class Version implements CommandLine.IVersionProvider {
         @Override
         public String[] getVersion() {

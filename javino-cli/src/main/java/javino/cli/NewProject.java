@@ -61,11 +61,11 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
         PRO_MINI("Pro Mini", "pro:cpu=8MHzatmega328", "promini", "-p atmega328p -c arduino -b 57600");
 
         private final String title;
-        /** As arduino-cli knows it. */
+        /** The board's name for arduino-cli. */
         private final String fqbn;
-        /** As the emulator knows it. */
+        /** The board's name for the emulator. */
         private final String emulated;
-        /** As avrdude knows it. */
+        /** The options for avrdude. */
         private final String programmer;
 
         Model(String title, String fqbn, String emulated, String programmer) {
@@ -146,7 +146,7 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
         properties.setProperty(key, value);
         ByteArrayOutputStream lines = new ByteArrayOutputStream();
         properties.store(lines, null);
-        // After a comment with the date.
+        // The property comes after a comment with the date.
         return lines.toString(StandardCharsets.ISO_8859_1).lines().filter(line -> !line.startsWith("#")).findFirst()
                 .orElseThrow();
     }

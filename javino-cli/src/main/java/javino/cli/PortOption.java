@@ -49,7 +49,7 @@ final class PortOption {
         return factory(links, config, Path.of("/"));
     }
 
-    /** As {@link #factory(Function, BoardConfig)}, for commands by another clock. */
+    /** A factory as {@link #factory(Function, BoardConfig)}, for commands by another clock. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, BoundedClock clock) {
         CommandLine.IFactory rest = factory(links, config.with(config.notes(), clock));
         return new CommandLine.IFactory() {
@@ -60,7 +60,7 @@ final class PortOption {
         };
     }
 
-    /** As {@link #factory(Function, BoardConfig)}, with another folder than the root. */
+    /** A factory as {@link #factory(Function, BoardConfig)}, with another folder than the root. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, Path system) {
         CommandLine.IFactory rest = CommandLine.defaultFactory();
         return new CommandLine.IFactory() {
@@ -92,7 +92,7 @@ final class PortOption {
         return config;
     }
 
-    /** As {@link #open(BoardListener)}, for who only asks. */
+    /** Opens as {@link #open(BoardListener)}, for commands that only ask. */
     Board open() throws JavinoException, InterruptedException {
         return open(new BoardListener() {});
     }
@@ -106,7 +106,7 @@ final class PortOption {
         return greeted(Board.open(link(), config, listener));
     }
 
-    /** As {@link #open(BoardListener)}, with a keyring's notes too, and by a clock. */
+    /** Opens as {@link #open(BoardListener)}, with a keyring's notes too, and by a clock. */
     Board open(Optional<Path> keyring, BoundedClock clock, BoardListener listener)
             throws JavinoException, InterruptedException {
         List<BoardNotes> notes = Stream.concat(keyring.stream().map(KeyringNotes::new), config.notes().stream())

@@ -141,7 +141,7 @@ final class Provisioning {
         return String.join(", ", texts);
     }
 
-    /** Before anything is changed: whether nonces are left, and none can come twice (SPEC 5.1). */
+    /** Refuses, before anything is changed, if no nonces are left, or one could come twice (SPEC 5.1). */
     private void refuseEpoch(BoardInfo info, Keyring ring, boolean hasKeys) throws JavinoException {
         int noted = ring.note(id).epoch();
         if (info.bootEpoch() > BoardInfo.LAST_EPOCH) {
@@ -231,7 +231,7 @@ final class Provisioning {
         done("next key for " + with + ", check value " + shared.next().check() + ", accepted");
     }
 
-    /** At once, as this may end before all is done: what the board has lost by then it is not given again. */
+    /** Notes a key at once, as this may end before all is done: one that the board then loses is not given again. */
     private void noteGiven(Address with, HeldKeys now) throws IOException, JavinoException, InterruptedException {
         if (file != null) {
             Keyring.change(file, latest -> latest.note(id, latest.note(id).withGiven(with, now)));

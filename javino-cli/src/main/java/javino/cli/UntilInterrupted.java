@@ -33,7 +33,7 @@ public final class UntilInterrupted {
         try {
             work.run();
         } catch (InterruptedException e) {
-            // As the user wanted it.
+            // The user wanted it so.
             return;
         } finally {
             ended.countDown();

@@ -37,10 +37,10 @@ abstract class CommandFixture {
     final StringWriter err = new StringWriter();
     final FakeBoard fake = new FakeBoard().setCounter(Counter.SERIAL_REQUESTS, 9);
     final FakePort port = fake.port;
-    /** At the port "older". */
+    /** The board at the port "older". */
     final FakeLegacyBoard older = new FakeLegacyBoard();
     Ansi ansi = Ansi.OFF;
-    /** Shorter where a board is to be waited for in vain. */
+    /** The patience of commands; shorter where a board is to be waited for in vain. */
     Duration patience = Duration.ofSeconds(30);
     /** The folder that stands for {@code /}, in which the system shows its devices. */
     Path system = Path.of("/nowhere");

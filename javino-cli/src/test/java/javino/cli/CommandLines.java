@@ -161,7 +161,7 @@ final class CommandLines {
                 && either.stream().noneMatch(each -> needs.contains(name(each)));
     }
 
-    /** As words of a line. */
+    /** The words of an argument in a line. */
     static List<String> right(CommandSpec command, ArgSpec argument) {
         return words(argument, takesValue(argument) ? rightValue(command, argument) : null);
     }

@@ -178,7 +178,7 @@ class WrongInputTest {
         return Stream.of(words, more).flatMap(List::stream).toList();
     }
 
-    /** Also one that a user may leave out, as the word behind it is to be one too much. */
+    /** The last place, also one that a user may leave out, as the word behind it is to be one too much. */
     private static ArgSpec lastPlace(CommandSpec command) {
         return command.positionalParameters().stream().reduce((one, next) -> next).orElse(null);
     }

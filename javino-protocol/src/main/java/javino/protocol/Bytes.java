@@ -76,7 +76,7 @@ public final class Bytes {
         return new Bytes(bytes);
     }
 
-    /** So many bytes that are drawn. */
+    /** Random bytes, so many. */
     public static Bytes random(RandomGenerator source, int length) {
         byte[] bytes = new byte[length];
         source.nextBytes(bytes);
@@ -188,7 +188,7 @@ public final class Bytes {
         return Arrays.hashCode(value);
     }
 
-    /** As {@link #hex()}. */
+    /** The digits of {@link #hex()}. */
     @Override
     public String toString() {
         return hex();

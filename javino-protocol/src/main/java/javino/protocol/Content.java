@@ -101,7 +101,7 @@ public record Content(Performative performative, Optional<Conversation> conversa
         return Bytes.ofText(toString());
     }
 
-    /** As on the line, {@code performative;term} or {@code performative#conversation;term}. */
+    /** The content as on the line, {@code performative;term} or {@code performative#conversation;term}. */
     @Override
     public String toString() {
         return head(performative, conversation) + term;

@@ -9,7 +9,7 @@ import java.util.Optional;
  */
 public record Conversation(int id) {
 
-    /** So many there are: 18 bits. */
+    /** The number of conversations: 18 bits. */
     public static final int COUNT = 1 << 18;
 
     private static final int DIGITS = 3;
@@ -27,7 +27,7 @@ public record Conversation(int id) {
         return ascii ? Optional.of(new Conversation(Digits.parse(Bytes.ofText(text), 0, DIGITS))) : Optional.empty();
     }
 
-    /** As on the line: three digits, such as {@code Ab3}. */
+    /** The number as on the line: three digits, such as {@code Ab3}. */
     @Override
     public String toString() {
         return Digits.format(id, DIGITS);

@@ -13,9 +13,9 @@ public final class PacketDecoder {
 
     private static final byte[] ZERO = {0};
     private static final byte DELETE = 0x7F;
-    /** As many bytes as a line of one character has: fewer may be damage that looks like text. */
+    /** The bytes of a line of one character: fewer may be damage that looks like text. */
     private static final int SHORTEST_TEXT = 3;
-    /** As long as the longest packet on the line. */
+    /** The bytes of the longest packet on the line. */
     private static final int LONGEST_TEXT = SerialPacket.MAX_LENGTH + 4;
 
     /** One byte more than a packet can have, so that memory is bounded and a long one is still seen. */

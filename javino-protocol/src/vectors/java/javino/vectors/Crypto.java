@@ -21,7 +21,7 @@ public final class Crypto {
     private Crypto() {
     }
 
-    /** One block. */
+    /** Encrypts one block. */
     public static byte[] aes(byte[] key, byte[] block) {
         try {
             Cipher cipher = Cipher.getInstance("AES/ECB/NoPadding");

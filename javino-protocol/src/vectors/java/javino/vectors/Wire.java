@@ -46,7 +46,7 @@ final class Wire {
         return Base64.getDecoder().decode(text);
     }
 
-    /** So many bytes that count up from a first one. */
+    /** Bytes that count up from a first one, so many. */
     static byte[] counting(int first, int length) {
         byte[] bytes = new byte[length];
         for (int i = 0; i < length; i++) {
@@ -55,7 +55,7 @@ final class Wire {
         return bytes;
     }
 
-    /** So many times the same byte. */
+    /** The same byte, so many times. */
     static byte[] repeated(int value, int length) {
         byte[] bytes = new byte[length];
         Arrays.fill(bytes, (byte) value);
