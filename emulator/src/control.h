@@ -11,7 +11,7 @@
 // The longest line, without its end.
 #define CONTROL_MAX_LINE 1024
 #define CONTROL_MAX_REPLY 1024
-// So many lines of a client are performed in one exchange.
+// The most lines of a client that are performed in one exchange.
 #define CONTROL_LINES 4
 
 typedef struct {

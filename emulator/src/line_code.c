@@ -21,7 +21,7 @@
 #define MAX_COUNT_OF_LESS_PARITY 48
 // Symbols that may be broken off at the end: boards may still find the right ones of two, of three never (SPEC 6).
 #define MENDED_SYMBOLS 2
-// So many bits behind a packet a receiver tells it. Silence is no trailer by its third bit; so its sender has told it
+// A receiver tells a packet so many bits behind it. Silence is no trailer by its third bit; so its sender has told it
 // before, even where a receiver reads half a bit early.
 #define TELLING_BITS 4
 
@@ -167,7 +167,7 @@ static void take_bit(line_decoder *decoder, bool bit) {
   }
   if (!decoder->receiving) {
     decoder->receiving = decoder->window == START_SYMBOL;
-    // Not when the carrier came: it may have been another packet's, close before.
+    // The training tells the start, not the carrier: that may have been another packet's, close before.
     decoder->start = decoder->next_sample - (LEAD_BITS - 0.5) * decoder->bit_cycles;
     decoder->bit_count = 0;
     decoder->byte_count = 0;

@@ -37,7 +37,7 @@ int keep_private(int descriptor) {
 int open_private(const char *path, bool add) {
   int flags = (add ? O_WRONLY | O_APPEND : O_RDWR) | O_NOFOLLOW | O_CLOEXEC;
   struct stat status;
-  // One that was there may be open elsewhere.
+  // A file that was there may be open elsewhere.
   if (!add && lstat(path, &status) == 0 && S_ISREG(status.st_mode)) unlink(path);
   int descriptor = open(path, flags | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR);
   bool made = descriptor >= 0;

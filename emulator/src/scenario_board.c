@@ -109,7 +109,7 @@ static void read_series(series *values, const json_node *node, double max) {
   }
 }
 
-// As read_series; the word "world" leaves it empty.
+// Reads as read_series does; the word "world" leaves the series empty.
 static void read_series_or_world(series *values, const json_node *node, double max) {
   const char *text = json_string_value(node->value);
   if (text && strcmp(text, "world") == 0) return;

@@ -53,7 +53,7 @@ static bool has_right_rate(const serial_module *m) {
   return fabs(rate / kind(m)->uart_rate - 1) < MAX_RATE_ERROR;
 }
 
-// At another rate a byte comes as any.
+// A byte at another rate than the module's comes as any byte.
 static void byte_sent(struct avr_irq_t *irq, uint32_t value, void *context) {
   serial_module *m = context;
   (void)irq;

@@ -111,7 +111,7 @@ static bool is_sharer(const uint8_t *address) {
   return address[0] != '+';
 }
 
-// Before the board has performed it: after a loss of power it may have the key though it did not say so.
+// Writes a key before the board has set it: after a loss of power it may have the key though it did not say so.
 static void write_key(serial_sniffer *s, const uint8_t *address, const uint8_t *key) {
   if (!s->keys || !is_sharer(address) || !is_sharer(s->id)) return;
   if (address[0] != '/') fprintf(s->keys, "%.4s ", (const char *)s->id);

@@ -3,7 +3,7 @@
 #ifndef JAVINO_SIMULATOR_LOG_H
 #define JAVINO_SIMULATOR_LOG_H
 
-// So many warnings are printed; the others are counted.
+// The most warnings that are printed; the others are counted.
 #define SIMULATOR_LOG_MAX 20
 
 void simulator_log_install(void);

@@ -12,7 +12,7 @@
 
 struct avr_t;
 
-// As many as simavr has.
+// The most timers, as simavr has.
 #define SLEEP_MAX_TIMERS 64
 
 typedef uint64_t (*sleep_timer)(struct avr_t *avr, uint64_t when, void *part);

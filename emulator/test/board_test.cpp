@@ -195,7 +195,7 @@ TEST(Board, what_is_no_boot_loader_is_refused) {
   Scratch scratch;
   board b;
   char error[512];
-  // One byte at address 0.
+  // A program of one byte at address 0.
   std::string program = scratch.write("program.hex", ":0100000000FF\n:00000001FF\n");
   ASSERT_EQ(board_init(&b, &MEGA, PROGRAMS_DIR "/blink.elf", {}, error, sizeof error), 0);
   EXPECT_EQ(firmware_add_boot_loader(b.avr, &MEGA, program.c_str(), error, sizeof error), -1);

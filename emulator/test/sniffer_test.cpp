@@ -56,7 +56,7 @@ const int PACKET_BITS = 84 + 12 * 16;
 const std::string MARK = "001110110001";
 const std::string PARITY = "110001001110";
 
-// So many bytes of parity: whatever they are, their symbols are those of SPEC 6.1.
+// Parity of so many bytes: whatever they are, their symbols are those of SPEC 6.1.
 std::string parity_bits(int bytes) {
   std::string bits;
   for (int i = 0; i < bytes; i++) bits += i % 2 ? "111000001011" : "101100001110";

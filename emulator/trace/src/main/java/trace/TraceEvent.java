@@ -118,7 +118,7 @@ public final class TraceEvent {
         return value.getAsString();
     }
 
-    /** As {@link #text}, or empty. */
+    /** The text of a field, as {@link #text}, or empty. */
     public String textOrEmpty(String field) {
         return has(field) ? text(field) : "";
     }

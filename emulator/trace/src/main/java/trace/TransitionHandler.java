@@ -22,7 +22,7 @@ public final class TransitionHandler extends Handler {
 
     private final Path control;
 
-    /** As {@link #configuration} has it. */
+    /** A handler by {@link #configuration}. */
     public TransitionHandler() {
         this(Path.of(LogManager.getLogManager().getProperty(CONTROL)));
     }
