@@ -105,7 +105,7 @@ const size_t PARITY_LENGTH = 16;
 
 Bytes parity() { return perform(Mailbox::ADD_PARITY, {}, {}, random(80)).bytes(PARITY_LENGTH); }
 
-// So many bytes of the longest codeword that are erased, and so many more that are wrong.
+// The bytes of the longest codeword that are erased, and the further ones that are wrong.
 struct Damage {
   uint8_t erasures, errors;
 };

@@ -145,7 +145,7 @@ Tally forgeAcknowledgements(uint32_t seed, uint64_t tries) {
   });
 }
 
-// One that is nearly right, and then damaged, is a genuine one that was damaged a little more: it may be borne.
+// An acknowledgement nearly right, and then damaged, is a genuine one damaged a little more: it may be borne.
 Tally forgeDamagedAcknowledgements(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   victim.board.radio.mends = true;

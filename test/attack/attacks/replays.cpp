@@ -87,7 +87,7 @@ Tally replayWithinABoot(uint32_t seed, uint64_t tries) {
   });
 }
 
-// Before ROMA has said anything.
+// The origins are invented before ROMA has said anything.
 Tally inventOrigins(uint32_t seed, uint64_t tries) {
   Tally sum;
   for (uint32_t round = 0; sum.tries < tries; round++) {

@@ -81,7 +81,7 @@ void computeCmac() {
   memcpy(mailbox.bytes, tag, sizeof tag);
 }
 
-// As an envelope does it: each key in a function of its own.
+// Keys are expanded as an envelope does it: each in a function of its own.
 JAVINO_NOINLINE void expandForCfb(const DerivedKeys &keys) { const Aes128 cipher(keys.encryption); }
 
 JAVINO_NOINLINE void expandForCmac(const DerivedKeys &keys) {

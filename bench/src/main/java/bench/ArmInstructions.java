@@ -36,7 +36,7 @@ final class ArmInstructions implements Subject {
 
     // Seconds. The light's course has three parts: each reading differs, while Java compiles; none does; some do.
     private static final int MEASURED = 60;
-    /** Before and after what is measured, for an emulator that comes late. */
+    /** Seconds before and after what is measured, for an emulator that comes late. */
     private static final int MARGIN = 10;
     private static final int STEADY_FROM = 150;
     private static final int STEPS_FROM = STEADY_FROM + MARGIN + MEASURED + MARGIN;

@@ -53,7 +53,7 @@ record Row(String what, String ours, String reference, String ratio, String goal
         return new Row(what, ours, reference, ratio, goal, true);
     }
 
-    /** As docs/results.md has it. */
+    /** The line of docs/results.md. */
     String claimed() {
         return "- " + what + ": **" + ours + "**" + (reference.isEmpty() ? "" : ", " + ratio + " × " + reference)
                 + (goal.isEmpty() ? "" : "; goal " + goal);

@@ -25,7 +25,7 @@ final class Figures {
         this.to = to;
     }
 
-    /** As plain text. */
+    /** The figures as plain text. */
     String text(AirTrace trace) {
         return Table.text("%.3f s to %.3f s%n%s%n%n%s%n%s", from, to, use(), shares(trace), causes());
     }

@@ -83,7 +83,7 @@ public final class Campaigns implements Callable<Integer> {
             try {
                 campaign.run(settings, report);
             } finally {
-                // Also where the model refuses what the boards did: it says so only when they are switched off.
+                // The report is shown even if the model refuses the run, as it may when boards are switched off.
                 System.out.println("\n" + campaign.name() + "\n" + report.screen() + "\n");
             }
             new Results(root).write(campaign.name(), "`" + command(campaign) + "`", report.claims(), report.markdown());

@@ -32,7 +32,7 @@ final class CertifiedPair implements AutoCloseable {
     static final double PATIENCE = 90;
 
     private static final double REST = 6;
-    /** As many packets as the air takes. */
+    /** Seconds from packet to packet, of which the air takes no more. */
     private static final double EVERY = 0.7;
 
     private final Field field;

@@ -47,7 +47,7 @@ final class Endpoint implements AutoCloseable {
         });
     }
 
-    /** As users have it, but for machines that have so much to do that boards fall behind: a lost port shows anyway. */
+    /** The users' settings, but for machines so busy that boards fall behind: a lost port shows anyway. */
     static BoardConfig config() {
         return BoardConfig.create(config -> Host.patience(config.setAttempts(ATTEMPTS)));
     }

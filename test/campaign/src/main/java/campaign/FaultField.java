@@ -166,7 +166,7 @@ final class FaultField implements AutoCloseable {
         return new HostLog(field.folder().resolve(post.name() + ".log"));
     }
 
-    /** One for each fault, in their order. */
+    /** The recovery from each fault, in their order. */
     synchronized List<Recovery> recoveries() {
         return List.copyOf(recoveries);
     }

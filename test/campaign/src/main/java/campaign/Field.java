@@ -42,7 +42,7 @@ final class Field implements AutoCloseable {
             this(sketch, boards, Set.of());
         }
 
-        /** So many boards that are all alike. */
+        /** A cell of so many boards that are all alike. */
         Cell(String sketch, int boards) {
             this(sketch, Collections.nCopies(boards, Map.of()));
         }

@@ -106,7 +106,7 @@ final class HostProgram implements BoardListener {
         board.setKey(spare, key(evenKey));
     }
 
-    /** One of the two keys that replace each other. */
+    /** The even or the odd of the two keys that replace each other. */
     static Key key(boolean even) {
         return Key.of(javino.protocol.Bytes.ofText(even ? "an even test key" : "a key odd enough"));
     }

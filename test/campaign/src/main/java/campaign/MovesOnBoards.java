@@ -20,9 +20,9 @@ final class MovesOnBoards {
     private static final double BIT_ERRORS = 1e-3;
     private static final Duration TIME = Duration.ofMinutes(10);
     private static final int LOOK_MILLIS = 500;
-    /** Before each move an agent shows so often that it is awake. */
+    /** The times that an agent shows before each move that it is awake. */
     private static final int EVERY = 10;
-    /** So often it does so when all is calm again: it has not only come by. */
+    /** The times that it does so when all is calm again: it has not only come by. */
     private static final int ENOUGH = 15;
     private static final int FOR_EVER = 1_000_000;
 

@@ -31,7 +31,7 @@ public final class Table {
         return this;
     }
 
-    /** As Markdown has it. */
+    /** The table in Markdown. */
     public String markdown() {
         List<String> lines = new ArrayList<>(rows.stream().map(row -> "| " + String.join(" | ", row) + " |").toList());
         lines.add(1, "| --- |" + " ---: |".repeat(rows.get(0).size() - 1));

@@ -3,7 +3,7 @@ package harness;
 import java.util.Map;
 import trace.TraceEvent;
 
-/** One with an AVR, which our emulator runs. */
+/** A board with an AVR, which our emulator runs. */
 public record AvrBoard(Emulator emulator, String name) implements SketchBoard {
 
     /** The scenario's key by which awaitLit() sees the lamp. */

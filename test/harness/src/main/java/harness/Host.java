@@ -82,7 +82,7 @@ public final class Host implements AutoCloseable {
         return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
     }
 
-    /** As {@link #patient}, with the notes that an agent's host has. */
+    /** A host as {@link #patient}, with the notes that an agent's host has. */
     public static Host noting(Emulator emulator, String board) {
         return new Host(SerialLink.opener(emulator.port(board)), BoardConfig.create(
                 config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost()))));

@@ -22,7 +22,7 @@ import trace.TraceEvent;
  */
 public final class MovingAgents implements AutoCloseable {
 
-    /** At home, where the agent is first. */
+    /** The side at home, where the agent is first. */
     public static final int HOME = 0;
     public static final int AWAY = 1;
 

@@ -84,7 +84,7 @@ public final class SlowNetwork implements AutoCloseable {
                     onTheWay.add(new Chunk(Arrays.copyOf(buffer, n), due()));
                 }
             } catch (IOException gone) {
-                // As with an end.
+                // A failure is an end, too.
                 onTheWay.add(new Chunk(new byte[0], due()));
             }
             onTheWay.add(new Chunk(new byte[0], due()));

@@ -54,10 +54,10 @@ final class DeliveryRun {
     private static final long PATIENCE_SECONDS = 10;
     /** The attacker takes up each packet that is so many behind the one before. */
     private static final int OVERHEARD = 12;
-    /** So many packets to who loses its power the attacker repeats some seconds after that. */
+    /** The packets to the board that loses its power that the attacker repeats some seconds after that. */
     private static final int EARLY = 8;
     private static final double AFTER_CUT = 3;
-    /** Between neighbours of a line, of which each hears the next one only. */
+    /** The distance between neighbours of a line, of which each hears the next one only. */
     private static final int APART = 90;
     /** The first bit behind a header. */
     private static final int CONTENT_BIT = 80;

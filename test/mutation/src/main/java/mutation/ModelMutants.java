@@ -88,7 +88,7 @@ final class ModelMutants {
     /** A constant, or the first value of a variable, that is greater or less by one. */
     private void declare(Element declaration, String place) {
         String text = declaration.getTextContent();
-        // As long as the text, so that places stay.
+        // The blanks are as long as the text, so that places stay.
         String code = COMMENT.matcher(text).replaceAll(comment -> " ".repeat(comment.group().length()));
         Matcher statement = STATEMENT.matcher(code);
         while (statement.find()) {

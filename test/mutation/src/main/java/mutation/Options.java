@@ -22,7 +22,7 @@ record Options(long seed, Optional<Integer> wanted, Survivors survivors, Path ro
         return wanted.orElse(usual);
     }
 
-    /** So many of all, or all where there are no more, as the seed shuffles them. */
+    /** As many of all as are wanted, or all where there are no more, as the seed shuffles them. */
     <T> List<T> draw(List<T> all, int usual) {
         List<T> shuffled = new ArrayList<>(all);
         Collections.shuffle(shuffled, new Random(seed));

@@ -20,7 +20,7 @@ import uppaal.conformance.Replay;
  */
 record Recording(Path folder, long seed) {
 
-    /** So the trace says that a program has left its flash. */
+    /** The words of a trace by which a program has left its flash. */
     private static final String CRASH = "\"event\":\"crash\"";
 
     /** Lets boards run a program, unless they have done so. @return whether one crashed */

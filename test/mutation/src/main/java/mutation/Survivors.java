@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 final class Survivors {
 
     private static final String BECAUSE = " because ";
-    /** So begins the reason for a survivor that does harm. */
+    /** The beginning of the reason for a survivor that does harm. */
     private static final String UNSEEN = "unseen: ";
     private final List<Known> all = new ArrayList<>();
 

@@ -30,7 +30,7 @@ final class TraceMutants {
     private static final double NO_SLOT = 0.5;
     /** More than an acknowledgement ever waits on quiet air, even of a busy board. */
     private static final int MANY_SLOTS = 60;
-    /** So long before and after a reset, a fault or a command the trace may not tell what boards hear, in seconds. */
+    /** Seconds before and after a reset, a fault or a command in which the trace may not tell what boards hear. */
     private static final double DISTURBED = 2;
     /** A request that is lost is repeated sooner, in seconds. */
     private static final double OTHER_REQUEST = 2;

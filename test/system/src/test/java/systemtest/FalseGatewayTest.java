@@ -236,7 +236,7 @@ class FalseGatewayTest extends JoinedCells {
         assertEquals(List.of(1, 1), List.of(broker.ids("west").size(), broker.ids("east").size()), "none came again");
     }
 
-    /** Only he sees the ids of clients. */
+    /** The broker's owner alone sees the ids of clients. */
     @Test
     @Tag("soak")
     void owner_ofTheBrokerWhoTakesAGatewaysPlace_doesNotStopIt() throws Exception {

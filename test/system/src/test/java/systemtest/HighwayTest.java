@@ -181,7 +181,7 @@ class HighwayTest {
         assertEquals(1, run.status);
     }
 
-    /** As on a machine that is busy with other things for some seconds. */
+    /** Boards are silent as on a machine that is busy with other things for some seconds. */
     @Test
     @Tag("verify")
     void boardsThatAreSilentAtTheStart_areSetUpLater() throws Exception {

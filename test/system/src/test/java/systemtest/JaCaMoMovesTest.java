@@ -119,7 +119,7 @@ class JaCaMoMovesTest {
                         """ + JaCaMo.TEMPLATES));
     }
 
-    /** As the receiver's list says: and a guest has no artifacts, whatever the list says. */
+    /** Newcomers have artifacts as the receiver's list says; a guest has none, whatever the list says. */
     @JaCaMo.EachVersion
     void moveIn_newcomersAndGuests_haveArtifactsAsTheReceiverSays(String version) throws Exception {
         assertEquals(List.of("I came", "I joined", "I came home", "I came again", "I could not join: action_failed",

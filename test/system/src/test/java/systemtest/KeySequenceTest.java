@@ -106,7 +106,7 @@ class KeySequenceTest {
             for (String board : BOARDS) {
                 all &= provision(emulator, board, keyring);
             }
-            // As the refusal says: new keys, and each board in turn, until all have them.
+            // The refusal says what to do: new keys, and each board in turn, until all have them.
             if (!all && isDone(JavinoCommand.run("keygen", "--renew", file("keys").toString()))) {
                 for (int turn = 0; turn < 3 * BOARDS.size(); turn++) {
                     provision(emulator, BOARDS.get(turn % BOARDS.size()), "keys");

@@ -49,7 +49,7 @@ class PhasesTest {
     private static final double PART_OF_A_FRAGMENT = 0.2;
     private static final double UNTIL_IT_IS_ANSWERED = 0.35;
     private static final double UNTIL_THE_NEXT_ATTEMPT = 0.55;
-    /** After that a sender waits for its turn to repeat; longer after its third attempt. */
+    /** Seconds after which a sender waits for its turn to repeat; longer after its third attempt. */
     private static final double PATIENCE = 0.17;
     private static final double LATE_PATIENCE = 0.62;
     private static final int LATE = 2;

@@ -55,7 +55,7 @@ class StartScriptTest {
         assertEquals(List.of("javino " + version), end(new ProcessBuilder(SCRIPT.toString(), "--version")));
     }
 
-    /** As a test starts agents: they note nothing of emulated boards in their user's folder. */
+    /** Agents that a test starts note nothing of emulated boards in their user's folder. */
     @Test
     void agentProcess_ofATest_hasNotTheUsersIdentities() throws Exception {
         try (AgentProcess process = AgentProcess.start(new ProcessBuilder(

@@ -30,7 +30,7 @@ class TimersTest {
     /** An interrupt may hold up another for so long. */
     private static final double LATENESS_SECONDS = 0.0003;
 
-    /** At half the speed: a message that a host takes late is sent again, and hosts of a busy machine are late. */
+    /** A scenario at half the speed: hosts of a busy machine are late, and what they take late is sent again. */
     private static Emulator.Scenario scenario() {
         return new Emulator.Scenario().speed("0.5");
     }

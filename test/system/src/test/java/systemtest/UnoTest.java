@@ -27,7 +27,7 @@ class UnoTest {
     /** The longest sealed content of one packet: an Uno receives no fragments. */
     private static final int MAX_SEALED_IN_A_PACKET = 53;
 
-    /** After that a Mega can tell that it has been up for longer than the next message is on its way. */
+    /** Seconds after which a Mega can tell that it has been up for longer than the next message is on its way. */
     private static final double LONG_UP_SECONDS = 8;
 
     private Emulator emulator;

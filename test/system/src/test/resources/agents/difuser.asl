@@ -1,4 +1,4 @@
-// As agents for the public Difuser architecture use a sketch that sends and receives by itself. The older protocol
+// Agents for the public Difuser architecture use a sketch that sends and receives by itself. The older protocol
 // acknowledges no action: what a busy machine has lost is said again.
 !start.
 

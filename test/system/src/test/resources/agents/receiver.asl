@@ -1,4 +1,4 @@
-// As agents for the public Difuser architecture hear messages and acknowledge them.
+// Agents for the public Difuser architecture hear messages and acknowledge them.
 !start.
 
 +!start <-

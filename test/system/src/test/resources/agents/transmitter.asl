@@ -1,4 +1,4 @@
-// As agents for the public Difuser architecture transmit messages, each when the one before was acknowledged.
+// Agents for the public Difuser architecture transmit messages, each when the one before was acknowledged.
 iteration(2).
 
 !start.

@@ -22,9 +22,9 @@ public final class Exploration {
     /** The number of the state that each was first reached from. */
     private int[] parents = new int[1 << 10];
     private final int[] settled;
-    /** One for each property that speaks of whole runs, at its index; else nothing. */
+    /** A check for each property that speaks of whole runs, at its index; else nothing. */
     private final LivenessCheck[] endless;
-    /** Kept only for these properties. */
+    /** The graph, kept only for these properties. */
     private final Optional<Graph> graph;
     private int deadlocks;
     private int steps;

@@ -26,7 +26,7 @@ public final class States {
     private int[] table = filled(1 << 10);
     private int size;
 
-    /** None yet, of a network with these slots. */
+    /** No states yet, of a network with these slots. */
     public States(List<Slot> slots) {
         low = new int[slots.size()];
         word = new int[slots.size()];

@@ -39,7 +39,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             new Scene("renewal", "The renewal and the deletion of a key that three boards share", "renewal.xml",
                     Map.of(), Map.of(), List.of("renewal.q"));
 
-    /** So that the boards come to an end: each takes up one message, of one attempt. */
+    /** A scene in which the boards come to an end: each takes up one message, of one attempt. */
     public static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
             Map.of("MESSAGES", "1", "ATTEMPTS", "1"), Map.of(), List.of("rollover.q"));
 

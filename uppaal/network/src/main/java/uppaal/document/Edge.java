@@ -12,7 +12,7 @@ package uppaal.document;
  */
 public record Edge(String source, String target, String guard, String synchronisation, String assignment,
         String points) {
-    /** One that no trace shows. */
+    /** An edge that no trace shows. */
     public Edge(String source, String target, String guard, String synchronisation, String assignment) {
         this(source, target, guard, synchronisation, assignment, "");
     }

@@ -108,7 +108,7 @@ public enum Operator {
     /** @throws ArithmeticException when the result does not fit 32 bits, or there is none */
     public abstract int apply(int left, int right);
 
-    /** As UPPAAL writes it. */
+    /** The symbol that UPPAAL writes. */
     public String symbol() {
         return symbol;
     }

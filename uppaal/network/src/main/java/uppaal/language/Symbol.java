@@ -25,7 +25,7 @@ public sealed interface Symbol {
      * @param urgent whether no time passes while it can be used
      */
     record Channel(String name, boolean broadcast, boolean urgent) implements Symbol {
-        /** One that is not urgent. */
+        /** A channel that is not urgent. */
         public Channel(String name, boolean broadcast) {
             this(name, broadcast, false);
         }

@@ -25,7 +25,7 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
         points = Set.copyOf(points);
     }
 
-    /** As it is, but that it makes these assignments. */
+    /** The same transition, but that it makes these assignments. */
     Transition assigning(List<Labels.Assignment> changed) {
         return new Transition(source, target, guard, synchronisation, changed, points);
     }
