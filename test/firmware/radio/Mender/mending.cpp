@@ -57,7 +57,7 @@ TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
   EXPECT_LE(mended, 48);
 }
 
-// bench/native/mending.cpp does so with a million.
+// test/lab/bench/native/mending.cpp does so with a million.
 TEST(Mender, makesNoWrongPayloadWithoutDoubtOfThirtyThousandDamagedPackets) {
   std::mt19937 random(54);
   for (double rate : {1e-3, 3e-3, 1e-2}) {

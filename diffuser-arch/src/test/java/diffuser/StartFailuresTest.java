@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 class StartFailuresTest {
 
     private static final Path SETTINGS = Path.of(System.getProperty("javino.root"),
-            "javino-cli/src/main/resources/javino/cli/project/common/logging.properties");
+            "javino-java/cli/src/main/resources/javino/cli/project/common/logging.properties");
     private static final String MAS = """
             MAS robot {
                 agents: robot agentArchClass diffuser.Diffuser;

@@ -51,7 +51,7 @@ class ErrorsPageTest {
 
     @Test
     void java_eachException_hasAnEntry() {
-        assertEntries("In Java", Repository.files("javino-board/src/main", ".java").stream()
+        assertEntries("In Java", Repository.files("javino-java/board/src/main", ".java").stream()
                 .flatMap(file -> found("public final class (\\w+) extends JavinoException", Repository.text(file))));
     }
 
@@ -70,7 +70,7 @@ class ErrorsPageTest {
 
     @Test
     void commandLine_eachText_hasAnEntry() {
-        Stream<String> commands = Repository.files("javino-cli/src/main/java/javino/cli", ".java").stream()
+        Stream<String> commands = Repository.files("javino-java/cli/src/main/java/javino/cli", ".java").stream()
                 .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\);", Repository.text(file)));
         Stream<String> page = Stream.of("optional/live/src/command/java/live", "optional/capture/src/main/java/capture")
                 .flatMap(folder -> Repository.files(folder, ".java").stream())
@@ -85,15 +85,15 @@ class ErrorsPageTest {
                 .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\)|wrongUsage\\(([^;]*)\\);",
                         Repository.text(file)));
         Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
-                Repository.text("javino-board/src/main/java/javino/board/Session.java"));
+                Repository.text("javino-java/board/src/main/java/javino/board/Session.java"));
         Stream<String> port = texts("(" + LITERAL + ")",
-                Repository.text("javino-board/src/main/java/javino/link/SerialLink.java"));
+                Repository.text("javino-java/board/src/main/java/javino/link/SerialLink.java"));
         Stream<String> start = texts("(\"(?: is not expected|no agent can|agent |there is no )[^\"]*\")",
                 Repository.text("diffuser-arch/src/main/java/diffuser/StartFailures.java"));
         Stream<String> highway = texts("new BrokenOffException\\(([^;]*)\\);|failure = ([^;]*);",
                 Repository.text("examples/highway/src/main/java/highway/Scenario.java"));
         Stream<String> project = texts("new GradleException\\((.*)\\)",
-                Repository.text("javino-cli/src/main/resources/javino/cli/project/common/javino.gradle"));
+                Repository.text("javino-java/cli/src/main/resources/javino/cli/project/common/javino.gradle"));
         assertTexts("On the command line",
                 Stream.of(commands, page, gateway, certificates, session, port, start, highway, project)
                         .flatMap(texts -> texts));

@@ -87,7 +87,7 @@ class GradleUpgradeTest {
     @Test
     void buildFiles_areThoseOfTheBuildAndOfNewProjects() {
         List<String> names = buildFiles().stream().map(file -> Repository.ROOT.relativize(file).toString()).toList();
-        String templates = "javino-cli/src/main/resources/javino/cli/project/";
+        String templates = "javino-java/cli/src/main/resources/javino/cli/project/";
         assertTrue(names.containsAll(List.of("build.gradle", "settings.gradle", "gradle/style.gradle",
                 "test/docs/build.gradle", templates + "common/javino.gradle", templates + "jacamo/build.gradle",
                 templates + "jason/build.gradle", templates + "common/settings.gradle")), names::toString);

@@ -47,7 +47,7 @@ class SecretFilesTest {
                 listed.put(columns.get(0), Long.valueOf(columns.get(1)));
             }
         }
-        Map<String, Long> all = found(JAVA, ".java", "javino-protocol", "javino-board", "javino-cli", "diffuser-arch",
+        Map<String, Long> all = found(JAVA, ".java", "javino-java", "diffuser-arch",
                 "optional", "examples",
                 "emulator/trace", "test/harness");
         all.putAll(found(C, ".c", "emulator/src"));

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
  */
 class StoredKeysTest {
 
-    private static final String BOARD = "javino-board/src/main/java/javino/board/";
+    private static final String BOARD = "javino-java/board/src/main/java/javino/board/";
     private static final Set<String> OTHERS = Set.of("test", "fake", "vectors", "simulation");
 
     private static final Pattern SOURCE_SET = Pattern.compile("src/(\\w+)/");
@@ -26,7 +26,7 @@ class StoredKeysTest {
         return Repository.files(".", ".java").stream().filter(file -> {
             String name = Repository.ROOT.resolve(".").relativize(file).toString();
             return SOURCE_SET.matcher(name).results().noneMatch(set -> OTHERS.contains(set.group(1)))
-                    && !name.startsWith("test/") && !name.startsWith("bench/") && !name.startsWith("javino-protocol/");
+                    && !name.startsWith("test/") && !name.startsWith("javino-java/protocol/");
         }).toList();
     }
 

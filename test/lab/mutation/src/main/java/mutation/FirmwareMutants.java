@@ -50,7 +50,7 @@ final class FirmwareMutants implements Part {
 
     @Override
     public void run(Options options, Report report) throws Exception {
-        Path place = options.root().resolve("test/mutation/build/firmware");
+        Path place = options.root().resolve("test/lab/mutation/build/firmware");
         List<FirmwareMutant> possible = FirmwareMutant.all(options.root()).stream()
                 .filter(mutant -> SOURCES.matcher(mutant.file()).matches()).toList();
         List<FirmwareMutant> chosen = options.draw(Stream.of(false, true)

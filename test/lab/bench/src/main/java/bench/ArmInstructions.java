@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit;
 final class ArmInstructions implements Subject {
 
     /** Java for this processor and its libraries, which {@code bench/armhf} puts there. */
-    private static final Path ARMHF = Machine.ROOT.resolve("bench/build/armhf");
+    private static final Path ARMHF = Machine.ROOT.resolve("test/lab/bench/build/armhf");
     private static final Path PLUGIN = Machine.program("libcount.so");
     /** A file system in memory: the folders of others may have numbers that 32-bit calls cannot read. */
     private static final Path MEMORY = Path.of("/dev/shm");
@@ -81,7 +81,7 @@ final class ArmInstructions implements Subject {
 
     @Override
     public List<Row> measure() throws Exception {
-        Process unpacking = new ProcessBuilder(Machine.ROOT.resolve("bench/armhf").toString(), ARMHF.toString(),
+        Process unpacking = new ProcessBuilder(Machine.ROOT.resolve("test/lab/bench/armhf").toString(), ARMHF.toString(),
                 PLUGIN.toString()).inheritIO().start();
         if (unpacking.waitFor() != 0) {
             System.err.println("bench: arm is left out");

@@ -43,8 +43,8 @@ final class Machine {
                 + ".ino.elf");
     }
 
-    /** A program of bench/native. */
+    /** A program of test/lab/bench/native. */
     static Path program(String name) {
-        return ROOT.resolve("bench/build/native/" + name);
+        return ROOT.resolve("test/lab/bench/build/native/" + name);
     }
 }

@@ -57,8 +57,8 @@ public final class Mutate implements Callable<Integer> {
         }
         Path root = Path.of(System.getProperty("javino.root"));
         Options options = new Options(seed, Optional.ofNullable(mutants),
-                Survivors.read(root.resolve("test/mutation/survivors.txt")), root,
-                recorded == null ? root.resolve("test/mutation/build/recorded") : recorded);
+                Survivors.read(root.resolve("test/lab/mutation/survivors.txt")), root,
+                recorded == null ? root.resolve("test/lab/mutation/build/recorded") : recorded);
         List<String> violations = new ArrayList<>();
         for (Part part : ALL) {
             if (only.contains(part.name())) {

@@ -14,7 +14,7 @@ final class AgentTexts {
 
     private static final List<String> FOLDERS = List.of("examples/highway/agents",
             "test/system/src/test/resources/agents", "diffuser-arch/src/test/resources/asl",
-            "javino-cli/src/main/resources/javino/cli/project/jason/src/agt");
+            "javino-java/cli/src/main/resources/javino/cli/project/jason/src/agt");
     /** Programs for older boards: their actions are of other packages. */
     private static final Set<String> LEFT_OUT = Set.of("older.asl", "argo.asl", "difuser.asl");
     /** Words of the language and of its actions, and variables' like, which have the same names in all programs. */
