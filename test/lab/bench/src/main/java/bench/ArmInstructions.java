@@ -1,6 +1,7 @@
 package bench;
 
 import harness.Emulator;
+import harness.Table;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -81,7 +82,8 @@ final class ArmInstructions implements Subject {
 
     @Override
     public List<Row> measure() throws Exception {
-        Process unpacking = new ProcessBuilder(Machine.ROOT.resolve("test/lab/bench/armhf").toString(), ARMHF.toString(),
+        Process unpacking = new ProcessBuilder(
+                Machine.ROOT.resolve("test/lab/bench/armhf").toString(), ARMHF.toString(),
                 PLUGIN.toString()).inheritIO().start();
         if (unpacking.waitFor() != 0) {
             System.err.println("bench: arm is left out");
@@ -127,7 +129,7 @@ final class ArmInstructions implements Subject {
                     Row.against("ARM instructions of an idle second with board, " + machine.title, "%.2f million", idle,
                             reference, "plain agent").goal(machine.goal).claim(),
                     Row.of("ARM instructions of a changed percept, " + machine.title,
-                            Row.text("%.2f million", (changing - idle) / STEPS_PER_SECOND)));
+                            Table.text("%.2f million", (changing - idle) / STEPS_PER_SECOND)));
         }
     }
 

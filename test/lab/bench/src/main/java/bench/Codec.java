@@ -3,6 +3,8 @@ package bench;
 import java.util.Collection;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+
+import harness.Table;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
@@ -65,7 +67,7 @@ public final class Codec implements Subject {
         double allocated = result.getSecondaryResults().get("gc.alloc.rate.norm").getScore();
         return List.of(
                 Row.of("host codec, encode and decode 64 bytes",
-                        Row.text("%.2f M frames/s", result.getPrimaryResult().getScore() / 1e6)).goal("≥ 1"),
-                Row.of("the same, allocated", Row.text("%.0f bytes a frame", allocated)));
+                        Table.text("%.2f M frames/s", result.getPrimaryResult().getScore() / 1e6)).goal("≥ 1"),
+                Row.of("the same, allocated", Table.text("%.0f bytes a frame", allocated)));
     }
 }

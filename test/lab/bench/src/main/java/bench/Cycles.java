@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
+import harness.Table;
+
 /** CPU cycles of the firmware's parts, as test/cycles counts and limits them. */
 final class Cycles implements Subject {
 
@@ -48,9 +50,9 @@ final class Cycles implements Subject {
         double cycles = Double.parseDouble(line.group(2));
         Target target = TARGETS.get(what);
         if (target == null) {
-            return Row.of(what, Row.text(cycles == Math.rint(cycles) ? "%.0f cycles" : "%.1f cycles", cycles));
+            return Row.of(what, Table.text(cycles == Math.rint(cycles) ? "%.0f cycles" : "%.1f cycles", cycles));
         }
-        Row row = target.reference == 0 ? Row.of(what, Row.text("%.0f cycles", cycles))
+        Row row = target.reference == 0 ? Row.of(what, Table.text("%.0f cycles", cycles))
                 : Row.cited(what, "%.0f cycles", cycles, target.reference, target.cited);
         return row.goal("≤ " + target.goal);
     }

@@ -1,6 +1,7 @@
 package bench;
 
 import harness.Emulator;
+import harness.Table;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -57,7 +58,8 @@ final class IdleAgent implements Subject {
                     Row.against("idle agent with board, CPU", "%.3f %% of a core", ours, reference, "plain agent")
                             .goal("≤ 1.5").claim(),
                     Row.against("the same, wake-ups a second", "%.1f", wakeUps, plainWakeUps, "plain agent"),
-                    Row.of("wake-ups a second for the board", Row.text("%.1f", wakeUps - plainWakeUps)).goal("≤ 5"));
+                    Row.of("wake-ups a second for the board", Table.text("%.1f", wakeUps - plainWakeUps))
+                        .goal("≤ 5"));
         }
     }
 

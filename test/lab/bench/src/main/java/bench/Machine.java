@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
+import harness.Table;
+
 /** The PC that the benchmarks run on, and where things are on it. */
 final class Machine {
 
@@ -19,7 +21,7 @@ final class Machine {
                 .filter(line -> line.startsWith("model name")).map(line -> line.substring(line.indexOf(':') + 2))
                 .findFirst()
                 .orElse(System.getProperty("os.arch"));
-        return Row.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(),
+        return Table.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(),
                 System.getProperty("java.version"));
     }
 

@@ -5,6 +5,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+
+import harness.Table;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -83,7 +85,7 @@ public final class ManyBoards implements Subject {
         long before = Threads.cpuNanos(self);
         Thread.sleep(MEASURED.toMillis());
         long used = Threads.cpuNanos(self) - before;
-        System.out.println(Row.text("%.4f", 100.0 * used / MEASURED.toNanos()) + " " + Threads.count(self)
+        System.out.println(Table.text("%.4f", 100.0 * used / MEASURED.toNanos()) + " " + Threads.count(self)
                 + " " + Runtime.version().feature());
         System.exit(0);
     }

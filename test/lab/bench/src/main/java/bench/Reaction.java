@@ -2,6 +2,7 @@ package bench;
 
 import diffuser.Diffuser;
 import harness.Emulator;
+import harness.Table;
 import jason.asSemantics.Message;
 import jason.infra.local.LocalAgArch;
 import java.nio.file.Files;
@@ -122,7 +123,7 @@ final class Reaction implements Subject {
     }
 
     private static String both(Samples milliseconds) {
-        return Row.text("%.1f ms (%.1f)", milliseconds.median(), milliseconds.greatest());
+        return Table.text("%.1f ms (%.1f)", milliseconds.median(), milliseconds.greatest());
     }
 
     private static long nanos(double seconds) {

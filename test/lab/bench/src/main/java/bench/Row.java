@@ -1,6 +1,9 @@
 package bench;
 
-import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+import harness.Table;
 
 /**
  * One line of the table.
@@ -25,7 +28,7 @@ record Row(String what, String ours, String reference, String ratio, String goal
      * @param format that of both figures, with their unit, as {@code "%.1f ms"}.
      */
     static Row against(String what, String format, double ours, double reference, String name) {
-        return of(what, text(format, ours)).and(text(format, reference) + " " + name, ours / reference);
+        return of(what, Table.text(format, ours)).and(Table.text(format, reference) + " " + name, ours / reference);
     }
 
     /**
@@ -34,14 +37,14 @@ record Row(String what, String ours, String reference, String ratio, String goal
      * @param format that of both figures, with their unit.
      */
     static Row cited(String what, String format, double ours, double reference, String cited) {
-        return of(what, text(format, ours)).and(text(format, reference) + " " + cited + " (cited)", ours / reference);
+        return against(what, format, ours, reference, cited + " (cited)");
     }
 
     private static String ratioText(double quotient) {
         if (!Double.isFinite(quotient)) {
             return "";
         }
-        return text(quotient == 0 || quotient >= 0.1 ? "%.2f" : "%.4f", quotient);
+        return Table.text(quotient == 0 || quotient >= 0.1 ? "%.2f" : "%.4f", quotient);
     }
 
     Row goal(String toReach) {
@@ -53,17 +56,13 @@ record Row(String what, String ours, String reference, String ratio, String goal
         return new Row(what, ours, reference, ratio, goal, true);
     }
 
-    /** The line of docs/results.md. */
-    String claimed() {
-        return "- " + what + ": **" + ours + "**" + (reference.isEmpty() ? "" : ", " + ratio + " × " + reference)
-                + (goal.isEmpty() ? "" : "; goal " + goal);
+    /** The reference and the goal, as docs/results.md has them. */
+    String compared() {
+        return Stream.of(reference.isEmpty() ? "" : ratio + " × " + reference, goal.isEmpty() ? "" : "goal " + goal)
+                .filter(part -> !part.isEmpty()).collect(Collectors.joining("; "));
     }
 
     private Row and(String other, double quotient) {
         return new Row(what, ours, other, ratioText(quotient), goal, isClaim);
-    }
-
-    static String text(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values);
     }
 }

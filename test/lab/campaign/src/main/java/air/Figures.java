@@ -1,6 +1,6 @@
 package air;
 
-import campaign.Table;
+import harness.Table;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

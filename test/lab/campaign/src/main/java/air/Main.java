@@ -1,6 +1,6 @@
 package air;
 
-import campaign.Table;
+import harness.Table;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.FileSystemException;

@@ -5,6 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
+import harness.Report;
+import harness.Table;
+
 /** How long messages to one partner wait while others, to which the same board sends, are absent. */
 final class Absent {
 

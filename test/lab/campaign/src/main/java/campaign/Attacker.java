@@ -1,6 +1,7 @@
 package campaign;
 
 import harness.Emulator;
+import harness.Table;
 import harness.Transmitter;
 import java.util.List;
 import java.util.Map;

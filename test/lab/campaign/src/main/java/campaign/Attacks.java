@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
+import harness.Report;
+import harness.Table;
+
 /** Whoever listens, forges, replays and floods: on the PC over the firmware's very sources, and on the air. */
 final class Attacks implements Campaign {
 

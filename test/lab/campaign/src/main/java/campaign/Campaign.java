@@ -1,5 +1,7 @@
 package campaign;
 
+import harness.Report;
+
 /** A question that takes many tries to answer. */
 public interface Campaign {
 

@@ -1,5 +1,6 @@
 package campaign;
 
+import harness.Report;
 import harness.Results;
 import java.nio.file.Path;
 import java.time.Duration;

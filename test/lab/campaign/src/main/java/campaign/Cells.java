@@ -3,6 +3,9 @@ package campaign;
 import java.util.ArrayList;
 import java.util.List;
 
+import harness.Report;
+import harness.Table;
+
 /** Cells of boards, each in an emulator of its own, joined by gateways over one broker. */
 final class Cells implements Campaign {
 

@@ -4,6 +4,7 @@ import harness.BrokerClient;
 import harness.Emulator;
 import harness.GatewayProcess;
 import harness.Mosquitto;
+import harness.Table;
 import harness.TestKeys;
 import java.io.IOException;
 import java.util.ArrayList;

@@ -1,6 +1,8 @@
 package campaign;
 
 import java.util.Random;
+
+import harness.Table;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.ProtocolException;

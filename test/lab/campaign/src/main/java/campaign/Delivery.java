@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.DoubleStream;
 
+import harness.Report;
+import harness.Table;
+
 /** Unicasts over one hop: at rising bit error rates, in bursts, and in noise. */
 final class Delivery implements Campaign {
 

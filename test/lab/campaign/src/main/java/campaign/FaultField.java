@@ -2,6 +2,7 @@ package campaign;
 
 import harness.Emulator;
 import harness.Host;
+import harness.Report;
 import harness.TestKeys;
 import java.io.IOException;
 import java.util.ArrayList;

@@ -2,6 +2,9 @@ package campaign;
 
 import java.util.List;
 
+import harness.Report;
+import harness.Table;
+
 /** A busy exchange while ports, boards, hosts, the air and the power fail. */
 final class Faults implements Campaign {
 

@@ -1,6 +1,7 @@
 package campaign;
 
 import harness.Emulator;
+import harness.Table;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -9,6 +9,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
+import harness.Report;
+import harness.Table;
+
 /** Jazzer on the Java decoders and libFuzzer on the firmware's sources, ten minutes each. */
 final class Fuzzing implements Campaign {
 

@@ -6,6 +6,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
+
+import harness.Report;
+import harness.Table;
 import keyagreement.RandomRuns;
 import keyagreement.RandomRuns.Tally;
 

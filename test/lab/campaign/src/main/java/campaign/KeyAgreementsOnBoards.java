@@ -1,6 +1,8 @@
 package campaign;
 
 import harness.Certificates;
+import harness.Report;
+import harness.Table;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;

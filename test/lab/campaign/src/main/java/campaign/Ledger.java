@@ -1,6 +1,8 @@
 package campaign;
 
 import java.util.BitSet;
+
+import harness.Report;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
 

@@ -7,6 +7,9 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+
+import harness.Report;
+import harness.Table;
 import javino.protocol.Airtime;
 
 /** Many boards at rising load: in one range, out of each other's range, and with partners that are absent. */

@@ -2,6 +2,7 @@ package campaign;
 
 import harness.BrokerClient;
 import harness.Mosquitto;
+import harness.Table;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;

@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
+import harness.Table;
+
 /** How much memory hosts and emulator take, from time to time. */
 final class Memory {
 

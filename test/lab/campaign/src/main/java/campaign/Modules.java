@@ -5,6 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+
+import harness.Report;
+import harness.Table;
 import javino.protocol.Airtime;
 
 /** Boards with serial modules, beside the same ones with the ASK pair: losses, load and throughput. */

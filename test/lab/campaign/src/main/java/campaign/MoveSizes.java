@@ -2,6 +2,8 @@ package campaign;
 
 import harness.Emulator;
 import harness.Host;
+import harness.Report;
+import harness.Table;
 import harness.TestKeys;
 import harness.MovingAgents;
 import java.io.IOException;

@@ -1,5 +1,7 @@
 package campaign;
 
+import harness.Report;
+
 /**
  * Agents move while programs are killed, and boards, power and the air fail; and how long a move takes.
  */

@@ -10,6 +10,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
+
+import harness.Report;
+import harness.Table;
 import keyagreement.CertifiedHost;
 import mobility.RandomMoves;
 import mobility.RandomMoves.Tally;

@@ -2,6 +2,8 @@ package campaign;
 
 import harness.Emulator;
 import harness.MovingAgents;
+import harness.Report;
+import harness.Table;
 import harness.WalkerLog;
 import java.io.IOException;
 import java.time.Duration;

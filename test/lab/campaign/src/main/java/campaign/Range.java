@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
+import harness.Report;
+import harness.Table;
+
 /** How far unicasts reach with the emulator's path loss. */
 final class Range implements Campaign {
 

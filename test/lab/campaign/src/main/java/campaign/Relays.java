@@ -10,6 +10,9 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
+import harness.Report;
+import harness.Table;
+
 /** The messages that relays deliver, and their cost: lines, pairs of relays, a field, and a cell that needs none. */
 final class Relays implements Campaign {
 

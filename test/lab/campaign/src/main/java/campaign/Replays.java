@@ -1,6 +1,8 @@
 package campaign;
 
 import harness.Emulator;
+import harness.Report;
+import harness.Table;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;

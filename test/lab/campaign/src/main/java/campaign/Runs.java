@@ -8,6 +8,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
+import harness.Report;
+
 /** Runs of emulators that know nothing of each other, some at a time. */
 final class Runs {
 

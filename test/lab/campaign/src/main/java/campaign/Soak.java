@@ -3,6 +3,8 @@ package campaign;
 import harness.CrossedPackets;
 import harness.Emulator;
 import harness.Host;
+import harness.Report;
+import harness.Table;
 import harness.TestKeys;
 import java.util.List;
 import java.util.Map;

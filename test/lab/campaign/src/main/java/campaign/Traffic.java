@@ -1,6 +1,7 @@
 package campaign;
 
 import harness.Host;
+import harness.Table;
 import harness.TestKeys;
 import java.util.ArrayList;
 import java.util.HashMap;

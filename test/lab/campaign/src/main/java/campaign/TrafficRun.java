@@ -1,6 +1,7 @@
 package campaign;
 
 import harness.Emulator;
+import harness.Report;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -3,6 +3,8 @@ package campaign;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+
+import harness.Report;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Outcome;

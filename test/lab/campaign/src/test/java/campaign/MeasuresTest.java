@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.CrossedPackets;
+import harness.Table;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.Report;
 import harness.Results;
+import harness.Table;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

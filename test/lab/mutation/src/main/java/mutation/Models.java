@@ -1,7 +1,7 @@
 package mutation;
 
-import campaign.Report;
-import campaign.Table;
+import harness.Report;
+import harness.Table;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

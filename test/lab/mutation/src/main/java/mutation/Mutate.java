@@ -1,6 +1,6 @@
 package mutation;
 
-import campaign.Report;
+import harness.Report;
 import harness.Results;
 import java.nio.file.Path;
 import java.util.ArrayList;

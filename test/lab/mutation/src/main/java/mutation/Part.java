@@ -1,6 +1,6 @@
 package mutation;
 
-import campaign.Report;
+import harness.Report;
 
 /** A kind of thing that mutants are made of. */
 interface Part {

@@ -1,7 +1,7 @@
 package mutation;
 
-import campaign.Report;
-import campaign.Table;
+import harness.Report;
+import harness.Table;
 import harness.Emulator;
 import java.io.IOException;
 import java.nio.file.Files;

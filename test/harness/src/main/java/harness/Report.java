@@ -1,10 +1,10 @@
-package campaign;
+package harness;
 
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The report of one campaign: its progress while it runs, then claims, text, tables, aims and violations. */
+/** The report of one campaign, or of another program that measures: its progress while it runs, then claims, text, tables, aims and violations. */
 public final class Report {
 
     private final String name;
@@ -24,7 +24,7 @@ public final class Report {
 
     /** Shows at once, on one line, how far it is. */
     public void progress(String format, Object... values) {
-        progress.println("campaign: " + name + ": " + Table.text(format, values));
+        progress.println(name + ": " + Table.text(format, values));
     }
 
     /**

@@ -1,4 +1,4 @@
-package campaign;
+package harness;
 
 import java.util.ArrayList;
 import java.util.Collections;
