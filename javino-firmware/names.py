@@ -30,7 +30,7 @@ USED |= set('Servo_h TimerOne_h_ IR_USE_AVR_TIMER1 IR_USE_AVR_TIMER3 IR_USE_AVR_
 def headers(path, found):
     """Adds a header and all that it includes of the library."""
     path = path.resolve()
-    if path in found or path.suffix != '.h':
+    if path in found or path.suffix not in ('.h', '.def'):
         return
     found[path] = path.read_text()
     for name in re.findall(r'#include "([^"]+)"', found[path]):

@@ -33,8 +33,11 @@ static frame_kind kind_of(const uint8_t *destination) {
 
 // Whether the message is content in the clear: performative;term or performative#conversation;term in UTF-8.
 static bool is_plain_content(const frame_view *view) {
-  static const char *const PERFORMATIVES[] = {"tell",   "untell", "achieve", "unachieve", "signal", "askOne",
-                                              "askAll", "askHow", "tellHow", "untellHow", "sorry",  NULL};
+  static const char *const PERFORMATIVES[] = {
+#define PERFORMATIVE(name, text, meaning, conversation) text,
+#include "Performatives.def"
+#undef PERFORMATIVE
+      NULL};
   const uint8_t *divider = memchr(view->message, ';', view->message_length);
   if (!divider || divider + 1 == view->message + view->message_length) return false;
   size_t performative = (size_t)(divider - view->message);

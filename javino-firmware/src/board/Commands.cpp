@@ -11,7 +11,15 @@ namespace {
 const uint8_t MAX_FIRMWARE_NAME = 100;
 
 // What only a board with a radio does.
-const char RADIOS[] JAVINO_FLASH = "IROYWEKNUFDVL";
+#define ANY(letter)
+#define RADIO(letter) letter,
+#define COMMAND(name, letter, text, boards, writesEeprom, meaning) boards(letter)
+const char RADIOS[] JAVINO_FLASH = {
+#include "Commands.def"
+    0};
+#undef COMMAND
+#undef RADIO
+#undef ANY
 
 bool isRadios(char name) {
   const FlashText *const names = reinterpret_cast<const FlashText *>(RADIOS);

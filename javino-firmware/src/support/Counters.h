@@ -13,48 +13,11 @@ namespace javinolib {
 
 /// The counters' numbers (SPEC 4.5).
 enum class Counter : uint8_t {
-  SERIAL_REQUESTS = 1,
-  SERIAL_DAMAGED,
-  SERIAL_BAD_FRAMES,
-  SERIAL_REPEATS,
-  RADIO_RECEIVED,
-  RADIO_DAMAGED,
-  RADIO_MISSED,
-  RADIO_BAD_FRAMES,
-  RADIO_RESERVED,
-  RADIO_NOT_FOR_US,
-  RADIO_OWN,
-  RADIO_NO_KEY,
-  RADIO_BAD_TAG,
-  RADIO_REPLAYED,
-  RADIO_REPLAY_FULL,
-  RADIO_QUEUE_FULL,
-  RADIO_SENT,
-  PERCEPTS_LEFT_OUT,
-  RADIO_REPEATS,
-  RADIO_FRAGMENTS_DROPPED,
-  RADIO_EXPIRED,
-  RADIO_ACKNOWLEDGED,
-  RADIO_UNDELIVERED,
-  RADIO_BAD_PROOFS,
-  RADIO_RESENT,
-  RADIO_DEFERRED,
-  RADIO_STALE,
-  RADIO_MENDED,
-  RADIO_BLOCKED,
-  RADIO_ANSWERS_DROPPED,
-  RADIO_DOUBTFUL,
-  RADIO_ANSWERS_TOLERATED,
-  RADIO_OVERHEARD_DROPPED,
-  RELAY_COPIES,
-  RELAY_ANSWERS,
-  RELAY_REFUSED,
-  MEMORY_DAMAGED,
-  LOOP_MILLIS,        ///< this and the next two: the longest time since the boot, between two calls of run(),
-  PERCEPTS_MILLIS,    ///< in the sketch's function of percepts,
-  ACTION_MILLIS,      ///< and in a function of an action
-  RADIO_LATE_MICROS,  ///< how late the radio's interrupt began at most
-  END                 ///< one more than the last
+  NO_COUNTER,
+#define COUNTER(name, meaning) name,
+#include "Counters.def"
+#undef COUNTER
+  END  ///< one more than the last
 };
 
 /// Adds one; the counter stops at the greatest number that it can hold.

@@ -45,6 +45,7 @@ import diffuser.board.MoveService;
 import diffuser.board.SensorMode;
 import diffuser.board.WallClock;
 import diffuser.gate.Gate;
+import diffuser.gate.Texts;
 import diffuser.gate.TrustLevel;
 import diffuser.mind.Ability;
 import diffuser.mind.CombinedPercepts;

@@ -170,7 +170,7 @@ public final class Device implements BoardListener {
     }
 
     /** Whether the sketch of the board that is here, or was here last, has named no action: it may know any text. */
-    boolean readsActions() {
+    public boolean readsActions() {
         return info.map(board -> board.actions().isEmpty()).orElse(false);
     }
 

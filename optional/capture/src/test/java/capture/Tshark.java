@@ -25,7 +25,7 @@ public final class Tshark {
     static final int SERIAL = 148;
 
     private static final Path LUA =
-            Path.of(System.getProperty("javino.root"), "optional/capture/src/main/wireshark/javino.lua");
+            Path.of(System.getProperty("javino.root"), "optional/capture/build/wireshark/javino.lua");
     private static final String NOBODY = "65534";
 
     /** @param linkType {@link Pcapng#AIR} or {@link #SERIAL}. */

@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -18,6 +19,7 @@ import javino.protocol.Capability;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
+import javino.protocol.Request;
 import javino.protocol.Status;
 
 /** A board in memory that performs requests as SPEC 4.2 and 4.3 want it, or as its script says, and logs them. */
@@ -27,7 +29,8 @@ public final class FakeBoard {
     private static final Set<String> READS = Set.of("list actions", "list keys", "statistics");
 
     /** The commands of a board with a radio. */
-    private static final String RADIOS = "IROYWEKNUFDVL";
+    private static final String RADIOS = Stream.of(Request.Command.values()).filter(Request.Command::needsRadio)
+            .map(each -> String.valueOf(each.letter())).collect(Collectors.joining());
 
     public final FakePort port;
     public final PacketLine line = new PacketLine(this);

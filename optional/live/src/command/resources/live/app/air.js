@@ -7,10 +7,10 @@ import { hueClass } from './colours.js';
 import { broadcast, fieldsOf, hexOf } from './packet.js';
 import { plain, rounded, seconds } from './text.js';
 import { fate, titleOf } from './phrases.js';
+import { PERFORMATIVES } from './lists.js';
 
 const ROWS = 100;
 const CHOICES = 40;
-const PERFORMATIVES = ['tell', 'untell', 'achieve', 'unachieve', 'signal', 'askOne'];
 
 const KINDS = { __proto__: null, broadcast: 'to all', multicast: 'to a group', unicast: 'to one', acknowledgement: 'answer', fragment: 'fragment', reserved: 'reserved', 'no frame': 'no frame' };
 

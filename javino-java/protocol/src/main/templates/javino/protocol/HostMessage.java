@@ -34,57 +34,13 @@ public record HostMessage(Kind kind, Optional<Address> to, int fragment, Bytes b
 
     /** The kinds, in the order of their numbers on the air. */
     public enum Kind {
-        /** EDHOC's first message, from the side that begins. */
-        MESSAGE_1(Use.HANDSHAKE, 37),
-        /** The second, from the side that answers: two fragments. */
-        MESSAGE_2(Use.HANDSHAKE, 88),
-        /** The third, from the side that began. */
-        MESSAGE_3(Use.HANDSHAKE, 63),
-        /** A renewal's first message, from the side that begins. */
-        RENEWAL_1(Use.HANDSHAKE, 16),
-        /** The second, from the side that answers. */
-        RENEWAL_2(Use.HANDSHAKE, 16),
-        /** The third, from the side that began. */
-        RENEWAL_3(Use.HANDSHAKE, 8),
-        /** Asks for a message of a handshake: its first byte and fragment. */
-        WANT(Use.HANDSHAKE, 2),
-        /** Asks the group key server of a group for the group's key. */
-        GROUP(Use.HANDSHAKE, 0),
-        /** A content with an id. */
-        CONTENT(Use.KEY_AGREEMENT),
-        /** The sequences of the revocation lists that a host has. */
-        SEQUENCES(Use.KEY_AGREEMENT),
-        /** A revocation list of an authority. */
-        REVOCATION_LIST(Use.KEY_AGREEMENT),
-        /** The key of a group. */
-        GROUP_KEY(Use.KEY_AGREEMENT, 16),
-        /** An agent wants to come. */
-        MOVE_OFFER(Use.MOVE),
-        /** It may; these bytes of it are here. */
-        MOVE_WANT(Use.MOVE),
-        /** Some bytes of it. */
-        MOVE_DATA(Use.MOVE),
-        /** It is here, as a whole, and sleeps. */
-        MOVE_READY(Use.MOVE, 4),
-        /** It has gone from where it was: wake it. */
-        MOVE_GO(Use.MOVE, 4),
-        /** It is awake here. */
-        MOVE_AWAKE(Use.MOVE),
-        /** It stays where it was: forget it. */
-        MOVE_CANCELLED(Use.MOVE, 4),
-        /** It may not come. */
-        MOVE_REFUSED(Use.MOVE),
-        /** A member's board lacks the key of its group; of the group key server: whether it does. */
-        GROUP_KEY_REQUEST(Use.KEY_AGREEMENT, 0);
+        @HostMessages.def: /** $4 */ $1(Use.$2, $3),
+        ;
 
         private static final int ANY = -1;
 
         private final Use use;
         private final int length;
-
-        Kind(Use use) {
-            this(use, ANY);
-        }
 
         Kind(Use use, int length) {
             this.use = use;

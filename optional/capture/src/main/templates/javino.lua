@@ -32,37 +32,37 @@ local HEARD = {[0] = "intact", [1] = "mended", [2] = "damaged"}
 local TRAILERS = {[0] = "none", [1] = "MARK", [2] = "PARITY", [255] = "not known"}
 local MARK, PARITY = 0x78, 0x87
 local FROM = {[0] = "host", [1] = "board"}
-local STATUSES = {[0] = "OK", "NOT_GREETED", "UNKNOWN_COMMAND", "BAD_ARGUMENT", "UNKNOWN_ACTION", "ACTION_FAILED", "NO_RF_ID",
-  "WRONG_ORIGIN", "BAD_DESTINATION", "NO_KEY", "TOO_LONG", "QUEUE_FULL", "STORE_FULL", "STORE_FAILED", "NONCE_EXHAUSTED", "BUSY", "HAS_KEY",
-  "EPOCH_LOST", "MEMORY_DAMAGED", "NO_RADIO"}
+local STATUSES = {}
+for number, name in ipairs({
+  @Statuses.def: "$1",
+}) do STATUSES[number - 1] = name end
 local OUTCOMES = {[0] = "sent", "delivered", "undelivered"}
 local ROLES = {[0] = "current", "previous", "next", "session",
   "current, floors may be lost", "previous, floors may be lost", "next, floors may be lost"}
 local RECORDS = {P = "percept", M = "message", T = "transmission", N = "no key", O = "overheard"}
-local COMMANDS = {H = "hello", P = "poll", A = "act", C = "list actions", I = "set RF id", R = "radio", O = "overhear", Y = "relay",
-  W = "relaying", E = "raise epoch", K = "set key", N = "renew key", U = "use key", F = "finish renewal", D = "delete key",
-  V = "set session key", L = "list keys", S = "statistics", transmit = "transmit"}
-local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialRepeats", "radioReceived", "radioDamaged",
-  "radioMissed", "radioBadFrames", "radioReserved", "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed",
-  "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
-  "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
-  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated", "radioOverheardDropped", "relayCopies",
-  "relayAnswers", "relayRefused", "memoryDamaged", "loopMillis", "perceptsMillis", "actionMillis", "radioLateMicros"}
+local COMMANDS = {
+  @Commands.def: [$2] = "$3",
+  transmit = "transmit"}
+local COUNTERS = {
+  @Counters.def: "$camel",
+}
 -- How a performative goes with a conversation.
-local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
-  askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always"}
+local PERFORMATIVES = {
+  @Performatives.def: $2 = "$4",
+}
 local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "predation"}
 local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
--- Host messages (SPEC 3.1) by their first bytes.
-local KINDS = {}
-for i, name in ipairs({"MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
-  "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY", "MOVE_OFFER", "MOVE_WANT", "MOVE_DATA", "MOVE_READY", "MOVE_GO", "MOVE_AWAKE",
-  "MOVE_CANCELLED", "MOVE_REFUSED", "GROUP_KEY_REQUEST"}) do KINDS[0x7F + i] = name end
+-- Host messages (SPEC 3.1) by their first bytes, and the lengths of their bodies, of the fragments from 0 on; of the others any.
+local KINDS, BODIES = {}, {}
+local LONGEST_BODY, FRAGMENT_BODY = 63, 62
+for i, row in ipairs({
+  @HostMessages.def: {"$1", $3},
+}) do
+  local name, length = row[1], row[2]
+  KINDS[0x7F + i] = name
+  if length >= 0 then BODIES[name] = length <= LONGEST_BODY and {length} or {FRAGMENT_BODY, length - FRAGMENT_BODY} end
+end
 local FIRST_SEALED = 0x88
--- The lengths of their bodies, of the fragments from 0 on; of the others any.
-local BODIES = {MESSAGE_1 = {37}, MESSAGE_2 = {62, 26}, MESSAGE_3 = {63}, RENEWAL_1 = {16}, RENEWAL_2 = {16}, RENEWAL_3 = {8},
-  WANT = {2}, GROUP = {0}, GROUP_KEY = {16}, MOVE_READY = {4}, MOVE_GO = {4}, MOVE_CANCELLED = {4},
-  GROUP_KEY_REQUEST = {0}}
 
 -- ---------------------------------------------------------------------------------------------------------------------
 -- Fields

@@ -26,59 +26,32 @@ public record Request(Command command, Frame frame, String description) {
 
     /** All requests, with their letters on the line. */
     public enum Command {
-        /** Tells the host's protocol version and asks who the board is. */
-        HELLO('H'),
-        /** Asks for what is new. */
-        POLL('P'),
-        /** Performs an action. */
-        ACT('A'),
-        /** Asks for the names of the sketch's actions. */
-        LIST_ACTIONS('C'),
-        /** Gives the board its address. */
-        SET_RF_ID('I'),
-        /** Says whether the board is to receive radio messages. */
-        RADIO('R'),
-        /** Says whether the board is to tell all packets that it hears. */
-        OVERHEAR('O'),
-        /** Sends a frame of another device as it is. */
-        RELAY('Y'),
-        /** Says whether the board is to be a relay, or asks whether it is one. */
-        RELAYING('W'),
-        /** Raises the board's boot epoch if it is lower. */
-        RAISE_EPOCH('E'),
-        /** Stores a key and replaces all keys of the address. */
-        SET_KEY('K'),
-        /** Stores a key as the next one: frames sealed with it are accepted, and the current key still seals. */
-        RENEW_KEY('N'),
-        /** Makes the next key the current one, and the current one the previous. */
-        USE_KEY('U'),
-        /** Deletes the previous key. */
-        FINISH_RENEWAL('F'),
-        /** Deletes all keys of an address. */
-        DELETE_KEY('D'),
-        /** Sets the key of a pair that lives in the board's RAM only. */
-        SET_SESSION_KEY('V'),
-        /** Asks which keys are stored. */
-        LIST_KEYS('L'),
-        /** Asks for the board's counters. */
-        STATISTICS('S'),
+        @Commands.def: /** $6 */ $1($2, Boards.$4, $5),
         /** Transmits a content: the frame is for another device, and has no letter. */
-        TRANSMIT('\0');
+        TRANSMIT('\0', Boards.RADIO, false);
+
+        private enum Boards {
+            ANY, RADIO
+        }
 
         private final char letter;
+        private final Boards boards;
+        private final boolean writesEeprom;
 
-        Command(char letter) {
+        Command(char letter, Boards boards, boolean writesEeprom) {
             this.letter = letter;
+            this.boards = boards;
+            this.writesEeprom = writesEeprom;
+        }
+
+        /** The letter on the line. */
+        public char letter() {
+            return letter;
         }
 
         /** Whether the board writes to its EEPROM before it answers; that takes up to 270 ms. */
         public boolean writesEeprom() {
-            return switch (this) {
-                case SET_RF_ID, RELAYING, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
-                case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, OVERHEAR, RELAY, SET_SESSION_KEY, LIST_KEYS, STATISTICS,
-                        TRANSMIT ->
-                    false;
-            };
+            return writesEeprom;
         }
 
         /** Whether it puts a key into EEPROM. */
@@ -88,12 +61,7 @@ public record Request(Command command, Frame frame, String description) {
 
         /** Whether only a board with a radio performs it. */
         public boolean needsRadio() {
-            return switch (this) {
-                case HELLO, POLL, ACT, LIST_ACTIONS, STATISTICS -> false;
-                case SET_RF_ID, RADIO, OVERHEAR, RELAY, RELAYING, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY,
-                        FINISH_RENEWAL, DELETE_KEY, SET_SESSION_KEY, LIST_KEYS, TRANSMIT ->
-                    true;
-            };
+            return boards == Boards.RADIO;
         }
 
         private Request with(Bytes body, String description) {

@@ -8,28 +8,8 @@ import java.util.Optional;
  * (SPEC 3).
  */
 public enum Performative {
-    /** The receiver comes to believe the term. */
-    TELL("tell"),
-    /** The receiver ceases to believe it. */
-    UNTELL("untell"),
-    /** The receiver comes to have it as a goal. */
-    ACHIEVE("achieve"),
-    /** The receiver drops the goal. */
-    UNACHIEVE("unachieve"),
-    /** The receiver has an event without a belief. */
-    SIGNAL("signal"),
-    /** The receiver answers with one belief that matches the term. */
-    ASK_ONE("askOne"),
-    /** The receiver answers with a list of all beliefs that match it. */
-    ASK_ALL("askAll"),
-    /** The receiver answers with its plans for the triggering event. */
-    ASK_HOW("askHow"),
-    /** The receiver comes to have the plans. */
-    TELL_HOW("tellHow"),
-    /** The receiver drops the plans that it had from the sender. */
-    UNTELL_HOW("untellHow"),
-    /** The receiver's question has no answer that can be sent (KQML's term). */
-    SORRY("sorry");
+    @Performatives.def: /** $3 */ $1("$2"),
+    ;
 
     private final String text;
 
