@@ -1,6 +1,7 @@
 #include <Arduino.h>
 #include <gtest/gtest.h>
 
+#include "support/CommandLetters.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -24,7 +25,7 @@ TEST_F(BoardWithoutRadio, tells_that_it_has_no_radio_no_memory_and_no_epoch) {
 }
 
 TEST_F(BoardWithoutRadio, answers_NO_RADIO_to_all_that_only_a_radio_does) {
-  for (char command : std::string("IROYWEKNUFDVL")) {
+  for (char command : radioCommandLetters()) {
     EXPECT_EQ(Status::NO_RADIO, board.request(command).status) << command;
     EXPECT_EQ(Status::NO_RADIO, board.request(command, bytesOf("ROMA")).status) << command;
   }
@@ -35,7 +36,7 @@ TEST_F(BoardWithoutRadio, answers_NO_RADIO_to_all_that_only_a_radio_does) {
 
 TEST_F(BoardWithoutRadio, answers_UNKNOWN_COMMAND_to_every_other_command_byte) {
   for (int command = 0; command < 256; command++) {
-    if (std::string("HPACSIROYWEKNUFDVL").find(static_cast<char>(command)) != std::string::npos) continue;
+    if (commandLetters().find(static_cast<char>(command)) != std::string::npos) continue;
     EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request(Bytes(1, static_cast<uint8_t>(command))).status) << command;
   }
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request(Bytes()).status);

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
+import javino.protocol.Request;
 import javino.protocol.SerialPacket;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
@@ -88,8 +89,9 @@ class HostileTest {
             add(Pcapng.AIR, Bytes.join(Bytes.of(1, 1, random.nextInt(4), 255, random.nextInt(3), 0, 1, 'b', 0),
                     frame.encode()));
             // A command byte or a status, and then anything.
-            Bytes message = Bytes.join(Bytes.of(random.nextBoolean() ? "HPACIROYWEKNUFDVLS".charAt(random.nextInt(18))
-                    : random.nextInt(3)), random(random, 40));
+            Request.Command[] commands = Request.Command.values();
+            Bytes message = Bytes.join(Bytes.of(random.nextBoolean()
+                    ? commands[random.nextInt(commands.length)].letter() : random.nextInt(3)), random(random, 40));
             boolean own = random.nextBoolean();
             add(Tshark.SERIAL, Bytes.join(Bytes.of(1, random.nextInt(2), 1, 'b'), new SerialPacket(random.nextInt(4),
                     own ? new Frame(Address.SERIAL, Address.SERIAL, message) : frame).encode()));
