@@ -24,11 +24,15 @@ static const distance_rate OUTDOORS[] = {{60, 0},       {70, 6.8e-9}, {80, 2.7e-
 
 // emulator/README.md says where these are from.
 static const module_config MODULES[] = {
-    {"hc-12", 9600, 15000, 0.0043, 0.004, 0.005, 16, 256},
-    {"e32", 9600, 2400, 0.06, 0.0032, 0, 58, 512},
-    {"e22", 9600, 2400, 0.06, 0.0032, 0, 240, 1000},
+#define SERIAL_MODULE(name, text, baud, longest, slot, airtime, micros, ...) {text, baud, __VA_ARGS__},
+#include "SerialModules.def"
+#undef SERIAL_MODULE
 };
-static const char *const MODULE_KINDS[] = {"hc-12", "e32", "e22", NULL};
+static const char *const MODULE_KINDS[] = {
+#define SERIAL_MODULE(name, text, ...) text,
+#include "SerialModules.def"
+#undef SERIAL_MODULE
+    NULL};
 
 static void read_module(module_config *module, const json_node *node) {
   json_node name = json_member(node, "module");

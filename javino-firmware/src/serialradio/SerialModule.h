@@ -18,11 +18,6 @@ struct SerialModule {
 
 }  // namespace javinolib
 
-/// HC-12 in its mode FU3: it sends 16 bytes at a time, while the next ones come.
-extern const javinolib::SerialModule JAVINO_HC_12;
-
-/// EBYTE E32, LoRa at 2400 bit/s: it sends 58 bytes at a time, when all have come.
-extern const javinolib::SerialModule JAVINO_E32;
-
-/// EBYTE E22, LoRa at 2400 bit/s: the same with 240 bytes.
-extern const javinolib::SerialModule JAVINO_E22;
+#define SERIAL_MODULE(name, text, ...) extern const javinolib::SerialModule name;
+#include "SerialModules.def"
+#undef SERIAL_MODULE
