@@ -1,4 +1,4 @@
-// Of the air, in each scene of delivery.
+// Properties of the air, in each scene of delivery.
 
 /* A1 holds: the air is quiet when nobody sends. */
 A[] Air.Quiet == (onAir == 0) && (Air.Quiet imply !collided)

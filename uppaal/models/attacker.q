@@ -1,4 +1,4 @@
-// What the attacker does of itself, so that what holds against it says something.
+// The attacker acts of itself, so that what holds against it says something.
 
 /* T1 holds: it sends as the one board or as the other. */
 A[] (Thief.OnAir && !collided) imply (nonce > 0 && (kind == DATA && to == SUPPORT && from == POLICE || kind == ACK && to == POLICE && from == SUPPORT))

@@ -3,7 +3,7 @@
 /* Q1 holds: with a connection that stays online, the network has no deadlock either. */
 A[] not deadlock
 
-// What was begun ends. In paper.xml none of these holds, since nothing forces a sender to go on.
+// Transmissions that were begun end. In paper.xml none of these holds, since nothing forces a sender to go on.
 
 /* Q2 holds: a unicast for which the channel was acquired is acknowledged. */
 Police_Sender.Ready --> Police_Sender.Unicast_Acknowledged

@@ -1,4 +1,4 @@
-// What the eight properties of the paper leave open. All of these hold for paper.xml and for quiet.xml.
+// Properties that the eight of the paper leave open. All of these hold for paper.xml and for quiet.xml.
 
 // Exactly the addressees receive.
 

@@ -1,4 +1,4 @@
-// Of two unicasts of one board to another, in the scenes unicast and repeats.
+// Properties of two unicasts of one board to another, in the scenes unicast and repeats.
 
 /* D1 holds: the receiver's host gets each message at most once. */
 A[] given[1] <= 1 && given[2] <= 1

@@ -4,7 +4,7 @@
 #define HAS_EEPROM
 #endif
 
-// What the core does beside the chip: texts, pins, EEPROM.
+// Parts of the core beside the chip: texts, pins, EEPROM.
 
 #ifdef CORE_HAS_USB
 UsbSerial Serial;
