@@ -78,7 +78,7 @@ class Inbox {
   static const uint8_t NONCE_AT = ORIGIN_AT + Address::TEXT_LENGTH;
   static const uint8_t HEAD_LENGTH = NONCE_AT + NONCE_LENGTH;
 
-  static_assert(config::RECEIVE_BYTES >= 2 + HEAD_LENGTH + MAX_CONTENT_LENGTH, "JAVINO_RECEIVE_BYTES: too few");
+  static_assert(config::RECEIVE_BYTES >= 2 + HEAD_LENGTH + MAX_CONTENT_LENGTH, "RECEIVE_BYTES: too few");
 
   void settle(const uint8_t *record);
 

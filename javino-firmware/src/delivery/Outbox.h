@@ -48,7 +48,7 @@ class Outbox {
 
  private:
   static_assert(config::TRANSMIT_BYTES >= 3 + HEADER_LENGTH + SEAL_LENGTH + MAX_CONTENT_LENGTH,
-                "JAVINO_TRANSMIT_BYTES: too few");
+                "TRANSMIT_BYTES: too few");
 
   uint8_t add(const Frame &frame, uint8_t contentAt, Length length);
 

@@ -3,10 +3,7 @@ package javino.protocol;
 import java.util.Arrays;
 import java.util.Optional;
 
-/**
- * The effect that a message is to have on its receiver: the performatives of Jason, {@code sorry}, and {@code move}
- * (SPEC 3).
- */
+/** The effect that a message is to have on its receiver: the performatives of Jason, and {@code sorry} (SPEC 3). */
 public enum Performative {
     @Performatives.def: /** $3 */ $1("$2"),
     ;
