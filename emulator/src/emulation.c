@@ -170,7 +170,8 @@ static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   }
   n->arduino.clock_error_ppm = n->config->clock_error_ppm;
   serial_sniffer_init(&n->line, e->out, n->config->name);
-  point_log_init(&n->declared, e->out, n->config->name, n->config->model->clock_cycles);
+  point_log_init(&n->declared, e->out, n->config->name, &e->listener.stations[n->index].heard,
+                 n->config->model->clock_cycles);
   uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
   serial_modules_join(&e->modules, n->index, &n->arduino);
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);

@@ -25,9 +25,13 @@ static const struct {
 };
 #undef POINT
 
-void point_log_init(point_log *p, trace *out, const char *board, unsigned clock_cycles) {
-  *p = (point_log){
-      .out = out, .board = board, .late = (cycles_t)POINTS_LATE_CYCLES * clock_cycles, .run = NEVER, .turn = -1};
+void point_log_init(point_log *p, trace *out, const char *board, const uint64_t *heard, unsigned clock_cycles) {
+  *p = (point_log){.out = out,
+                   .board = board,
+                   .heard = heard,
+                   .late = (cycles_t)POINTS_LATE_CYCLES * clock_cycles,
+                   .run = NEVER,
+                   .turn = -1};
 }
 
 void point_log_reset(point_log *p) {
@@ -80,6 +84,7 @@ void point_log_tell(point_log *p, uint8_t number, uint8_t first, uint8_t second,
   trace_text(p->out, "name", POINTS[number].name);
   if (*POINTS[number].operands[0]) trace_count(p->out, POINTS[number].operands[0], first);
   if (*POINTS[number].operands[1]) trace_count(p->out, POINTS[number].operands[1], second);
+  if (number != QUIET && number != BUSY && number != TURN && *p->heard != 0) trace_count(p->out, "packet", *p->heard);
   if (p->run != NEVER) {
     trace_time(p->out, "run", p->run);
     trace_time(p->out, "gap", p->gap);

@@ -18,6 +18,7 @@
 typedef struct {
   trace *out;
   const char *board;
+  const uint64_t *heard;  // the number of the last packet that has come to the board; 0 before the first
   cycles_t late;  // a run() that comes later than this after the one before is told
   cycles_t run;   // when the last run() began; NEVER before the first since a reset
   cycles_t gap;   // after the one before it
@@ -29,7 +30,7 @@ typedef struct {
 } point_log;
 
 // `clock_cycles` of 16 MHz take a cycle of the board.
-void point_log_init(point_log *p, trace *out, const char *board, unsigned clock_cycles);
+void point_log_init(point_log *p, trace *out, const char *board, const uint64_t *heard, unsigned clock_cycles);
 
 // The board is reset: what it was about to write is not told, as it may be half of a key.
 void point_log_reset(point_log *p);

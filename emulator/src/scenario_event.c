@@ -8,7 +8,7 @@
 #include "scenario_radio.h"
 
 // The version of the trace; in version 2 boards tell their points.
-#define VERSION 2
+#define VERSION 3
 
 static json_t *position(double x_m, double y_m) { return json_pack("[ff]", x_m, y_m); }
 

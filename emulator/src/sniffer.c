@@ -38,8 +38,9 @@ static void write_frame(trace *t, const frame_view *view) {
   }
 }
 
-static void write_packet(trace *t, const line_packet *packet, const char *radio) {
+static void write_packet(trace *t, uint64_t number, const line_packet *packet, const char *radio) {
   frame_view view;
+  if (number != 0) trace_count(t, "packet", number);
   trace_hex(t, "payload", packet->payload, packet->length);
   if (frame_view_read(&view, packet->payload, packet->length) == 0)
     write_frame(t, &view);
@@ -62,6 +63,7 @@ static void expect(sniffer_station *station, size_t source, const line_packet *p
   }
   sniffer_expected *expected = &station->expected[station->expected_count++];
   expected->source = source;
+  expected->number = station->heard = s->stations[source].sending;
   expected->start = packet->start;
   expected->end = packet->end;
   expected->deadline = packet->end + RF_DELAY + (cycles_t)(ARRIVAL_BITS * s->bit_cycles);
@@ -73,8 +75,9 @@ static void expect(sniffer_station *station, size_t source, const line_packet *p
 
 // Receivers have a packet before its trailer has ended.
 static void tx_whole(void *context, const line_packet *packet) {
-  const sniffer_station *station = context;
+  sniffer_station *station = context;
   sniffer *s = station->owner;
+  station->sending = ++s->packets;
   for (size_t r = 0; r < s->config->board_count; r++)
     if (rf_bus_hears(s->bus, r, station->board)) expect(&s->stations[r], station->board, packet);
 }
@@ -84,7 +87,7 @@ static void tx_ended(void *context, const line_packet *packet) {
   sniffer *s = station->owner;
   station->counters.sent++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
-  write_packet(s->out, packet, s->config->radio.module.name);
+  write_packet(s->out, station->sending, packet, s->config->radio.module.name);
   if (s->ending) trace_flag(s->out, "cut", true);
   trace_end(s->out);
 }
@@ -114,13 +117,14 @@ static void rx_ended(void *context, const line_packet *packet) {
   sniffer_station *station = context;
   sniffer *s = station->owner;
   int index = find_expected(station, packet);
+  uint64_t number = index >= 0 ? station->expected[index].number : 0;
   station->counters.received++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-rx");
   if (index >= 0) {
     trace_text(s->out, "from", board_name(s, station->expected[index].source));
     forget(station, (size_t)index);
   }
-  write_packet(s->out, packet, s->config->radio.module.name);
+  write_packet(s->out, number, packet, s->config->radio.module.name);
   trace_end(s->out);
 }
 
@@ -182,6 +186,7 @@ static void report_damaged(sniffer_station *station, const sniffer_expected *los
   station->counters.damaged++;
   trace_begin(s->out, lost->deadline, board_name(s, station->board), "rf-damaged");
   trace_text(s->out, "from", board_name(s, lost->source));
+  trace_count(s->out, "packet", lost->number);
   trace_text(s->out, "why", why);
   trace_time(s->out, "start", lost->start);
   trace_time(s->out, "end", lost->end);
@@ -213,12 +218,15 @@ void sniffer_module_packet(sniffer *s, size_t source, const line_packet *packet,
     sender->counters.undecodable++;
     return;
   }
+  sender->sending = ++s->packets;
   tx_ended(sender, packet);
   for (size_t r = 0; r < s->config->board_count; r++) {
     sniffer_station *station = &s->stations[r];
     if (!rf_bus_hears(s->bus, r, source)) continue;
     if (missed >> r & 1) {
-      sniffer_expected lost = {.source = source, .start = packet->start, .end = packet->end, .deadline = packet->end};
+      station->heard = sender->sending;
+      sniffer_expected lost = {.source = source, .number = sender->sending, .start = packet->start, .end = packet->end};
+      lost.deadline = packet->end;
       report_damaged(station, &lost, "a piece is lost");
       continue;
     }

@@ -19,6 +19,7 @@
 // A packet that was sent in a receiver's range and has not arrived yet.
 typedef struct {
   size_t source;
+  uint64_t number;
   cycles_t start, end;
   cycles_t deadline;
   uint8_t payload[LINE_MAX_PAYLOAD];
@@ -39,6 +40,8 @@ typedef struct {
   struct sniffer *owner;
   size_t board;
   line_decoder tx, rx;
+  uint64_t sending;  // the number of its packet on the air, or of the last one
+  uint64_t heard;    // of the last packet that has come to it, damaged or not; 0: none yet
   sniffer_expected expected[SNIFFER_MAX_EXPECTED];
   size_t expected_count;
   line_error last_error;  // of the RX pin
@@ -52,6 +55,7 @@ typedef struct sniffer {
   trace *out;
   sniffer_station *stations;  // of the boards, then the injector's, who only sends
   bool ending;                // what is on the air is broken off
+  uint64_t packets;           // that have a number: from 1 on, in the order in which they were whole
   cycles_t next_deadline;
   double bit_cycles;
 } sniffer;

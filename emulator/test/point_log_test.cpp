@@ -50,6 +50,17 @@ TEST_P(PointLog, a_point_tells_when_the_run_began_that_it_lies_in) {
   EXPECT_EQ(told[4].real("gap"), told[3].real("gap"));
 }
 
+TEST(PointLogPackets, a_point_names_the_packet_that_has_come_last_but_no_run_and_no_turn) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@points"}]})");
+  run.e.listener.stations[0].heard = 12;
+  run.run_until(0.2);
+  for (const Event &told : run.events("a", "point")) {
+    bool named = told.text("name") == "EPOCH_STORED" || told.text("name") == "FLOOR_STORED";
+    EXPECT_EQ(told.number("packet"), named ? 12 : 0) << told.text("name");
+  }
+}
+
 TEST_P(PointLog, bytes_of_the_eeprom_are_told_before_the_point_behind_them) {
   auto told = bytes();
   ASSERT_GE(told.size(), 2u);
@@ -73,7 +84,8 @@ TEST(PointLogBytes, bytes_written_downwards_are_told_as_they_lie) {
   Scratch scratch;
   trace out = {fopen(scratch.path("trace").c_str(), "w"), false};
   point_log log;
-  point_log_init(&log, &out, "a", 1);
+  const uint64_t heard = 0;
+  point_log_init(&log, &out, "a", &heard, 1);
   for (uint16_t at : {12, 11, 10, 13, 10}) point_log_eeprom(&log, at, (uint8_t)at, 0);
   point_log_reset(&log);  // the last byte may be part of what is longer
   fclose(out.file);

@@ -26,6 +26,8 @@ TEST(Radio, a_packet_is_seen_leaving_and_arriving) {
   ASSERT_EQ(received.size(), 1u);
   EXPECT_EQ(received[0].text("from"), "sender");
   EXPECT_EQ(received[0].text("payload"), HELLO);
+  EXPECT_EQ(sent[0].number("packet"), 1);
+  EXPECT_EQ(received[0].number("packet"), 1);
   EXPECT_NEAR(received[0].t - sent[0].t, cycles_to_seconds(RF_DELAY), 0.000002);
   EXPECT_TRUE(run.events("rf-damaged").empty());
   EXPECT_TRUE(run.events("rf-collision").empty());
@@ -68,6 +70,8 @@ TEST(Radio, packets_that_overlap_damage_each_other) {
   EXPECT_EQ(damaged.size(), 2u);
   auto sent = run.events("rf-tx");
   for (size_t i = 0; i < damaged.size(); i++) {
+    EXPECT_EQ(damaged[i].number("packet"), static_cast<int>(i) + 1);
+    EXPECT_EQ(sent[i].number("packet"), static_cast<int>(i) + 1);
     EXPECT_EQ(damaged[i].real("start"), sent[i].real("start"));
     EXPECT_EQ(damaged[i].real("end"), sent[i].real("end"));
     EXPECT_GT(damaged[i].t, damaged[i].real("end"));

@@ -38,6 +38,9 @@ TEST(SerialModule, a_packet_comes_as_it_was_given_and_is_told) {
     ASSERT_EQ(received.size(), 1u);
     EXPECT_EQ(received[0].text("from"), "sender");
     EXPECT_EQ(received[0].real("start"), sent[0].real("start"));
+    EXPECT_EQ(received[0].number("packet"), 1);
+    EXPECT_EQ(sent[0].number("packet"), 1);
+    EXPECT_EQ(run.e.listener.stations[1].heard, 1u);
     EXPECT_EQ(came_to(run, "mirror"), SENT);
   }
 }
@@ -81,6 +84,7 @@ TEST(SerialModule, what_overlaps_is_lost_and_half_a_packet_may_come) {
   EXPECT_GE(run.events("mirror", "rf-collision").size(), 1u);
   EXPECT_EQ(run.events("mirror", "rf-damaged").size(), 2u);
   EXPECT_EQ(run.events("sender", "rf-damaged").size(), 1u) << "it sends itself";
+  EXPECT_EQ(run.events("sender", "rf-damaged")[0].number("packet"), 2);
   EXPECT_LT(came_to(run, "mirror").size(), 2 * SENT.size());
 }
 

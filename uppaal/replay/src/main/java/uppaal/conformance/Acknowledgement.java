@@ -54,7 +54,7 @@ record Acknowledgement(Payload payload, String kind) {
                 frame.nonce, frame.origin + payload.origin(), message.slice(0, end))));
     }
 
-    /** As {@link Frame#answers} has it. */
+    /** {@code delivered}, …, and of fragments also which. */
     String answer() {
         return is(FRAGMENTS) ? FRAGMENTS + payload.message().at(0) : kind;
     }

@@ -3,7 +3,6 @@ package uppaal.conformance;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import trace.TraceEvent;
 
@@ -15,8 +14,9 @@ final class Air {
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture", "loss", "module");
     private static final Set<String> BREAKS = Set.of("reset", "fault", "command", "crash");
-    /** Commands that change nothing of what boards hear. */
-    private static final Set<String> HARMLESS = Set.of("send", "speed", "light", "sensor");
+    /** Commands and faults that change nothing of what boards hear. */
+    private static final Set<String> HARMLESS =
+            Set.of("send", "speed", "light", "sensor", "transition", "unplug", "plug");
 
     private final Deque<Transmission> recent = new ArrayDeque<>();
     private final Header header;
@@ -28,6 +28,12 @@ final class Air {
     Air(Header header) {
         this.header = header;
         isCertain = UNCERTAIN.stream().noneMatch(header::hasRadio);
+    }
+
+    /** Whether a board begins anew, or has no power: unlike one that loses only its host. */
+    static boolean isBoot(TraceEvent event) {
+        return event.is("reset") || event.is("crash")
+                || event.is("fault") && event.textOrEmpty("do").equals("power-cut");
     }
 
     void begins(Transmission packet) {
@@ -61,14 +67,6 @@ final class Air {
     /** Whether the trace tells all that was on the air from then on. */
     boolean isKnownSince(double moment) {
         return isCertain && disturbed < moment - header.longest();
-    }
-
-    /** The packet that reaches a board, perhaps damaged. */
-    Optional<Transmission> sent(TraceEvent reception) {
-        String from = reception.textOrEmpty("from");
-        double start = reception.real("start");
-        return recent.stream().filter(packet -> packet.board().equals(from)
-                && Math.abs(packet.start() - start) < PhysicalLimits.ARRIVAL_BITS * header.bit()).findFirst();
     }
 
     /** Whether nobody sends at any time between two. */

@@ -22,7 +22,6 @@ final class AirCheck implements Check {
     /** SPEC 6: a carrier is heard from this bit on, and never for so long without an edge. */
     private static final int HEARD_BITS = 12;
     private static final int SILENT_BITS = 10;
-    private static final Set<String> BOOTS = Set.of("reset", "fault", "crash");
     /** Hosts have given up a board by then, also one whose loop() takes long. */
     private static final double HANGS_SECONDS = 10;
     /** What a reset may take of a packet's end (emulator/README.md, rf-tx). */
@@ -127,13 +126,14 @@ final class AirCheck implements Check {
         if (!station.isOurs) {
             return;
         }
-        require(station.declared != null, packet.board() + " sends " + packet + " that it has not declared",
+        require(packet.declared() != null, packet.board() + " sends " + packet + " that it has not declared",
                 "one of " + String.join(", ", new TreeSet<>(SENDS)) + " before");
-        checkDeclared(packet, station.declared, station.isRelay);
+        checkDeclared(packet, station.isRelay);
         station.declared = null;
     }
 
-    private void checkDeclared(Transmission packet, Point declared, boolean isRelay) throws RefusedException {
+    private void checkDeclared(Transmission packet, boolean isRelay) throws RefusedException {
+        Point declared = packet.declared();
         Payload payload = packet.payload();
         boolean isRelays = declared.name().startsWith("RELAY_");
         boolean mayTell = isRelay && declared.is("SEND") && payload.kind() == Payload.Kind.UNICAST;
@@ -182,11 +182,9 @@ final class AirCheck implements Check {
         air.event(event);
         checkRun(event.seconds());
         Station station = station(event.board());
-        if (event.is("rf-rx") || event.is("rf-damaged")) {
-            reaches(event);
-        } else if (event.is("host-id")) {
+        if (event.is("host-id")) {
             station.isOurs = true;
-        } else if (BOOTS.contains(event.name())) {
+        } else if (Air.isBoot(event)) {
             double lost = (LOST_BITS + PhysicalLimits.ARRIVAL_BITS) * bit;
             if (station.lacking != null && event.seconds() > station.lacking.end() + lost) {
                 throw lacks(station.lacking);
@@ -203,13 +201,10 @@ final class AirCheck implements Check {
         }
     }
 
-    private void reaches(TraceEvent event) throws RefusedException {
-        String from = event.textOrEmpty("from");
-        Optional<Transmission> sent = air.sent(event);
-        require(sent.isPresent() && !from.equals(event.board()), event.board() + " hears a packet" +
-                (from.isEmpty() ? "" : " of " + from + " begin at " + event.real("start") + " s"),
-                "one that another board sent");
-        Transmission packet = sent.get();
+    @Override
+    public void hears(Reception reception) throws RefusedException {
+        TraceEvent event = reception.event();
+        Transmission packet = reception.packet();
         require(reached.computeIfAbsent(packet, added -> new HashSet<>()).add(event.board()), event.board() +
                 " hears " + packet + " twice", "once");
         double whole = packet.start() + (packet.wholeBits() - 2) * bit * header.second(packet.board());
@@ -220,10 +215,10 @@ final class AirCheck implements Check {
             throw new RefusedException(event.board() + " hears " + packet + " end at another time than it was sent",
                     String.format(Locale.ROOT, "%.6f to %.6f s", whole, last));
         }
-        if (event.is("rf-rx")) {
+        if (reception.isIntact()) {
             checkSame(event, packet);
         }
-        hears(event, packet);
+        checkHeard(event, packet);
     }
 
     private static void checkSame(TraceEvent event, Transmission packet) throws RefusedException {
@@ -234,7 +229,7 @@ final class AirCheck implements Check {
     }
 
     /** What a board that a packet reached has heard of it, and when. */
-    private void hears(TraceEvent event, Transmission packet) throws RefusedException {
+    private void checkHeard(TraceEvent event, Transmission packet) throws RefusedException {
         BoardAir board = station(event.board()).air;
         double from = event.real("start") + HEARD_BITS * bit;
         double to = packet.start() + packet.wholeBits() * bit * header.second(packet.board());

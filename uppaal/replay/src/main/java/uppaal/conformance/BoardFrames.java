@@ -51,8 +51,6 @@ final class BoardFrames {
     final Set<String> ids = new HashSet<>();
     final Eeprom eeprom = new Eeprom();
     final Map<Integer, Outgoing> outgoing = new HashMap<>();
-    /** What its radio has taken last; null before that. */
-    Point declared;
     boolean declares;
     /** When it has declared something first since the last reset, in seconds; negative until then. */
     double runsSince = -1;
@@ -94,8 +92,8 @@ final class BoardFrames {
     }
 
     /** It sends an acknowledgement. How often it may, the model tells. */
-    void pay(Acknowledgement answer) throws RefusedException {
-        Set<String> same = owed.getOrDefault(declared.operand("key"), Set.of());
+    void pay(int key, Acknowledgement answer) throws RefusedException {
+        Set<String> same = owed.getOrDefault(key, Set.of());
         require(same.contains(answer.toString()), name + " acknowledges " + answer, "what it owes: " + same);
     }
 
@@ -136,10 +134,10 @@ final class BoardFrames {
     }
 
     /** A floor above a message is heard (SPEC 7.3): by a sixteenth and 1 s more, since clocks differ. */
-    void hearStale(Point point) throws RefusedException {
+    void hearStale(Point point, double uptime) throws RefusedException {
         Outgoing message = message(point);
         double onItsWay = (point.run() - message.sentAt) / second;
-        message.isNew = message.frame.uptime > onItsWay + onItsWay / 16 + 1 - PhysicalLimits.MILLIS_STEP_SECONDS;
+        message.isNew = uptime > onItsWay + onItsWay / 16 + 1 - PhysicalLimits.MILLIS_STEP_SECONDS;
     }
 
     private static int length(Outgoing message) {
@@ -151,13 +149,13 @@ final class BoardFrames {
     }
 
     /** A message's first packet is on the air. */
-    void begin(Outgoing message, Payload packet) throws RefusedException {
-        Frame frame = new Frame(packet);
+    void begin(Outgoing message, Transmission packet) throws RefusedException {
+        Frame frame = new Frame(packet.payload());
         message.frame = frame;
-        message.sentAt = declared.run();
-        String what = name + " sends a " + packet.kind() + ", " + frame + ", of " + frame.length + " bytes";
+        message.sentAt = packet.declared().run();
+        String what = name + " sends a " + packet.payload().kind() + ", " + frame + ", of " + frame.length + " bytes";
         require(message.destination == null || frame.destination.equals(message.destination)
-                && frame.origin.equals(packet.origin()) && ids.contains(frame.origin),
+                && frame.origin.equals(packet.payload().origin()) && ids.contains(frame.origin),
                 what, "one from " + ids + " to " + message.destination);
         if (message.content != null) {
             checkCut(message, what);

@@ -29,12 +29,10 @@ final class ByteCheck implements Check {
     private final Set<String> trailed = new HashSet<>();
     private final Set<String> askedForParity = new HashSet<>();
     private final Header header;
-    private final Air air;
     private int proofs;
 
     ByteCheck(Header header) {
         this.header = header;
-        air = new Air(header);
         keys = new Keys(header.keys(), this::names);
     }
 
@@ -67,33 +65,33 @@ final class ByteCheck implements Check {
             case "EPOCH_STORED" -> board.storeEpoch();
             case "TAKE_UP", "RESEAL" -> board.seal(point);
             case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> board.owe(point);
-            case "DELIVERED" -> answered(board, point, Acknowledgement.DELIVERED);
-            case "STALE_HEARD" -> {
-                answered(board, point, Acknowledgement.STALE);
-                board.hearStale(point);
-            }
+            case "DELIVERED" -> answer(board, point, Acknowledgement.DELIVERED);
+            case "STALE_HEARD" -> board.hearStale(point, answer(board, point, Acknowledgement.STALE).uptime());
             case "FRAGMENTS_NEW", "FRAGMENTS_KNOWN" ->
-                answered(board, point, Acknowledgement.FRAGMENTS + point.operand("have"));
-            default -> board.declared = AirCheck.SENDS.contains(point.name()) ? point : board.declared;
+                answer(board, point, Acknowledgement.FRAGMENTS + point.operand("have"));
+            default -> {}
         }
     }
 
-    /** A board has heard an answer: somebody must have given it. */
-    private static void answered(BoardFrames board, Point point, String answer) throws RefusedException {
+    /** The answer that a board has heard. */
+    private Acknowledgement answer(BoardFrames board, Point point, String answer) throws RefusedException {
         Frame frame = board.message(point).frame;
-        require(frame != null && frame.answers.contains(answer),
-                board.name + " declares " + point.name() + " of message " + point.number(),
-                "an acknowledgement of that with a right proof before");
+        return point.packets().stream().map(each -> each.packet().payload()).filter(Payload::isAcknowledgement)
+                .flatMap(payload -> Acknowledgement.of(payload).stream())
+                .filter(each -> frame != null && each.answer().equals(answer) && each.mayMean(frame)
+                        && each.isProved(frame, keys))
+                .findFirst().orElseThrow(() -> new RefusedException(
+                        board.name + " declares " + point.name() + " of message " + point.number(),
+                        "an acknowledgement of that with a right proof before"));
     }
 
     @Override
     public void begins(Transmission packet) throws RefusedException {
-        air.begins(packet);
         Fields.check(packet.event(), packet.payload());
         BoardFrames board = board(packet.board());
         Payload payload = packet.payload();
-        if (board.declared != null && board.declared.name().startsWith("SEND")) {
-            BoardFrames.Outgoing message = board.message(board.declared);
+        if (packet.isDeclared("SEND")) {
+            BoardFrames.Outgoing message = board.message(packet.declared());
             if (!message.isRelayed) {
                 send(board, message, packet);
                 return;
@@ -112,12 +110,12 @@ final class ByteCheck implements Check {
     private void send(BoardFrames board, BoardFrames.Outgoing message, Transmission packet) throws RefusedException {
         Payload payload = packet.payload();
         require(payload.isData()
-                && 1 << payload.index() == Integer.lowestOneBit(board.declared.operand("pending")),
+                && 1 << payload.index() == Integer.lowestOneBit(packet.declared().operand("pending")),
                 board.name + " sends " + packet, "fragments of its attempt in their order");
         if (message.frame == null) {
             require(payload.index() == 0,
                     board.name + " sends fragment " + payload.index() + " of a message first", "fragment 0");
-            board.begin(message, payload);
+            board.begin(message, packet);
             frames.put(payload.identity(), message.frame);
             if (message.content != null) {
                 keys.check(board.name, message.frame, message.content);
@@ -127,7 +125,7 @@ final class ByteCheck implements Check {
         require(frame.isPart(payload), board.name + " sends other bytes as " + (payload.isFragment()
                 ? "fragment " + payload.index() + " of " : "") + frame,
                 "those of the whole that it has sealed" + (frame.isCut() ? " and cut" : ""));
-        require(!frame.isCut() || payload.asks() == (frame.isUnicast() && board.declared.is("SEND")),
+        require(!frame.isCut() || payload.asks() == (frame.isUnicast() && packet.declared().is("SEND")),
                 board.name + " sends fragment " + payload.index() + " of " + frame
                         + (payload.asks() ? " and asks" : " and does not ask") + " for an answer",
                 "that the last one of an attempt asks, if it is for one device");
@@ -168,7 +166,7 @@ final class ByteCheck implements Check {
     /** A board acknowledges, or somebody tries to. */
     private void answer(BoardFrames board, Transmission packet) throws RefusedException {
         Optional<Acknowledgement> read = Acknowledgement.of(packet.payload());
-        boolean isOwn = board.declared != null && board.declared.is("ANSWER");
+        boolean isOwn = packet.isDeclared("ANSWER");
         require(!isOwn || read.isPresent(),
                 board.name + " acknowledges with " + packet.payload().message().length() + " bytes", "8, 9 or 16");
         if (read.isEmpty()) {
@@ -178,12 +176,10 @@ final class ByteCheck implements Check {
         List<Frame> meant = frames.values().stream().filter(answer::mayMean).toList();
         List<Frame> proved = meant.stream().filter(frame -> answer.isProved(frame, keys)).toList();
         if (isOwn) {
-            checkOwn(board, answer, meant, proved);
+            checkOwn(board, packet.declared().operand("key"), answer, meant, proved);
             answer.check(board, packet.start(), proved);
         }
         for (Frame frame : proved) {
-            frame.answers.add(answer.answer());
-            frame.uptime = answer.is(Acknowledgement.STALE) ? answer.uptime() : frame.uptime;
             if (answer.asksParity(frame, keys)) {
                 askedForParity.add(frame.pair());
             }
@@ -191,14 +187,14 @@ final class ByteCheck implements Check {
         }
     }
 
-    private void checkOwn(BoardFrames board, Acknowledgement answer, List<Frame> meant, List<Frame> proved)
+    private void checkOwn(BoardFrames board, int key, Acknowledgement answer, List<Frame> meant, List<Frame> proved)
             throws RefusedException {
         Payload payload = answer.payload();
         require(board.ids.contains(payload.origin()), board.name + " acknowledges as " + payload.origin(),
                 "" + board.ids);
         require(!meant.isEmpty(), String.format("%s acknowledges a nonce that ends in %03x", board.name,
                 payload.answered()), "that of a message to it");
-        board.pay(answer);
+        board.pay(key, answer);
         require(!proved.isEmpty(), board.name + " acknowledges with a wrong proof",
                 "that of " + meant.get(meant.size() - 1));
         proofs += keys.areKnown() ? 1 : 0;
@@ -227,7 +223,6 @@ final class ByteCheck implements Check {
                     new BoardFrames.Outgoing(event.text("destination"), content(event), false));
             case "host-relay" -> board.outgoing.put(event.number("number"),
                     new BoardFrames.Outgoing(Frame.ALL, Bytes.copyOf(event.bytes("payload")), true));
-            case "rf-rx", "rf-damaged" -> reach(event);
             case "host-handed" -> hand(event);
             default -> {}
         }
@@ -242,15 +237,14 @@ final class ByteCheck implements Check {
         return said.map(Bytes::copyOf).orElse(null);
     }
 
-    /** A packet has come to a board, perhaps damaged. */
-    private void reach(TraceEvent event) throws RefusedException {
-        if (event.has("payload")) {
-            Fields.check(event, Payload.of(Bytes.copyOf(event.bytes("payload"))));
+    @Override
+    public void hears(Reception reception) throws RefusedException {
+        if (reception.isIntact()) {
+            Fields.check(reception.event(), Payload.of(Bytes.copyOf(reception.event().bytes("payload"))));
         }
-        air.sent(event).map(Transmission::payload).filter(Payload::isFragment)
-                .ifPresent(fragment -> frames.values().stream().filter(frame -> frame.isOf(fragment))
-                        .forEach(frame -> frame.reached
-                                .merge(event.board(), 1 << fragment.index(), (one, other) -> one | other)));
+        Payload payload = reception.packet().payload();
+        frames.values().stream().filter(frame -> payload.isFragment() && frame.isOf(payload)).forEach(frame ->
+                frame.reached.merge(reception.board(), 1 << payload.index(), (one, other) -> one | other));
     }
 
     /** A board hands its host a message: what was said, and to whom. */

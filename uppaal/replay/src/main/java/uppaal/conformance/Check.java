@@ -14,7 +14,10 @@ interface Check {
     /** It has ended. */
     default void ends(Transmission packet) throws RefusedException {}
 
-    /** Any other event; also a packet's that has ended. */
+    /** A packet comes to a board. */
+    default void hears(Reception reception) throws RefusedException {}
+
+    /** Any other event. */
     default void event(TraceEvent event) throws RefusedException {}
 
     /** The trace has ended, perhaps in the middle of anything. */

@@ -31,15 +31,6 @@ final class FateCheck implements Check {
 
     private static final int LOW_BYTE = 0xFF;
     private static final int NUMBERS = 256;
-    /** Why a packet is damaged that no board can mend. */
-    private static final String UNREADABLE = "no start symbol";
-
-    /** What has come, if undamaged, and when it must have been read, but for a run(). */
-    private record Arrival(Optional<Transmission> packet, double readBy) {}
-
-    /** A fate, and why it is refused if nothing comes that it can be of. */
-    private record Told(double seconds, RefusedException refusal) {}
-
     /** A board with a host or a relay, since its last reset. */
     private static final class Receiver {
         private final String board;
@@ -53,12 +44,9 @@ final class FateCheck implements Check {
         /** Whether it counts packets: not where a sketch is a bare relay. */
         boolean isCounting;
         /** What it has not told of; nothing where it may have missed it. */
-        Transmission waits;
-        double since;
-        /** What has come to it and it may not have read yet, in that order. */
-        final Deque<Arrival> unread = new ArrayDeque<>();
-        /** What it has told before a packet came that it can be of, if the trace tells that at once. */
-        Told early;
+        Reception waits;
+        /** The number of the last packet that it has told of. */
+        int told;
         double fragmentAt;
         /** The messages of which it has told a fragment and dropped none since: what it ignores it does not tell. */
         final Set<String> assembled = new HashSet<>();
@@ -74,7 +62,7 @@ final class FateCheck implements Check {
 
         /** Whether what it waits for must have a fate. */
         private boolean isDemanded() {
-            Payload packet = waits.payload();
+            Payload packet = waits.packet().payload();
             return isCounting && (!packet.isFragment() || assembled.contains(message(packet))
                     || packet.index() == 0 && packet.whole().kind() != Payload.Kind.BROADCAST);
         }
@@ -84,7 +72,7 @@ final class FateCheck implements Check {
             if (fate.is("QUEUED") || fate.is("COUNT")) {
                 assembled.clear();
             } else if (fate.is("FRAGMENT") && waits != null) {
-                assembled.add(message(waits.payload()));
+                assembled.add(message(waits.packet().payload()));
             }
             waits = null;
         }
@@ -101,8 +89,8 @@ final class FateCheck implements Check {
 
         private boolean isTakenAgain(Optional<Counter> counter) {
             return counter.equals(Optional.of(Counter.RADIO_REPEATS)) && waits != null
-                    && waits.payload().kind() == Payload.Kind.UNICAST
-                    && !inbox.contains(waits.payload().lastBits() & LOW_BYTE);
+                    && waits.packet().payload().kind() == Payload.Kind.UNICAST
+                    && !inbox.contains(waits.packet().payload().lastBits() & LOW_BYTE);
         }
 
         private void queue(Point point) {
@@ -156,8 +144,6 @@ final class FateCheck implements Check {
         point.require(!receiver.owes || point.is("COUNT") || point.is("OWE_DELIVERED"),
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
-        receiver.unread.removeIf(arrival -> arrival.readBy < point.runBefore());
-        checkCame(receiver, point.seconds());
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
         // What is whole by a fragment is queued, or counted as wrong, behind that.
         boolean isOne = READ.contains(point.name()) || isCounted && !BESIDE.contains(counter.get());
@@ -169,31 +155,30 @@ final class FateCheck implements Check {
         }
         if (FATES.contains(point.name()) || isCounted) {
             receiver.told(point);
-        } else if (receiver.waits != null && point.runBefore() > receiver.since + arrival) {
+        } else if (receiver.waits != null
+                && point.runBefore() > receiver.waits.event().seconds() + arrival) {
             RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "
-                    + receiver.waits, "a point or COUNT for it");
+                    + receiver.waits.packet(), "a point or COUNT for it");
             receiver.waits = null;
         }
     }
 
     /** What it tells is of the first packet that it can be of: those before it has missed, or ignored. */
-    private void read(Receiver receiver, Point point, Optional<Counter> counter) {
+    private void read(Receiver receiver, Point point, Optional<Counter> counter) throws RefusedException {
         String told = counter.map(Counter::toString).orElse(point.name());
         String who = point.board() + (counter.isEmpty() ? " tells " : " counts ") + told + " of ";
-        RefusedException first = null;
-        for (Arrival arrival : receiver.unread) {
-            String wrong = arrival.packet.map(packet -> wrong(receiver, point, told, packet)).orElse("");
+        RefusedException first = new RefusedException(who + "no packet that came", "each once");
+        for (Reception each : point.packets().stream().filter(each -> each.packet().number() > receiver.told).toList()) {
+            String wrong = each.isIntact() ? wrong(receiver, point, told, each.packet()) : "";
             if (wrong.isEmpty()) {
-                while (receiver.unread.remove() != arrival) {
-                }
+                receiver.told = each.packet().number();
                 receiver.blocked += counter.equals(Optional.of(Counter.RADIO_BLOCKED)) ? 1 : 0;
                 return;
             }
-            first = first == null ? new RefusedException(who + arrival.packet.get(), wrong) : first;
+            first = new RefusedException(who + each.packet(), wrong);
         }
-        if (receiver.early == null && header.slot() > 0) {
-            receiver.early = new Told(point.seconds(),
-                    first != null ? first : new RefusedException(who + "no packet that came", "each once"));
+        if (header.slot() > 0) {
+            throw first;
         }
     }
 
@@ -231,26 +216,15 @@ final class FateCheck implements Check {
                         && (payload.kind() != Payload.Kind.UNICAST || payload.destination().equals(receiver.id));
     }
 
-    /** What it has told must have come: only of what is damaged the trace tells later. */
-    private void checkCame(Receiver receiver, double now) throws RefusedException {
-        if (receiver.early != null && receiver.early.seconds + arrival < now) {
-            throw receiver.early.refusal;
-        }
-    }
-
     @Override
-    public void event(TraceEvent event) throws RefusedException {
-        if (receivers.containsKey(event.board())) {
-            checkCame(receivers.get(event.board()), event.seconds());
-        }
+    public void event(TraceEvent event) {
         air.event(event);
-        switch (event.name()) {
-            case "host-id" ->
-                receivers.computeIfAbsent(event.board(), Receiver::new).id = event.text("id");
-            case "host-radio" -> open(event);
-            case "reset", "fault", "crash" -> reset(event);
-            case "rf-rx", "rf-damaged" -> hears(event);
-            default -> {}
+        if (Air.isBoot(event)) {
+            reset(event);
+        } else if (event.is("host-id")) {
+            receivers.computeIfAbsent(event.board(), Receiver::new).id = event.text("id");
+        } else if (event.is("host-radio")) {
+            open(event);
         }
     }
 
@@ -267,47 +241,24 @@ final class FateCheck implements Check {
         receiver.blocked = 0;
     }
 
-    private void hears(TraceEvent event) {
-        Receiver receiver = receivers.get(event.board());
-        if (receiver == null) {
+    @Override
+    public void hears(Reception reception) {
+        Receiver receiver = receivers.get(reception.board());
+        if (receiver == null || !receiver.isRunning) {
             return;
         }
-        Optional<Transmission> sent = air.sent(event);
-        Optional<Transmission> heard = sent.filter(packet -> event.is("rf-rx"));
-        comes(receiver, event, heard);
-        if (receiver.isRunning) {
-            remember(event, sent);
-            if (sent.isEmpty() || sent.get().payload().isFragment()) {
-                receiver.begun.put(heard.filter(this::isGenuine).map(Transmission::payload).map(Receiver::message)
-                        .orElse(""), event.seconds());
-            }
-            // It keeps few: the first of two it may have had no place for.
-            receiver.waits =
-                    receiver.waits == null ? heard.filter(packet -> isSure(packet, event.board())).orElse(null) : null;
-            receiver.since = event.seconds();
+        Transmission packet = reception.packet();
+        boolean isIntact = reception.isIntact();
+        Map<String, Double> history = histories.get(reception.board());
+        if (history != null) {
+            history.putIfAbsent(isIntact ? packet.payload().bytes().hex() : packet.payload().origin(), packet.start());
         }
-    }
-
-    private void comes(Receiver receiver, TraceEvent event, Optional<Transmission> heard) {
-        if (receiver.early != null && event.is("rf-damaged")) {
-            receiver.early = null;
-            return;
+        if (packet.payload().isFragment()) {
+            receiver.begun.put(isIntact && isGenuine(packet) ? Receiver.message(packet.payload()) : "",
+                    reception.event().seconds());
         }
-        // It mends by a trailer what is damaged, a module hands on late, and what comes behind them waits.
-        boolean isAtOnce = event.is("rf-rx") && !event.has("radio");
-        double least = receiver.unread.isEmpty() ? 0 : receiver.unread.getLast().readBy;
-        receiver.unread
-                .add(new Arrival(heard, Math.max(least, event.seconds() + (isAtOnce ? arrival : header.longest()))));
-    }
-
-    private void remember(TraceEvent event, Optional<Transmission> sent) {
-        Map<String, Double> history = histories.get(event.board());
-        if (history != null && !event.textOrEmpty("why").equals(UNREADABLE)) {
-            Optional<Payload> payload = sent.map(Transmission::payload);
-            String what = event.is("rf-rx") ? payload.map(each -> each.bytes().hex()).orElse("")
-                    : payload.map(Payload::origin).orElse("");
-            history.putIfAbsent(what, event.real("start"));
-        }
+        // It keeps few: the first of two it may have had no place for.
+        receiver.waits = receiver.waits == null && isIntact && isSure(packet, reception.board()) ? reception : null;
     }
 
     /** Whether a board has not had this packet before, nor any that may be it. */
@@ -315,7 +266,7 @@ final class FateCheck implements Check {
         Map<String, Double> history = histories.getOrDefault(receiver.board, Map.of());
         return isGenuine(packet) && !packet.payload().isFragment()
                 && history.getOrDefault(packet.payload().bytes().hex(), 0.0) >= packet.start()
-                && !history.containsKey(packet.payload().origin()) && !history.containsKey("");
+                && !history.containsKey(packet.payload().origin());
     }
 
     /** Whether a board with our firmware and a host sends it as its own. */

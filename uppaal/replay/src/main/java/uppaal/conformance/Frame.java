@@ -1,9 +1,7 @@
 package uppaal.conformance;
 
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.IntStream;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
@@ -30,10 +28,6 @@ final class Frame {
     SharedKey key;
     /** Whether it is under a board's address, and not of that board: nobody may hand it to a host. */
     boolean isForged;
-    /** How it was answered, each with a proof if the keys are known: {@code delivered}, … */
-    final Set<String> answers = new HashSet<>();
-    /** How long the board was up that told a floor above it last, as it says, in seconds. */
-    double uptime;
     /** Bit k for fragment k: what was on the air. */
     int sent;
     /** The same by board: what has reached it, perhaps damaged. */

@@ -20,8 +20,8 @@ import trace.TraceEvent;
  */
 record Header(Map<String, JsonObject> boards, JsonObject radio, Optional<Path> keys) {
 
-    /** The version of traces in which boards declare their transitions. */
-    static final int VERSION = 2;
+    /** The version of traces in which packets have numbers. */
+    static final int VERSION = 3;
 
     private static final int SLOT_BITS = 16;
     private static final double MILLIS = 1000;

@@ -58,8 +58,6 @@ final class HostCheck implements Check {
         int messagesLeftOut;
         int unconfirmedLeftOut;
         int outcomesLeftOut;
-        /** What its radio has taken last. */
-        Point declared;
 
         /** A message of its inbox, behind those before it. */
         List<Identity> upTo(int number, String what) throws RefusedException {
@@ -96,7 +94,7 @@ final class HostCheck implements Check {
                     end(side, point);
                 }
             }
-            default -> side.declared = AirCheck.SENDS.contains(point.name()) ? point : side.declared;
+            default -> {}
         }
     }
 
@@ -133,11 +131,9 @@ final class HostCheck implements Check {
 
     @Override
     public void begins(Transmission packet) {
-        Side side = side(packet.board());
-        if (side.declared != null && side.declared.name().startsWith("SEND") && packet.payload().isData()
-                && packet.payload().index() == 0) {
+        if (packet.isDeclared("SEND") && packet.payload().isData() && packet.payload().index() == 0) {
             Frame frame = new Frame(packet.payload());
-            side.sent.put(side.declared.number(), frame.origin + frame.destination + frame.id());
+            side(packet.board()).sent.put(packet.declared().number(), frame.origin + frame.destination + frame.id());
         }
     }
 

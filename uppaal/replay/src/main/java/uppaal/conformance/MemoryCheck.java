@@ -65,8 +65,6 @@ final class MemoryCheck implements Check {
         int count;
         /** Whether the trace tells all that was ever written: not what a reset breaks off. */
         boolean isWhole;
-        /** What its radio has taken last; null before that. */
-        Point declared;
 
         /** By place, the floors that are there twice, and of which something was written since the last point. */
         Map<Integer, Bytes> writtenFloors() {
@@ -140,7 +138,7 @@ final class MemoryCheck implements Check {
             case "KEY_DELETED" -> memory.forget(point.operand("key"));
             case "TAKE_UP" -> takeUp(memory, point);
             case "QUEUED" -> queue(memory, point);
-            default -> memory.declared = AirCheck.SENDS.contains(point.name()) ? point : memory.declared;
+            default -> {}
         }
         written.values().forEach(record -> memory.put(record, point.is("FLOOR_STORED") || !memory.isLost));
     }
@@ -204,13 +202,13 @@ final class MemoryCheck implements Check {
     public void begins(Transmission packet) throws RefusedException {
         Memory memory = memory(packet.board());
         Optional<Acknowledgement> answer = Acknowledgement.of(packet.payload());
-        if (!memory.isWhole || memory.declared == null || !memory.declared.is("ANSWER") || answer.isEmpty()
+        if (!memory.isWhole || !packet.isDeclared("ANSWER") || answer.isEmpty()
                 || !answer.get().is(Acknowledgement.STALE)) {
             return;
         }
         Bytes told = packet.payload().message().slice(0, Payload.NONCE_LENGTH);
         require(memory.floors.entrySet().stream().anyMatch(floor -> floor.getValue().equals(told)
-                && floor.getKey().at(0) == memory.declared.operand("key")),
+                && floor.getKey().at(0) == packet.declared().operand("key")),
                 packet.board() + " tells the floor " + told, "one that it has stored for this key");
     }
 

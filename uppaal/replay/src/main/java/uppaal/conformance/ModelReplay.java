@@ -1,6 +1,7 @@
 package uppaal.conformance;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import trace.TraceEvent;
@@ -29,7 +30,7 @@ final class ModelReplay implements Check {
 
     @Override
     public void event(TraceEvent event) throws RefusedException {
-        Point told = new Point(event, event.name(), 0);
+        Point told = new Point(event, event.name(), 0, List.of());
         switch (event.name()) {
             case "crash" -> throw new RefusedException(event.board() + "'s program crashes", "that it runs on");
             case "reset" -> board(event.board()).reset();

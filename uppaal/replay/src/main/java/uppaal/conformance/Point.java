@@ -1,5 +1,6 @@
 package uppaal.conformance;
 
+import java.util.List;
 import java.util.Optional;
 import javino.protocol.Counter;
 import trace.TraceEvent;
@@ -10,8 +11,9 @@ import trace.TraceEvent;
  * @param name as in the firmware's {@code TracePoints.h}, and at the models' edges; a SEND that others of its attempt
  *     follow is a SEND_PART
  * @param number of the transmission that it is of, if it is a sender's: that of the last TURN
+ * @param packets those that it may be about, as they have come; mostly one at most
  */
-record Point(TraceEvent event, String name, int number) {
+record Point(TraceEvent event, String name, int number, List<Reception> packets) {
 
     String board() {
         return event.board();

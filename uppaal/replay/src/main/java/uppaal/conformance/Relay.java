@@ -2,8 +2,6 @@ package uppaal.conformance;
 
 import static uppaal.conformance.RefusedException.require;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -31,7 +29,6 @@ final class Relay {
 
     private final double bit;
     private final Model model;
-    private final Deque<Transmission> heard;
     private final BoardAir air;
     private final Map<Integer, RelayedPacket> places = new HashMap<>();
     /** By the number of an address. */
@@ -48,23 +45,18 @@ final class Relay {
     private Point before;
     /** When its last packet ended. */
     private double sentUntil;
-    /** What has come last, if that is undamaged and the trace tells when. */
-    private Transmission intact;
     /** The numbers of origins of which it has surely read a packet. */
     private final Set<Integer> read = new HashSet<>();
-    /** The packets that it has copied and that are not yet on the air. */
-    private final Deque<Payload> copies = new ArrayDeque<>();
 
-    Relay(Header header, Point on, Model model, String id, Deque<Transmission> heard) {
+    Relay(Header header, Point on, Model model, String id) {
         this.model = model;
         this.id = id;
-        this.heard = heard;
         bit = header.bit();
         before = on;
         air = new BoardAir(header, on.board());
         Interval full = new Interval(air.isTimed() ? MOST_CREDIT : 0, MOST_CREDIT);
         credits = new HashMap<>(Map.of(true, full, false, full));
-        heard.stream().limit(1).forEach(packet -> heard(packet, false)); // it may wait to be read
+        on.packets().forEach(reception -> heard(reception.packet())); // they may wait to be read
     }
 
     void point(Point point) throws RefusedException {
@@ -96,17 +88,16 @@ final class Relay {
 
     /** It looks at a packet as a relay before it tells what it is. */
     private void read(Point point) throws RefusedException {
-        double error = PhysicalLimits.ARRIVAL_BITS * bit;
         boolean isForOthers = point.counter().equals(Optional.of(Counter.RADIO_NOT_FOR_US));
-        if (intact == null || !isForOthers && !FateCheck.READ.contains(point.name())
-                || point.gap() > intact.seconds() / 2
-                || Math.abs(point.run() - point.gap() / 2 - intact.end()) > point.gap() / 2 + error) {
-            return; // perhaps another one
+        if (!isForOthers && !FateCheck.READ.contains(point.name()) || point.packets().size() != 1
+                || !point.packets().get(0).isIntact()) {
+            return;
         }
-        read.add(number(intact.payload().origin()));
+        Payload packet = point.packets().get(0).packet().payload();
+        read.add(number(packet.origin()));
         for (int place : places.keySet()) {
-            RelayedPacket packet = places.get(place);
-            point.require(!isForOthers || packet.answer != null || !packet.isAnsweredWholeBy(intact.payload()),
+            RelayedPacket copied = places.get(place);
+            point.require(!isForOthers || copied.answer != null || !copied.isAnsweredWholeBy(packet),
                     "RELAY_ANSWERED of place " + place + " before");
         }
     }
@@ -148,7 +139,7 @@ final class Relay {
             case "RELAY_COPY", "RELAY_REFUSE" -> copy(point, place);
             case "RELAY_ANSWER" -> {
                 int behind = (place.answer.hops() + 1) % TraceEvent.HOPS;
-                send(point, place, place.answer.payload(), behind, place.instance.get("own") + 1);
+                send(point, place, behind, place.instance.get("own") + 1);
             }
             case "RELAY_ANSWERED" -> answered(point, place);
             case "RELAY_ANSWER_GONE_ON", "RELAY_ANSWER_PEER" -> take(point, place, place::isAnswer);
@@ -169,8 +160,9 @@ final class Relay {
     }
 
     private Transmission came(Point point, Predicate<Payload> wanted) throws RefusedException {
-        return heard.stream().filter(packet -> wanted.test(packet.payload())).findFirst().orElseThrow(
-                () -> new RefusedException(point.toString(), "that the packet has come to it"));
+        return point.packets().stream().map(Reception::packet).filter(packet -> wanted.test(packet.payload()))
+                .reduce((first, last) -> last)
+                .orElseThrow(() -> new RefusedException(point.toString(), "that the packet has come to it"));
     }
 
     private void take(Point point, RelayedPacket place, Predicate<Payload> wanted) throws RefusedException {
@@ -186,8 +178,7 @@ final class Relay {
     }
 
     /** A packet has come, perhaps damaged, and tells how far its origin may be. */
-    void heard(Transmission packet, boolean isIntact) {
-        intact = isIntact && !packet.isOfModule() ? packet : null;
+    void heard(Transmission packet) {
         String origin = packet.payload().origin();
         if (!origin.isEmpty() && !origin.equals(id)) {
             hops.merge(number(origin), 1 << packet.hops(), (some, more) -> some | more);
@@ -267,17 +258,16 @@ final class Relay {
         } else {
             credit(place.isToMany(), Interval.of(-cost));
             place.spent += cost;
-            send(point, place, place.packet, place.instance.get("own"), place.told);
+            send(point, place, place.instance.get("own"), place.told);
         }
     }
 
-    private void send(Point point, RelayedPacket place, Payload packet, int behind, int told) throws RefusedException {
+    private void send(Point point, RelayedPacket place, int behind, int told) throws RefusedException {
         place.send(point);
         int path = behind + TraceEvent.HOPS * told;
         point.require(point.operand("path") == path, "path " + path + ", with " + behind + " hops");
         place.isOnAir = true;
         sentUntil = Double.POSITIVE_INFINITY;
-        copies.add(packet);
     }
 
     private void answered(Point point, RelayedPacket place) throws RefusedException {
@@ -302,12 +292,13 @@ final class Relay {
 
     /** A packet of this board begins: of what it has copied the bytes are those that came. */
     void begins(Transmission packet) throws RefusedException {
-        if (copies.isEmpty()) {
-            checkKnown(packet.board(), packet.payload(), packet.told());
-        } else {
-            Payload expected = copies.remove();
+        if (packet.isDeclared("RELAY_")) {
+            RelayedPacket place = places.get(packet.declared().operand("place"));
+            Payload expected = packet.isDeclared("RELAY_COPY") ? place.packet : place.answer.payload();
             require(packet.payload().equals(expected), packet.board() + " copies " + packet.payload().hex(),
                     expected.hex() + ", as it came");
+        } else {
+            checkKnown(packet.board(), packet.payload(), packet.told());
         }
     }
 

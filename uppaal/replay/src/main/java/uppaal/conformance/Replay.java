@@ -1,7 +1,9 @@
 package uppaal.conformance;
 
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -26,12 +28,12 @@ public final class Replay {
     }
 
     /** What a check is told. */
-    private interface Action {
-        void on(Check check) throws RefusedException;
+    private interface Told {
+        void to(Check check) throws RefusedException;
     }
 
-    /** A line tells of a packet when that has ended, but it counts when it began. */
-    private record Step(TraceEvent event, double seconds, long count, Action action) {}
+    /** A line tells of a packet when that has ended, but it counts when it began, or came. */
+    private record Step(TraceEvent event, double seconds, long count, Refusable action) {}
 
     private static final int NO_TURN = -1;
 
@@ -40,8 +42,13 @@ public final class Replay {
     private final List<Function<Header, Check>> made;
     private final Optional<Path> keys;
     private List<Check> checks = List.of();
-    /** By board, when its last packet began. */
-    private final Map<String, Double> begun = new HashMap<>();
+    /** By number, those that have begun, and those of which the trace has told. */
+    private final Map<Integer, Transmission> packets = new BoundedMap<>();
+    private final Map<Integer, TraceEvent> sent = new BoundedMap<>();
+    /** By board, what it may not have read yet, and at least the last that has come to it. */
+    private final Map<String, Deque<Reception>> came = new HashMap<>();
+    /** By board, by what point its radio has taken a packet that is not yet on the air. */
+    private final Map<String, Point> declared = new HashMap<>();
     /** By board, the transmission that its sender's points are of. */
     private final Map<String, Integer> turns = new HashMap<>();
     private Header header;
@@ -49,6 +56,7 @@ public final class Replay {
     private int lines;
     private double now;
     private TraceEvent last;
+    private int events;
     private String refusal;
 
     /** A replay that opens nothing that is sealed. */
@@ -85,6 +93,7 @@ public final class Replay {
             return; // what a launcher has said before the boards were there
         }
         last = event;
+        events = event.number();
         perform(() -> {
             begin(event);
             double earliest = now - PhysicalLimits.ARRIVAL_BITS * header.bit();
@@ -98,46 +107,112 @@ public final class Replay {
         });
     }
 
-    private void enter(TraceEvent event) {
-        if (event.is("point")) {
-            enterPoint(event);
-            return;
+    private void enter(TraceEvent event) throws RefusedException {
+        switch (event.name()) {
+            case "point" -> enterPoint(event);
+            case "rf-tx" -> {
+                boolean isNew = sent.put(event.number("packet"), event) == null;
+                RefusedException.require(isNew, event.board() + " sends packet " + event.number("packet") + " again",
+                        "each packet once");
+                add(event, event.real("start"), () -> begins(event));
+                add(event, event.real("end"), () -> each(check -> check.ends(packets.get(event.number("packet")))));
+            }
+            // A board may have read a packet before the trace tells that it is damaged.
+            case "rf-rx", "rf-damaged" -> add(event, event.real("end") - header.bit(), () -> hears(event));
+            case "host-transmit", "host-relay" ->
+                add(event, event.real("asked"), () -> each(check -> check.event(event)));
+            default -> add(event, event.seconds(), () -> {
+                if (Air.isBoot(event)) {
+                    boots(event.board());
+                }
+                each(check -> check.event(event));
+            });
         }
         if (event.is("reset")) {
             turns.remove(event.board());
         }
-        if (event.is("rf-tx")) {
-            Transmission packet = Transmission.of(event);
-            begun.put(event.board(), packet.start());
-            add(event, packet.start(), check -> check.begins(packet));
-            add(event, packet.end(), check -> check.ends(packet));
-        }
-        boolean isAccepted = event.is("host-transmit") || event.is("host-relay");
-        add(event, isAccepted ? event.real("asked") : event.seconds(), check -> check.event(event));
     }
 
     private void enterPoint(TraceEvent event) {
         String name = event.text("name");
         if (name.equals("TURN")) {
             turns.put(event.board(), event.number("number"));
-        } else {
-            boolean isPart = name.equals("SEND") && Integer.bitCount(event.number("pending")) > 1;
-            Point point = new Point(event, isPart ? "SEND_PART" : name, turns.getOrDefault(event.board(), NO_TURN));
-            add(event, event.seconds(), check -> check.point(point));
+            return;
+        }
+        boolean isPart = name.equals("SEND") && Integer.bitCount(event.number("pending")) > 1;
+        int turn = turns.getOrDefault(event.board(), NO_TURN);
+        add(event, event.seconds(), () -> {
+            Point point = new Point(event, isPart ? "SEND_PART" : name, turn, packets(event));
+            if (AirCheck.SENDS.contains(point.name())) {
+                declared.put(point.board(), point);
+            }
+            each(check -> check.point(point));
+        });
+    }
+
+    private void begins(TraceEvent event) throws RefusedException {
+        Transmission packet = Transmission.of(event, declared.remove(event.board()));
+        packets.put(packet.number(), packet);
+        each(check -> check.begins(packet));
+    }
+
+    private void hears(TraceEvent event) throws RefusedException {
+        Transmission packet = event.has("packet") ? packets.get(event.number("packet")) : null;
+        String from = event.textOrEmpty("from");
+        RefusedException.require(packet != null && packet.board().equals(from) && !from.equals(event.board()),
+                event.board() + " hears a packet" + (from.isEmpty() ? "" : " of " + from),
+                "one that another board sent");
+        Deque<Reception> before = came.computeIfAbsent(event.board(), added -> new ArrayDeque<>());
+        boolean isAtOnce = event.is("rf-rx") && !packet.isOfModule();
+        Reception reception = new Reception(event, packet, Math.max(before.isEmpty() ? 0 : before.getLast().readBy(),
+                event.seconds() + (isAtOnce ? PhysicalLimits.ARRIVAL_BITS * header.bit() : header.longest())));
+        before.add(reception);
+        each(check -> check.hears(reception));
+    }
+
+    /** What a point may be about: the packet that it names, which has come last, and those before that it may not have read. */
+    private List<Reception> packets(TraceEvent point) throws RefusedException {
+        if (!point.has("packet") || !point.has("run")) {
+            return List.of();
+        }
+        int named = point.number("packet");
+        Deque<Reception> all = came.getOrDefault(point.board(), new ArrayDeque<>());
+        boolean isUntold = point.seconds() > now - 2 * PhysicalLimits.ARRIVAL_BITS * header.bit();
+        RefusedException.require(isUntold || all.stream().anyMatch(each -> each.packet().number() == named),
+                point.board() + " tells of packet " + named, "one that has come to it");
+        double runBefore = point.real("run") - point.real("gap");
+        while (all.size() > 1 && all.getFirst().readBy() < runBefore) {
+            all.removeFirst();
+        }
+        return all.stream().filter(each -> each.packet().number() <= named && each.readBy() >= runBefore).toList();
+    }
+
+    /** A board forgets what it has not read, but its points still name what has come last. */
+    private void boots(String board) {
+        declared.remove(board);
+        Deque<Reception> all = came.get(board);
+        if (all != null) {
+            Reception last = all.getLast();
+            all.clear();
+            all.add(new Reception(last.event(), last.packet(), Double.NEGATIVE_INFINITY));
         }
     }
 
-    private void add(TraceEvent event, double seconds, Action action) {
+    private void add(TraceEvent event, double seconds, Refusable action) {
         steps.add(new Step(event, seconds, count++, action));
+    }
+
+    private void each(Told told) throws RefusedException {
+        for (Check check : checks) {
+            told.to(check);
+        }
     }
 
     private void perform(double until) throws RefusedException {
         while (!steps.isEmpty() && steps.peek().seconds <= until) {
             Step step = steps.remove();
             last = step.event;
-            for (Check check : checks) {
-                step.action.on(check);
-            }
+            step.action.run();
         }
     }
 
@@ -146,17 +221,14 @@ public final class Replay {
         perform(() -> {
             perform(steps.stream().filter(step -> isUntold(step.event)).mapToDouble(step -> step.event.real("start"))
                     .min().orElse(Double.POSITIVE_INFINITY));
-            for (Check check : checks) {
-                check.end();
-            }
+            each(Check::end);
         });
     }
 
     /** Whether the trace ends before it tells of a packet that a board hears: what follows cannot be checked. */
     private boolean isUntold(TraceEvent event) {
-        return (event.is("rf-rx") || event.is("rf-damaged")) && event.has("from")
-                && event.real("start") > begun.getOrDefault(event.text("from"), 0.0)
-                        + PhysicalLimits.ARRIVAL_BITS * header.bit();
+        return (event.is("rf-rx") || event.is("rf-damaged")) && event.has("packet")
+                && !sent.containsKey(event.number("packet"));
     }
 
     /** Why the trace is refused, in one line that names the event; nothing where it is not. */
@@ -169,11 +241,7 @@ public final class Replay {
         String checked = checks.stream().map(Check::checked).filter(text -> !text.isEmpty())
                 .map(text -> ", " + text).collect(Collectors.joining());
         return "model: trace "
-                + (refusal == null ? "accepted (" + events() + " events" + checked + ")" : "refused at " + refusal);
-    }
-
-    private int events() {
-        return last == null ? 0 : last.number();
+                + (refusal == null ? "accepted (" + events + " events" + checked + ")" : "refused at " + refusal);
     }
 
     /** The edges and transitions that were taken, as {@link #edges} and {@link #transitions} name them. */

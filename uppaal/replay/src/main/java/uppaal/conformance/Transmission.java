@@ -8,13 +8,15 @@ import trace.TraceEvent;
 /**
  * A packet on the air.
  *
+ * @param number the emulator's
+ * @param declared by which point its board's radio has taken it; null if by none
  * @param trailer {@code mark}, {@code parity} or empty (SPEC 6.1)
  * @param path of SPEC 6
  * @param start of its first bit, in seconds
  * @param end of its last one, and of its trailer's
  */
-record Transmission(TraceEvent event, Payload payload, int path, String trailer, int bits, double start,
-        double end) {
+record Transmission(TraceEvent event, int number, Point declared, Payload payload, int path, String trailer, int bits,
+        double start, double end) {
 
     private static final Set<String> OF_ONE_MESSAGE = Set.of("unicast", "fragment");
     private static final int MARK_BITS = 12;
@@ -23,10 +25,15 @@ record Transmission(TraceEvent event, Payload payload, int path, String trailer,
     /** The most bytes of payload whose parity is short. */
     private static final int SHORT_PAYLOAD = 45;
 
-    static Transmission of(TraceEvent event) {
+    static Transmission of(TraceEvent event, Point declared) {
         Payload payload = Payload.of(javino.protocol.Bytes.copyOf(event.bytes("payload")));
-        return new Transmission(event, payload, event.path(), event.textOrEmpty("trailer"), event.number("bits"),
-                event.real("start"), event.real("end"));
+        return new Transmission(event, event.number("packet"), declared, payload, event.path(),
+                event.textOrEmpty("trailer"), event.number("bits"), event.real("start"), event.real("end"));
+    }
+
+    /** Whether its board has declared it by a point of this name, or whose name begins so. */
+    boolean isDeclared(String point) {
+        return declared != null && declared.name().startsWith(point);
     }
 
     /** Relays behind it. */

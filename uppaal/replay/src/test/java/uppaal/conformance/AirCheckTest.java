@@ -5,10 +5,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class AirCheckTest {
     private static final String SEND = "1 a SEND pending=1; ";
-    private static final String PACKET = "1.25 a rf-tx payload=UNICAST kind=any start=1.0002 ";
+    private static final String PACKET = "1.25 a rf-tx packet=1 payload=UNICAST kind=any start=1.0002 ";
     /** It breaks off before its trailer. */
     private static final String BROKEN =
-            "1.2397 a rf-tx payload=UNICAST kind=any trailer=mark bits=480 start=1.0002 end=1.2397; ";
+            "1.2397 a rf-tx packet=1 payload=UNICAST kind=any trailer=mark bits=480 start=1.0002 end=1.2397; ";
     /** Board b listens, and hears a carrier. */
     private static final String HEARD = "0.9 QUIET; 1 a SEND pending=1; 1.0075 BUSY; ";
 

@@ -26,8 +26,10 @@ class FateCheckTest {
             "counted twice      | " + HEARD + "1.2405 " + NOT_FOR_US + "1.2405 " + NOT_FOR_US
                     + "2 QUIET | b counts radioNotForUs of no packet that came; expected each once",
             "counted of none    | 0.9 " + NOT_FOR_US + "2 QUIET | of no packet that came",
-            "before damage      | 0.9 a host-id id=ROMA; 1 a UNICAST; 1.2396 " + QUEUED
-                    + "1.242 b rf-damaged from=a start=1.0001 end=1.2396; 2 QUIET | accepted",
+            "before damage      | 0.9 a host-id id=ROMA; 1 a UNICAST; 1.2396 QUEUED nonce=0 key=1 packet=1; "
+                    + "1.242 b rf-damaged from=a packet=1 start=1.0001 end=1.2396; 2 QUIET | accepted",
+            "of none that came  | 1 a UNICAST; 1.2396 QUEUED nonce=0 key=1 packet=1; 2 QUIET "
+                    + "| b tells of packet 1; expected one that has come to it",
             "behind another     | 1 a>b FIRST; " + "1.2 a>b UNICAST; 1.4405 " + QUEUED + "2 QUIET | accepted",
             "other nonce        | " + HEARD + "1.2405 QUEUED nonce=1 key=1; 2 QUIET | expected its nonce",
             "whole of a part    | 1 a>b FIRST; 1.1625 " + QUEUED + "2 QUIET | tells QUEUED of a fragment of SUPO",
@@ -38,6 +40,7 @@ class FateCheckTest {
             "forged as a whole  | 1 a>b FIRST; 1.1625 FRAGMENT; 1.1625 COUNT counter=13; 2 QUIET | accepted",
             "first run          | " + HEARD + "1.2415 QUIET | accepted",
             "reset              | " + HEARD + "1.3 b reset why=fault; 2 QUIET | accepted",
+            "unplugged          | " + HEARD + "1.24 b fault do=unplug; 1.2405 " + NOT_FOR_US + "2 QUIET | accepted",
             "two at once        | " + HEARD + "1.2595 a>b UNICAST; 2 QUIET | accepted",
             "assembled message  | 1 a>b FIRST; 1.1625 FRAGMENT; 2 a>b LATER; 3 QUIET "
                     + "| b has not told what became of a fragment of SUPO",
@@ -56,9 +59,9 @@ class FateCheckTest {
             "a wrong frame      | " + HEARD + "1.2405 COUNT counter=8; 2 QUIET | accepted",
             "room for the first | 0.7 a host-id id=SUPO; 1 a>b FIRST; 1.1625 " + DROPPED
                     + "2 QUIET | expected that it has no",
-            "room for one       | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 1 a>b FIRST; 1.1625 " + DROPPED
+            "room for one       | 0.7 a host-id id=SUPO; 0.8 c>b FIRST; 1 a>b FIRST; 1.1625 " + DROPPED
                     + "2 QUIET | accepted",
-            "room again         | 0.7 a host-id id=SUPO; 0.8 c~b FIRST; 8 a>b FIRST; 8.1625 " + DROPPED
+            "room again         | 0.7 a host-id id=SUPO; 0.8 c>b FIRST; 8 a>b FIRST; 8.1625 " + DROPPED
                     + "9 QUIET | expected that it has no room",
             "room for messages  | 0.7 a host-id id=SUPO; " + HEARD + "1.2405 " + QUEUED + "8 a>b FIRST; 8.1625 "
                     + DROPPED + "9 QUIET | accepted",

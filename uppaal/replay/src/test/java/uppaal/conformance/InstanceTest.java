@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -45,7 +46,7 @@ class InstanceTest {
     }
 
     private static Point point(String name) {
-        return new Point(TraceEvent.parse(1, "{\"t\":1,\"board\":\"b\",\"event\":\"point\"}"), name, 0);
+        return new Point(TraceEvent.parse(1, "{\"t\":1,\"board\":\"b\",\"event\":\"point\"}"), name, 0, List.of());
     }
 
     @Test

@@ -5,7 +5,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Board b relays between a (ROMA) and c (SUPO), whose packets reach it; its score for c is 1 at first. */
 class RelayCheckTest {
-    private static final String COMES = "1 a>b UNICAST; 1.25 QUIET; ";
+    private static final String COMES = "1.0095 a>b UNICAST; 1.25 QUIET; ";
     private static final String NEW = "1.25 RELAY_NEW nonce=0; ";
     private static final String UNKNOWN = "1.25 RELAY_DISTANCE distance=0; " + NEW;
     private static final String KNOWN = "1.25 RELAY_DISTANCE distance=2; " + NEW;
@@ -32,7 +32,7 @@ class RelayCheckTest {
             "other hops           | 1.515 RELAY_COPY path=2 | ; expected path 1, with 1 hops",
             "other bytes          | 1.515 RELAY_COPY path=1; 1.5152 b OTHER hops=1 |, as it came",
             "refused with credit  | 1.515 RELAY_REFUSE | ; expected RELAY_COPY of a packet of 240 ms",
-            "handed on            | 1.265 BUSY; 1.26 c>b UNICAST hops=2; 1.51 RELAY_GONE_ON soon=0; 1.51 QUIET; "
+            "handed on            | 1.265 BUSY; 1.2695 c>b UNICAST hops=2; 1.51 RELAY_GONE_ON soon=0; 1.51 QUIET; "
                     + "1.7 RELAY_COPY path=1 | is Known; expected ",
             "acknowledged without | 1.26 BUSY; 1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 | accepted"})
     void copy_isJudged(String what, String story, String verdict) {
@@ -42,6 +42,9 @@ class RelayCheckTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "nothing came           | " + NEW + "| ; expected that the packet has come to it",
+            "before its damage      | 1.0095 a UNICAST; 1.2489 QUIET; 1.2489 RELAY_DISTANCE distance=0 packet=1; "
+                    + "1.2489 RELAY_NEW nonce=0 packet=1; 1.2489 RELAY_DRAW slots=3; 1.2531 b rf-damaged from=a "
+                    + "packet=1 why=any start=1.0095 end=1.249; 1.26 QUIET | accepted",
             "no distance            | " + COMES + NEW + "| ; expected RELAY_DISTANCE before",
             "nothing knows distance | " + FAR + COMES + KNOWN
                     + "| b tells the distance 1 of SUPO; expected one more than the hops",
@@ -51,17 +54,17 @@ class RelayCheckTest {
                     + "1.25 RELAY_DRAW slots=3 | accepted",
             "distance known         | " + NEAR + COMES + KNOWN + "1.25 RELAY_DRAW slots=15; 1.435 RELAY_COPY path=9; "
                     + "1.4352 b UNICAST hops=1 distance=1 | accepted",
-            "nearer than told       | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + KNOWN
+            "nearer than told       | " + NEAR + "1.0095 a>b UNICAST distance=2; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_DRAW slots=0 | accepted",
-            "not nearer: told 1     | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
+            "not nearer: told 1     | " + NEAR + "1.0095 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "not nearer: told 3     | " + NEAR + "1 a>b UNICAST distance=3; 1.25 QUIET; " + KNOWN
+            "not nearer: told 3     | " + NEAR + "1.0095 a>b UNICAST distance=3; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "not nearer: unknown    | " + NEAR + "1 a>b UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
+            "not nearer: unknown    | " + NEAR + "1.0095 a>b UNICAST distance=2; 1.25 QUIET; " + UNKNOWN
                     + "1.25 RELAY_RESERVE | accepted",
-            "late, and away         | " + NEAR + "1 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
+            "late, and away         | " + NEAR + "1.0095 a>b UNICAST distance=1; 1.25 QUIET; " + KNOWN
                     + "1.25 RELAY_RESERVE; "
-                    + "3.01 BUSY; 3 a>b UNICAST; 3.25 QUIET; 3.25 RELAY_ANEW; 3.25 RELAY_DRAW slots=3; "
+                    + "3.01 BUSY; 3.0095 a>b UNICAST; 3.25 QUIET; 3.25 RELAY_ANEW; 3.25 RELAY_DRAW slots=3; "
                     + "3.515 RELAY_COPY path=1; 3.5152 b UNICAST hops=1 | accepted",
             "too many slots         | " + COMES + UNKNOWN + "1.25 RELAY_DRAW slots=128 "
                     + "| b declares RELAY_DRAW; expected 0 to 127 slots",

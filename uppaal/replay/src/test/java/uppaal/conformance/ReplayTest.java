@@ -37,7 +37,7 @@ class ReplayTest {
 
         Story.check(header -> all, "1.01 BUSY; 1 a UNICAST", "accepted");
 
-        assertEquals(List.of("scenario", "begins", "BUSY", "ends", "rf-tx"), told);
+        assertEquals(List.of("scenario", "begins", "BUSY", "ends"), told);
     }
 
     @Test
@@ -48,7 +48,7 @@ class ReplayTest {
 
         assertEquals(
                 "model: trace refused at event 1 (0.000000 s, scenario): the trace has no version; expected version "
-                        + "2, of a newer emulator",
+                        + "3, of a newer emulator",
                 replay.verdict());
     }
 
@@ -57,7 +57,7 @@ class ReplayTest {
         Replay replay = new Replay(List.of(), Optional.empty());
 
         replay.line("{\"t\":0,\"event\":\"note\",\"text\":\"on one radio\"}");
-        replay.line("{\"t\":0,\"event\":\"scenario\",\"version\":2,\"boards\":[]}");
+        replay.line("{\"t\":0,\"event\":\"scenario\",\"version\":3,\"boards\":[]}");
 
         assertEquals(Optional.empty(), replay.refusal());
     }

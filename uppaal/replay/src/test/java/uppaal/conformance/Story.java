@@ -3,9 +3,11 @@ package uppaal.conformance;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Function;
 import javino.protocol.Airtime;
 
@@ -13,7 +15,8 @@ import javino.protocol.Airtime;
  * What boards a, b and c send, hear and declare, as {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}, or a line
  * each: words in capital letters are points, whose run() came 1 ms behind the one before, or a
  * {@code gap}. All is of b unless a board
- * is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c).
+ * is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c). A point names the packet that has come
+ * last, if it names none.
  */
 final class Story {
     private static final double BIT = 1 / 2000.0;
@@ -26,10 +29,14 @@ final class Story {
                     "LATER", "2b4658425355504f4149aa");
 
     private final Replay replay;
+    /** By sender, the number of its last packet; by receiver, those that have come to it by when they ended. */
+    private final Map<String, Integer> sent = new HashMap<>();
+    private final Map<String, TreeMap<Double, Integer>> came = new HashMap<>();
+    private int packets;
 
     private Story(Function<Header, Check> check, String air) {
         replay = new Replay(List.of(check), Optional.empty());
-        line("{'t':0,'event':'scenario','version':2,'radio':{'bitRate':2000" + air
+        line("{'t':0,'event':'scenario','version':3,'radio':{'bitRate':2000" + air
                 + "},'boards':[{'name':'a'},{'name':'b','model':'mega'},{'name':'c'}]}");
         line("{'t':0,'board':'b','event':'point','name':'TURN','number':0}");
     }
@@ -57,25 +64,31 @@ final class Story {
         String who = board.equals("-") ? "" : ",'board':'" + board + "'";
         if (PACKETS.containsKey(what)) {
             if (!board.contains("~")) {
-                packet("rf-tx", seconds, boards[0], what, fields);
+                sent.put(boards[0], ++packets);
+                packet("rf-tx", seconds, boards[0], what, ",'packet':" + packets + fields);
             }
             if (boards.length > 1) {
-                packet("rf-rx", seconds + 0.00011, boards[1], what, ",'from':'" + boards[0] + "'" + fields);
+                double end = packet("rf-rx", seconds + 0.00011, boards[1], what,
+                        ",'from':'" + boards[0] + "','packet':" + sent.getOrDefault(boards[0], 0) + fields);
+                came.computeIfAbsent(boards[1], added -> new TreeMap<>()).put(end, sent.getOrDefault(boards[0], 0));
             }
         } else if (Character.isUpperCase(what.charAt(0))) {
+            Map.Entry<Double, Integer> last = came.getOrDefault(board, new TreeMap<>()).floorEntry(seconds);
+            String named = last == null || fields.contains("'packet'") ? "" : ",'packet':" + last.getValue();
             line(String.format(Locale.ROOT, "{'t':%.6f%s,'event':'point','name':'%s','run':%.6f,'gap':%.6f%s}", seconds,
-                    who, what, seconds, RUN, fields));
+                    who, what, seconds, RUN, named + fields));
         } else {
             line("{'t':" + seconds + who + ",'event':'" + what + "'" + fields + "}");
         }
     }
 
-    private void packet(String event, double start, String board, String name, String fields) {
+    private double packet(String event, double start, String board, String name, String fields) {
         String payload = PACKETS.get(name);
         int bits = Airtime.bits(payload.length() / 2);
         double end = start + (bits - 1) * BIT;
         line(String.format(Locale.ROOT, "{'t':%.6f,'board':'%s','event':'%s','payload':'%s','kind':'any',"
                 + "'bits':%d,'start':%.6f,'end':%.6f%s}", end, board, event, payload, bits, start, end, fields));
+        return end;
     }
 
     private void line(String line) {

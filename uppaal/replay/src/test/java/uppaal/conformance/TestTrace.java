@@ -64,12 +64,15 @@ final class TestTrace {
     final List<JsonObject> lines = new ArrayList<>();
     private double now;
     private int asked;
+    /** How many packets, each of which comes to the other board. */
+    private int sent;
+    private final Map<String, Integer> came = new HashMap<>();
     private final Map<String, String> turns = new HashMap<>();
 
     TestTrace(String script) {
         JsonArray boards = new JsonArray();
         IDS.keySet().stream().sorted().map(name -> "name=" + name).map(TestTrace::fields).forEach(boards::add);
-        JsonObject scenario = add("", "scenario", "version=2");
+        JsonObject scenario = add("", "scenario", "version=3");
         scenario.add("radio", fields("bitRate=" + (int) RATE));
         scenario.add("boards", boards);
         run("police boots; support boots; " + script);
@@ -142,7 +145,10 @@ final class TestTrace {
         JsonObject point = add(board, "point", operands);
         point.addProperty("name", name);
         point.addProperty("run", now);
-        point.addProperty("gap", 0);
+        point.addProperty("gap", now);
+        if (came.containsKey(board)) {
+            point.addProperty("packet", came.get(board));
+        }
     }
 
     private void store(String board, String... words) {
@@ -179,15 +185,17 @@ final class TestTrace {
     }
 
     private void send(String board, Bytes packet, String trailer) {
+        sent++;
         double start = now + 0.01;
         int bits = Airtime.bits(packet.length());
         String kind = Payload.of(packet).kind().toString();
         now = start + bits / RATE;
-        String[] fields = {"payload=" + packet.hex(), "kind=" + kind, "start=" + start,
+        String[] fields = {"packet=" + sent, "payload=" + packet.hex(), "kind=" + kind, "start=" + start,
                 "end=" + now, "bits=" + bits, trailer};
         add(board, "rf-tx", fields);
-        JsonObject heard = add(board.equals("support") ? "police" : "support", "rf-rx", fields);
-        heard.addProperty("from", board);
+        String other = board.equals("support") ? "police" : "support";
+        add(other, "rf-rx", fields).addProperty("from", board);
+        came.put(other, sent);
     }
 
     static String content(String word) {
