@@ -2,96 +2,24 @@ package uppaal.language;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntBinaryOperator;
 
 /** The operators between two operands, with C's meaning; truth is 1 or 0. A higher level binds more tightly. */
 public enum Operator {
-    IMPLY("imply", 0) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left == 0 || right != 0);
-        }
-    },
-    OR("||", 0) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left != 0 || right != 0);
-        }
-    },
-    AND("&&", 1) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left != 0 && right != 0);
-        }
-    },
-    EQUAL("==", 2) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left == right);
-        }
-    },
-    UNEQUAL("!=", 2) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left != right);
-        }
-    },
-    LESS("<", 3) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left < right);
-        }
-    },
-    AT_MOST("<=", 3) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left <= right);
-        }
-    },
-    MORE(">", 3) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left > right);
-        }
-    },
-    AT_LEAST(">=", 3) {
-        @Override
-        public int apply(int left, int right) {
-            return truth(left >= right);
-        }
-    },
-    SHIFTED("<<", 4) {
-        @Override
-        public int apply(int left, int right) {
-            if (right < 0 || right >= Integer.SIZE - 1) {
-                throw new ArithmeticException("shifted by " + right);
-            }
-            return Math.multiplyExact(left, 1 << right);
-        }
-    },
-    PLUS("+", 5) {
-        @Override
-        public int apply(int left, int right) {
-            return Math.addExact(left, right);
-        }
-    },
-    MINUS("-", 5) {
-        @Override
-        public int apply(int left, int right) {
-            return Math.subtractExact(left, right);
-        }
-    },
-    TIMES("*", 6) {
-        @Override
-        public int apply(int left, int right) {
-            return Math.multiplyExact(left, right);
-        }
-    },
-    OVER("/", 6) {
-        @Override
-        public int apply(int left, int right) {
-            return left / right;
-        }
-    };
+    IMPLY("imply", 0, (left, right) -> truth(left == 0 || right != 0)),
+    OR("||", 0, (left, right) -> truth(left != 0 || right != 0)),
+    AND("&&", 1, (left, right) -> truth(left != 0 && right != 0)),
+    EQUAL("==", 2, (left, right) -> truth(left == right)),
+    UNEQUAL("!=", 2, (left, right) -> truth(left != right)),
+    LESS("<", 3, (left, right) -> truth(left < right)),
+    AT_MOST("<=", 3, (left, right) -> truth(left <= right)),
+    MORE(">", 3, (left, right) -> truth(left > right)),
+    AT_LEAST(">=", 3, (left, right) -> truth(left >= right)),
+    SHIFTED("<<", 4, Operator::shifted),
+    PLUS("+", 5, Math::addExact),
+    MINUS("-", 5, Math::subtractExact),
+    TIMES("*", 6, Math::multiplyExact),
+    OVER("/", 6, (left, right) -> left / right);
 
     /** The level that binds most tightly. */
     static final int TIGHTEST = 6;
@@ -99,14 +27,18 @@ public enum Operator {
 
     private final String symbol;
     private final int level;
+    private final IntBinaryOperator meaning;
 
-    Operator(String symbol, int level) {
+    Operator(String symbol, int level, IntBinaryOperator meaning) {
         this.symbol = symbol;
         this.level = level;
+        this.meaning = meaning;
     }
 
     /** @throws ArithmeticException when the result does not fit 32 bits, or there is none */
-    public abstract int apply(int left, int right);
+    public int apply(int left, int right) {
+        return meaning.applyAsInt(left, right);
+    }
 
     /** The symbol that UPPAAL writes. */
     public String symbol() {
@@ -121,6 +53,13 @@ public enum Operator {
             }
         }
         return Optional.empty();
+    }
+
+    private static int shifted(int left, int right) {
+        if (right < 0 || right >= Integer.SIZE - 1) {
+            throw new ArithmeticException("shifted by " + right);
+        }
+        return Math.multiplyExact(left, 1 << right);
     }
 
     private static int truth(boolean condition) {
