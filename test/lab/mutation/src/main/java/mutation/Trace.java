@@ -10,8 +10,6 @@ import trace.TraceEvent;
 /** The events of a trace of the emulator, in which some can be changed. */
 final class Trace {
 
-    /** How exactly the start of a packet is told by those that hear it. */
-    private static final double SAME_START = 0.001;
     private static final int MICROSECONDS = 6;
 
     private final List<TraceEvent> events;
@@ -69,9 +67,8 @@ final class Trace {
     /** All transmissions, in the order of the trace. */
     List<Packet> packets() {
         return events.stream().filter(event -> event.is("rf-tx")).map(sent -> new Packet(sent, events.stream()
-                .filter(event -> event.textOrEmpty("from").equals(sent.board())
-                        && Math.abs(event.real("start") - sent.real("start")) < SAME_START)
-                .toList())).toList();
+                .filter(event -> event.has("from") && event.number("packet") == sent.number("packet")).toList()))
+                .toList();
     }
 
     /** Gives an event's field another value; it stays where it is. */

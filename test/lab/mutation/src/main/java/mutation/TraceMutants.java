@@ -45,7 +45,7 @@ final class TraceMutants {
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
     private static final List<String> OPERANDS =
             List.of("number", "message", "key", "slots", "rounds", "attempts", "pending",
-                    "have", "nonce", "kept", "low", "place", "path", "distance", "doubt", "counter");
+                    "have", "nonce", "kept", "low", "place", "path", "distance", "doubt", "counter", "packet");
     private static final List<String> OUTCOMES = List.of("sent", "delivered", "undelivered");
     private static final List<String> KINDS =
             List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement");
@@ -148,6 +148,9 @@ final class TraceMutants {
         }
         if (event.has("number")) {
             change("another number", line, "number", event.number("number") + 1);
+        }
+        if (event.has("packet") && !event.is("point")) {
+            change("another packet", line, "packet", event.number("packet") + 1);
         }
         if (event.has("content") && !isUnknown(line)) {
             change("another content", line, "content", event.text("content") + "00");

@@ -18,15 +18,15 @@ class TraceMutantsTest {
     /** A unicast of board a, its arrival, and the acknowledgement of board b. */
     private static final List<String> LINES = List.of(
             "{'t':0.100000,'board':'a','event':'host-transmit','number':0,'destination':'B001','asked':0.090000}",
-            "{'t':0.400000,'board':'a','event':'rf-tx','payload':'" + UNICAST + "',"
+            "{'t':0.400000,'board':'a','event':'rf-tx','packet':1,'payload':'" + UNICAST + "',"
                     + "'destination':'B001','origin':'B000','kind':'unicast','bits':600,"
                     + "'start':0.120000,'end':0.400000}",
-            "{'t':0.400110,'board':'b','event':'rf-rx','from':'a',"
+            "{'t':0.400110,'board':'b','event':'rf-rx','from':'a','packet':1,"
                     + "'payload':'" + UNICAST + "','destination':'B001',"
                     + "'origin':'B000','kind':'unicast','bits':600,'start':0.120110,'end':0.400110}",
             "{'t':0.402000,'board':'b','event':'host-handed','number':0,'destination':'B001','origin':'B000'}",
-            "{'t':0.600000,'board':'b','event':'rf-tx','payload':'" + ACK + "','destination':'+KAA','origin':'B001',"
-                    + "'kind':'acknowledgement','answers':'delivered','bits':300,'start':0.450000,'end':0.600000}",
+            "{'t':0.600000,'board':'b','event':'rf-tx','packet':2,'payload':'" + ACK + "',"
+                    + "'destination':'+KAA','origin':'B001','kind':'acknowledgement','answers':'delivered','bits':300,'start':0.450000,'end':0.600000}",
             "{'t':0.602000,'board':'a','event':'host-outcome','number':0,'outcome':'delivered'}").stream()
             .map(line -> line.replace('\'', '"')).toList();
 
