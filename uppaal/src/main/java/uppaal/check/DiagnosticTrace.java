@@ -3,7 +3,6 @@ package uppaal.check;
 import java.util.ArrayList;
 import java.util.List;
 import uppaal.network.Automaton;
-import uppaal.network.JointMove;
 import uppaal.network.Network;
 import uppaal.network.Slot;
 

@@ -6,9 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import uppaal.ModelException;
-import uppaal.network.JointMove;
 import uppaal.network.Network;
-import uppaal.network.Successors;
 
 /** All reachable states of a network, found breadth first, and what they say of some properties. */
 public final class Exploration {

@@ -1,7 +1,5 @@
 package uppaal.check;
 
-import uppaal.network.JointMove;
-import uppaal.network.Successors;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -14,9 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import uppaal.RandomNetworks;
 import uppaal.Sketch;
-import uppaal.network.JointMove;
 import uppaal.network.Network;
-import uppaal.network.Successors;
 
 class LivenessCheckTest {
     private static final List<String> PROPERTIES =

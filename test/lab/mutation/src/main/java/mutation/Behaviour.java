@@ -10,9 +10,9 @@ import uppaal.check.Exploration;
 import uppaal.check.Property;
 import uppaal.check.Query;
 import uppaal.check.States;
-import uppaal.network.JointMove;
+import uppaal.check.JointMove;
 import uppaal.network.Network;
-import uppaal.network.Successors;
+import uppaal.check.Successors;
 import uppaal.network.Transition;
 
 /**

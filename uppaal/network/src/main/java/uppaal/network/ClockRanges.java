@@ -29,8 +29,7 @@ final class ClockRanges {
     }
 
     private static Stream<Term> conditions(Automaton automaton) {
-        return Stream.concat(automaton.transitions().stream().map(Transition::guard),
-                IntStream.range(0, automaton.locations().size()).mapToObj(automaton::invariant));
+        return Stream.concat(automaton.transitions().stream().map(Transition::guard), automaton.invariants().stream());
     }
 
     private Slot ranged(int index, List<Clocks.Bound> bounds) {

@@ -36,11 +36,6 @@ public record Network(String file, List<Slot> slots, List<Automaton> automata, S
         return slots.stream().anyMatch(Slot::clock);
     }
 
-    /** The automaton that a clock belongs to; none for a global one, which always runs. */
-    public Optional<Automaton> owner(int clock) {
-        return automata.stream().filter(automaton -> automaton.owns(clock)).findFirst();
-    }
-
     /**
      * The slot that a query's term reads for {@code deadlock}. It is one past the last of {@link #slots()},
      * since no move reads it: {@link #observed(int[], boolean)} adds it.

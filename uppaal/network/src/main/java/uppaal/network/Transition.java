@@ -26,7 +26,7 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
     }
 
     /** The same transition, but that it makes these assignments. */
-    Transition assigning(List<Labels.Assignment> changed) {
+    public Transition assigning(List<Labels.Assignment> changed) {
         return new Transition(source, target, guard, synchronisation, changed, points);
     }
 
@@ -41,7 +41,7 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
     }
 
     /** Whether no time passes while it can be taken. */
-    boolean urgent() {
+    public boolean urgent() {
         return synchronisation.isPresent() && synchronisation.get().channel().urgent();
     }
 

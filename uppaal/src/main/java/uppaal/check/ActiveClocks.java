@@ -1,4 +1,4 @@
-package uppaal.network;
+package uppaal.check;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import uppaal.language.Clocks;
 import uppaal.language.Labels.Assignment;
 import uppaal.language.Term;
+import uppaal.network.Transition;
 
 /**
  * Finds which clocks an automaton compares from each of its locations on, before they are reset. Any other one of its

@@ -1,10 +1,12 @@
-package uppaal.network;
+package uppaal.check;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import uppaal.language.Labels;
 import uppaal.language.Symbol;
+import uppaal.network.Automaton;
+import uppaal.network.Transition;
 
 /**
  * A step of the network: one transition alone, a sender's with those of its receivers, or waiting.

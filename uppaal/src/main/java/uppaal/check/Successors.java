@@ -1,15 +1,22 @@
-package uppaal.network;
+package uppaal.check;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import uppaal.ModelException;
+import uppaal.check.JointMove.Part;
 import uppaal.language.Labels.Assignment;
 import uppaal.language.Symbol;
 import uppaal.language.Term;
-import uppaal.network.JointMove.Part;
+import uppaal.network.Automaton;
+import uppaal.network.Network;
+import uppaal.network.Slot;
+import uppaal.network.Transition;
 
 /**
  * UPPAAL's rules of what may happen next:
@@ -31,6 +38,9 @@ public final class Successors {
 
     private final Network network;
     private final List<Automaton> automata;
+    /** By automaton: which of its clocks matter at each location, and what leaves that. */
+    private final Map<Automaton, List<Set<Integer>>> active = new IdentityHashMap<>();
+    private final Map<Automaton, List<List<Transition>>> leaving = new IdentityHashMap<>();
     private final List<Running> clocks = new ArrayList<>();
     /** The steps that an automaton can begin, by automaton and location. */
     private final Start[][][] starts;
@@ -43,9 +53,10 @@ public final class Successors {
         this.network = network;
         this.automata = network.automata();
         this.slots = network.slots().toArray(Slot[]::new);
+        automata.forEach(this::analyse);
         this.starts = automata.stream().map(this::starts).toArray(Start[][][]::new);
-        this.invariants = automata.stream().map(automaton -> IntStream.range(0, automaton.locations().size())
-                .mapToObj(automaton::invariant).toArray(Term[]::new)).toArray(Term[][]::new);
+        this.invariants = automata.stream().map(automaton -> automaton.invariants().toArray(Term[]::new))
+                .toArray(Term[][]::new);
         for (int i = 0; i < slots.length; i++) {
             if (slots[i].clock()) {
                 clocks.add(running(i));
@@ -53,9 +64,21 @@ public final class Successors {
         }
     }
 
+    private void analyse(Automaton automaton) {
+        ActiveClocks analysis = new ActiveClocks(automaton.invariants(), automaton.transitions());
+        List<Set<Integer>> clocks = analysis.byLocation();
+        List<Transition> resetting = analysis.resetting(automaton.clocks(), clocks);
+        active.put(automaton, clocks);
+        leaving.put(automaton, IntStream.range(0, clocks.size()).mapToObj(location -> resetting.stream()
+                .filter(transition -> transition.source() == location).toList()).toList());
+    }
+
+    /** A global clock always runs. */
     private Running running(int clock) {
         int high = slots[clock].high();
-        return network.owner(clock).map(owner -> new Running(clock, high, owner.slot(), owner.active(clock)))
+        return automata.stream().filter(automaton -> automaton.clocks().contains(clock)).findFirst()
+                .map(owner -> new Running(clock, high, owner.slot(), IntStream.range(0, owner.locations().size())
+                        .filter(location -> active.get(owner).get(location).contains(clock)).boxed().toList()))
                 .orElse(new Running(clock, high, ANY, List.of()));
     }
 
@@ -86,7 +109,7 @@ public final class Successors {
     }
 
     private Start[][] starts(Automaton automaton) {
-        return byLocation(automaton).stream().map(leaving -> leaving.stream()
+        return leaving.get(automaton).stream().map(each -> each.stream()
                 .filter(transition -> transition.internal() || transition.sends())
                 .map(transition -> start(automaton, transition)).toArray(Start[]::new)).toArray(Start[][]::new);
     }
@@ -101,14 +124,10 @@ public final class Successors {
                 .map(other -> new Listener(other.slot(), ways(other, channel))).toList());
     }
 
-    private static Part[][] ways(Automaton automaton, Symbol.Channel channel) {
-        return byLocation(automaton).stream().map(leaving -> leaving.stream()
+    private Part[][] ways(Automaton automaton, Symbol.Channel channel) {
+        return leaving.get(automaton).stream().map(each -> each.stream()
                 .filter(transition -> transition.receives(channel)).map(transition -> new Part(automaton, transition))
                 .toArray(Part[]::new)).toArray(Part[][]::new);
-    }
-
-    private static List<List<Transition>> byLocation(Automaton automaton) {
-        return IntStream.range(0, automaton.locations().size()).mapToObj(automaton::outgoing).toList();
     }
 
     /**
@@ -160,7 +179,7 @@ public final class Successors {
 
     private boolean committed(int[] state) {
         for (Automaton automaton : automata) {
-            if (automaton.committed(state)) {
+            if (automaton.at(state).committed()) {
                 return true;
             }
         }
@@ -169,7 +188,7 @@ public final class Successors {
 
     private boolean urgent(int[] state) {
         for (Automaton automaton : automata) {
-            if (automaton.urgent(state)) {
+            if (automaton.at(state).urgent()) {
                 return true;
             }
         }
@@ -237,7 +256,7 @@ public final class Successors {
     }
 
     private void perform(List<Part> parts, int[] state, boolean hurry, BiConsumer<List<Part>, int[]> found) {
-        if (hurry && parts.stream().noneMatch(part -> part.automaton().committed(state))) {
+        if (hurry && parts.stream().noneMatch(part -> part.automaton().at(state).committed())) {
             return;
         }
         int[] target = state.clone();
