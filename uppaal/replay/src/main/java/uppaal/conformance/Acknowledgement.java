@@ -68,11 +68,12 @@ record Acknowledgement(Payload payload, String kind) {
         }
     }
 
-    /** Some fragments that have come, with the first, but not all: that would be delivered. */
+    /** Some fragments that have come, with the first; not all, unless the tag of these was wrong: that would be delivered. */
     private void checkFragments(BoardFrames board, List<Frame> proved) throws RefusedException {
         int told = payload.message().at(0);
         Frame last = proved.get(proved.size() - 1);
-        require(proved.stream().anyMatch(frame -> frame.mayHaveReached(board.name, told)),
+        require(proved.stream().anyMatch(frame -> frame.mayHaveReached(board.name, told)
+                && (board.isRefused || !frame.isAll(told))),
                 String.format("%s answers that it has the fragments %02x of %s", board.name, told, last),
                 String.format("%02x or fewer, with the first, and not all", last.reached.getOrDefault(board.name, 0)));
     }

@@ -7,9 +7,11 @@ import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import javino.protocol.Bytes;
+import javino.protocol.Counter;
 import javino.protocol.Payload;
 
 /** A board's frames: what its host wants to be sent, and what it has sealed, cut and promised to answer. */
@@ -57,6 +59,9 @@ final class BoardFrames {
     double resetAt;
     /** Whether somebody has told a floor, since when nonces may jump. */
     boolean wasStale;
+    /** In which run() it has refused a whole for its tag last, and whether it answers such a one. */
+    private double refusedAt = -1;
+    boolean isRefused;
     private final int partLength;
     /** By key, the acknowledgements that it owes. */
     private final Map<Integer, Set<String>> owed = new HashMap<>();
@@ -85,10 +90,15 @@ final class BoardFrames {
 
     /** An acknowledgement replaces the one before to the same sender; with a group's key two may owe a floor each. */
     void owe(Point point) {
+        isRefused = point.run() == refusedAt;
         String kind = point.name().substring("OWE_".length()).toLowerCase(Locale.ROOT);
         Set<String> same = owed.computeIfAbsent(point.operand("key"), added -> new HashSet<>());
         same.removeIf(before -> !kind.equals(Acknowledgement.STALE) || !before.startsWith(kind));
         same.add(Acknowledgement.described(kind, point.operand("nonce")));
+    }
+
+    void count(Point point) {
+        refusedAt = point.counter().equals(Optional.of(Counter.RADIO_BAD_TAG)) ? point.run() : refusedAt;
     }
 
     /** It sends an acknowledgement. How often it may, the model tells. */

@@ -63,6 +63,7 @@ final class ByteCheck implements Check {
         board.eeprom.point(point);
         switch (point.name()) {
             case "EPOCH_STORED" -> board.storeEpoch();
+            case "COUNT" -> board.count(point);
             case "TAKE_UP", "RESEAL" -> board.seal(point);
             case "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE" -> board.owe(point);
             case "DELIVERED" -> answer(board, point, Acknowledgement.DELIVERED);

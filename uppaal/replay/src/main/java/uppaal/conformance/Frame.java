@@ -100,11 +100,15 @@ final class Frame {
         return nonce.length() == 0 ? "000000" : Bytes.join(nonce.slice(2, 3), nonce.from(4)).hex();
     }
 
-    /** Whether a board may say that these fragments have reached it, bit k for fragment k. */
+    /** Whether these are all its fragments, bit k for fragment k. */
+    boolean isAll(int fragments) {
+        return fragments == (1 << parts.length) - 1;
+    }
+
+    /** Whether a board may say that these fragments have reached it. */
     boolean mayHaveReached(String board, int told) {
         int come = reached.getOrDefault(board, 0);
-        int all = (1 << parts.length) - 1;
-        return isCut() && (told & ~come) == 0 && told != all && ((told & 1) != 0 || come == all);
+        return isCut() && (told & ~come) == 0 && ((told & 1) != 0 || isAll(come));
     }
 
     /** Whether these are all its bytes, as far as its first packet shows. */

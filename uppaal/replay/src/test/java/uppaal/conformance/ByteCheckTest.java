@@ -46,6 +46,7 @@ class ByteCheckTest {
             "ASKING; police sends 0 f:AI:s:SUPP:0:LONG; support answers FRAGMENTS a:0:01; "
                     + "police FRAGMENTS_NEW number=0 "
                     + "have=1; police sends 0 f:AJ:s:SUPP:0:LONG | 1, 1",
+            "ASKING; police sends 0 f:AI:s:SUPP:0:LONG; support answers !FRAGMENTS a:0:03 | 1, 1",
             // Ids, nonces and epochs go on.
             "BEGUN; police asks //SU LONG; police seals 1 1; police parts 1 f:BA:s://SU:1:LONG | 2, 0",
             "LONG; police parts 0 f:/A:s:SUPP:0:LONG; police asks //SU LONG; police seals 1 1; "

@@ -16,6 +16,7 @@ import java.util.function.Function;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
+import javino.protocol.Counter;
 import javino.protocol.Crc16;
 import javino.protocol.Payload;
 
@@ -29,7 +30,7 @@ import javino.protocol.Payload;
  * BOARD seals NUMBER [KEY]       it is taken up
  * BOARD sends NUMBER PACKET      all of it, or the last fragment; with a trailer: + mark, + parity
  * BOARD parts NUMBER PACKET      another fragment
- * BOARD answers KIND PACKET      it owes and sends an acknowledgement
+ * BOARD answers KIND PACKET      it owes and sends an acknowledgement; !KIND: as the tag of the whole was wrong
  * BOARD throws PACKET            a packet that it does not declare
  * BOARD queues NONCE [KEY]       its inbox takes a message in
  * BOARD hands NUMBER TO ID CONTENT   its host is handed it, from the police
@@ -117,8 +118,11 @@ final class TestTrace {
             case "answers" -> {
                 Bytes packet = packet(words[3]);
                 int nonce = Payload.of(packet).answered() & 0xFF;
+                if (third.startsWith("!")) {
+                    point(board, "COUNT", "counter=" + Counter.RADIO_BAD_TAG.number());
+                }
                 if (!third.equals("nothing")) {
-                    point(board, "OWE_" + third, "nonce=" + nonce, "key=0");
+                    point(board, "OWE_" + third.replace("!", ""), "nonce=" + nonce, "key=0");
                 }
                 point(board, "ANSWER", "key=0");
                 send(board, packet, "");
