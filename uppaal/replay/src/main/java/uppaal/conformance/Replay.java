@@ -1,9 +1,7 @@
 package uppaal.conformance;
 
 import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -45,13 +43,12 @@ public final class Replay {
     /** By number, those that have begun, and those of which the trace has told. */
     private final Map<Integer, Transmission> packets = new BoundedMap<>();
     private final Map<Integer, TraceEvent> sent = new BoundedMap<>();
-    /** By board, what it may not have read yet, and at least the last that has come to it. */
-    private final Map<String, Deque<Reception>> came = new HashMap<>();
     /** By board, by what point its radio has taken a packet that is not yet on the air. */
     private final Map<String, Point> declared = new HashMap<>();
     /** By board, the transmission that its sender's points are of. */
     private final Map<String, Integer> turns = new HashMap<>();
     private Header header;
+    private Arrivals arrivals;
     private long count;
     private int lines;
     private double now;
@@ -123,7 +120,8 @@ public final class Replay {
                 add(event, event.real("asked"), () -> each(check -> check.event(event)));
             default -> add(event, event.seconds(), () -> {
                 if (Air.isBoot(event)) {
-                    boots(event.board());
+                    declared.remove(event.board());
+                    arrivals.forget(event.board());
                 }
                 each(check -> check.event(event));
             });
@@ -142,7 +140,7 @@ public final class Replay {
         boolean isPart = name.equals("SEND") && Integer.bitCount(event.number("pending")) > 1;
         int turn = turns.getOrDefault(event.board(), NO_TURN);
         add(event, event.seconds(), () -> {
-            Point point = new Point(event, isPart ? "SEND_PART" : name, turn, packets(event));
+            Point point = new Point(event, isPart ? "SEND_PART" : name, turn, arrivals.of(event, now));
             if (AirCheck.SENDS.contains(point.name())) {
                 declared.put(point.board(), point);
             }
@@ -162,40 +160,8 @@ public final class Replay {
         RefusedException.require(packet != null && packet.board().equals(from) && !from.equals(event.board()),
                 event.board() + " hears a packet" + (from.isEmpty() ? "" : " of " + from),
                 "one that another board sent");
-        Deque<Reception> before = came.computeIfAbsent(event.board(), added -> new ArrayDeque<>());
-        boolean isAtOnce = event.is("rf-rx") && !packet.isOfModule();
-        Reception reception = new Reception(event, packet, Math.max(before.isEmpty() ? 0 : before.getLast().readBy(),
-                event.seconds() + (isAtOnce ? PhysicalLimits.ARRIVAL_BITS * header.bit() : header.longest())));
-        before.add(reception);
+        Reception reception = arrivals.add(event, packet);
         each(check -> check.hears(reception));
-    }
-
-    /** What a point may be about: the packet that it names, which has come last, and those before that it may not have read. */
-    private List<Reception> packets(TraceEvent point) throws RefusedException {
-        if (!point.has("packet") || !point.has("run")) {
-            return List.of();
-        }
-        int named = point.number("packet");
-        Deque<Reception> all = came.getOrDefault(point.board(), new ArrayDeque<>());
-        boolean isUntold = point.seconds() > now - 2 * PhysicalLimits.ARRIVAL_BITS * header.bit();
-        RefusedException.require(isUntold || all.stream().anyMatch(each -> each.packet().number() == named),
-                point.board() + " tells of packet " + named, "one that has come to it");
-        double runBefore = point.real("run") - point.real("gap");
-        while (all.size() > 1 && all.getFirst().readBy() < runBefore) {
-            all.removeFirst();
-        }
-        return all.stream().filter(each -> each.packet().number() <= named && each.readBy() >= runBefore).toList();
-    }
-
-    /** A board forgets what it has not read, but its points still name what has come last. */
-    private void boots(String board) {
-        declared.remove(board);
-        Deque<Reception> all = came.get(board);
-        if (all != null) {
-            Reception last = all.getLast();
-            all.clear();
-            all.add(new Reception(last.event(), last.packet(), Double.NEGATIVE_INFINITY));
-        }
     }
 
     private void add(TraceEvent event, double seconds, Refusable action) {
@@ -265,6 +231,7 @@ public final class Replay {
     private void begin(TraceEvent event) throws RefusedException {
         if (header == null) {
             header = Header.of(event, keys);
+            arrivals = new Arrivals(header);
             checks = made.stream().map(check -> check.apply(header)).toList();
         }
     }
