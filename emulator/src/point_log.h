@@ -19,12 +19,12 @@ typedef struct {
   trace *out;
   const char *board;
   const uint64_t *heard;  // the number of the last packet that has come to the board; 0 before the first
-  cycles_t late;  // a run() that comes later than this after the one before is told
-  cycles_t run;   // when the last run() began; NEVER before the first since a reset
-  cycles_t gap;   // after the one before it
-  uint8_t air;    // the point that it told
-  int turn;       // the operand of the last TURN; -1 before the first
-  uint16_t at;    // bytes of the EEPROM that were written one beside the other
+  cycles_t late;          // a run() that comes later than this after the one before is told
+  cycles_t run;           // when the last run() began; NEVER before the first since a reset
+  cycles_t gap;           // after the one before it
+  uint8_t air;            // the point that it told
+  int turn;               // the operand of the last TURN; -1 before the first
+  uint16_t at;            // bytes of the EEPROM that were written one beside the other
   size_t length;
   uint8_t bytes[POINTS_LONGEST_RUN];
 } point_log;

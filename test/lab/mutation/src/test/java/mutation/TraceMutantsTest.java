@@ -26,7 +26,8 @@ class TraceMutantsTest {
                     + "'origin':'B000','kind':'unicast','bits':600,'start':0.120110,'end':0.400110}",
             "{'t':0.402000,'board':'b','event':'host-handed','number':0,'destination':'B001','origin':'B000'}",
             "{'t':0.600000,'board':'b','event':'rf-tx','packet':2,'payload':'" + ACK + "',"
-                    + "'destination':'+KAA','origin':'B001','kind':'acknowledgement','answers':'delivered','bits':300,'start':0.450000,'end':0.600000}",
+                    + "'destination':'+KAA','origin':'B001','kind':'acknowledgement','answers':'delivered',"
+                    + "'bits':300,'start':0.450000,'end':0.600000}",
             "{'t':0.602000,'board':'a','event':'host-outcome','number':0,'outcome':'delivered'}").stream()
             .map(line -> line.replace('\'', '"')).toList();
 

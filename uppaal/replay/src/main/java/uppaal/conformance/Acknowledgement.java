@@ -68,7 +68,7 @@ record Acknowledgement(Payload payload, String kind) {
         }
     }
 
-    /** Some fragments that have come, with the first; not all, unless the tag of these was wrong: that would be delivered. */
+    /** Some fragments that have come, with the first. All would be delivered, unless their tag was wrong. */
     private void checkFragments(BoardFrames board, List<Frame> proved) throws RefusedException {
         int told = payload.message().at(0);
         Frame last = proved.get(proved.size() - 1);

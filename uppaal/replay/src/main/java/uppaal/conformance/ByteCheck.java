@@ -244,8 +244,8 @@ final class ByteCheck implements Check {
             Fields.check(reception.event(), Payload.of(Bytes.copyOf(reception.event().bytes("payload"))));
         }
         Payload payload = reception.packet().payload();
-        frames.values().stream().filter(frame -> payload.isFragment() && frame.isOf(payload)).forEach(frame ->
-                frame.reached.merge(reception.board(), 1 << payload.index(), (one, other) -> one | other));
+        frames.values().stream().filter(frame -> payload.isFragment() && frame.isOf(payload)).forEach(
+                frame -> frame.reached.merge(reception.board(), 1 << payload.index(), (one, other) -> one | other));
     }
 
     /** A board hands its host a message: what was said, and to whom. */

@@ -31,6 +31,7 @@ final class FateCheck implements Check {
 
     private static final int LOW_BYTE = 0xFF;
     private static final int NUMBERS = 256;
+
     /** A board with a host or a relay, since its last reset. */
     private static final class Receiver {
         private final String board;
@@ -157,10 +158,10 @@ final class FateCheck implements Check {
             receiver.told(point);
         } else if (receiver.waits != null
                 && point.runBefore() > receiver.waits.event().seconds() + arrival) {
-            RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "
-                    + receiver.waits.packet(), "a point or COUNT for it");
-            receiver.waits = null;
-        }
+                    RefusedException.require(!receiver.isDemanded(), point.board() + " has not told what became of "
+                            + receiver.waits.packet(), "a point or COUNT for it");
+                    receiver.waits = null;
+                }
     }
 
     /** What it tells is of the first packet that it can be of: those before it has missed, or ignored. */
@@ -168,7 +169,8 @@ final class FateCheck implements Check {
         String told = counter.map(Counter::toString).orElse(point.name());
         String who = point.board() + (counter.isEmpty() ? " tells " : " counts ") + told + " of ";
         RefusedException first = new RefusedException(who + "no packet that came", "each once");
-        for (Reception each : point.packets().stream().filter(each -> each.packet().number() > receiver.told).toList()) {
+        for (Reception each : point.packets().stream().filter(each -> each.packet().number() > receiver.told)
+                .toList()) {
             String wrong = each.isIntact() ? wrong(receiver, point, told, each.packet()) : "";
             if (wrong.isEmpty()) {
                 receiver.told = each.packet().number();
