@@ -7,7 +7,7 @@
 #include "scenario_board.h"
 #include "scenario_radio.h"
 
-// The version of the trace; in version 2 boards tell their points.
+// The version of the trace; in version 3 packets have numbers.
 #define VERSION 3
 
 static json_t *position(double x_m, double y_m) { return json_pack("[ff]", x_m, y_m); }
