@@ -26,6 +26,8 @@ final class Relay {
     private static final double MOST_CREDIT = 4000;
     private static final double SHARE = 0.1;
     private static final int MILLIS = 1000;
+    /** What it counts of packets that it may have to copy. */
+    private static final Set<Counter> FOR_OTHERS = Set.of(Counter.RADIO_NOT_FOR_US, Counter.RADIO_BLOCKED);
 
     private final double bit;
     private final Model model;
@@ -88,17 +90,19 @@ final class Relay {
 
     /** It looks at a packet as a relay before it tells what it is. */
     private void read(Point point) throws RefusedException {
-        boolean isForOthers = point.counter().equals(Optional.of(Counter.RADIO_NOT_FOR_US));
-        if (!isForOthers && !FateCheck.READ.contains(point.name()) || point.packets().size() != 1
-                || !point.packets().get(0).isIntact()) {
+        boolean isFate =
+                FateCheck.READ.contains(point.name()) || point.counter().filter(FOR_OTHERS::contains).isPresent();
+        if (!isFate || point.packets().size() != 1 || !point.packets().get(0).isIntact()) {
             return;
         }
-        Payload packet = point.packets().get(0).packet().payload();
-        read.add(number(packet.origin()));
+        Transmission packet = point.packets().get(0).packet();
+        read.add(number(packet.payload().origin()));
         for (int place : places.keySet()) {
             RelayedPacket copied = places.get(place);
-            point.require(!isForOthers || copied.answer != null || !copied.isAnsweredWholeBy(packet),
+            point.require(copied.answer != null || !copied.isAnsweredWholeBy(packet.payload()),
                     "RELAY_ANSWERED of place " + place + " before");
+            point.require(!copied.isUnheeded(packet, point.run()), "RELAY_PEER or RELAY_GONE_ON of place " + place
+                    + ", or of its answer, before");
         }
     }
 

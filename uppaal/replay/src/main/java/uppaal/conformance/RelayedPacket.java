@@ -2,6 +2,7 @@ package uppaal.conformance;
 
 import java.util.Map;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /** What a relay knows of one of its packets: a copy of {@code relay.xml}'s automaton, and times. */
 final class RelayedPacket {
@@ -80,6 +81,19 @@ final class RelayedPacket {
 
     boolean is(Payload heard) {
         return packet.equals(heard);
+    }
+
+    /** Whether the relay has told nothing of it in a run() in which it looks at another's copy that it must heed. */
+    boolean isUnheeded(Transmission heard, double run) {
+        boolean isAnswer = answer != null;
+        boolean isOfThis = isAnswer ? isAnsweredWholeBy(heard.payload()) && heard.told() != 0 : is(heard.payload());
+        if (!isOfThis || happened >= run) {
+            return false;
+        }
+        int from = isAnswer ? heard.told() - 1 : heard.hops();
+        int further = Math.floorMod(from - instance.get("own"), TraceEvent.HOPS);
+        boolean isUpstream = further == TraceEvent.HOPS - 1;
+        return further == 0 ? isAnswer || due != Timer.NONE && instance.get("copied") == 0 : isAnswer == isUpstream;
     }
 
     boolean isAnswer(Payload heard) {

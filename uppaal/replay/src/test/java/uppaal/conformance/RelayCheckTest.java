@@ -34,6 +34,12 @@ class RelayCheckTest {
             "refused with credit  | 1.515 RELAY_REFUSE | ; expected RELAY_COPY of a packet of 240 ms",
             "handed on            | 1.265 BUSY; 1.2695 c>b UNICAST hops=2; 1.51 RELAY_GONE_ON soon=0; 1.51 QUIET; "
                     + "1.7 RELAY_COPY path=1 | is Known; expected ",
+            "copied by a peer     | 1.265 BUSY; 1.2695 c>b UNICAST hops=1; 1.51 RELAY_PEER; 1.51 COUNT counter=10 "
+                    + "| accepted",
+            "peer not told        | 1.265 BUSY; 1.2695 c>b UNICAST hops=1; 1.51 COUNT counter=10 "
+                    + "| expected RELAY_PEER or RELAY_GONE_ON of place 7",
+            "gone on not told     | 1.265 BUSY; 1.2695 c>b UNICAST hops=2; 1.51 COUNT counter=10 "
+                    + "| expected RELAY_PEER or RELAY_GONE_ON of place 7",
             "acknowledged without | 1.26 BUSY; 1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 | accepted"})
     void copy_isJudged(String what, String story, String verdict) {
         check(WAITS + story, verdict);
