@@ -112,7 +112,8 @@ public final class Replay {
                 RefusedException.require(isNew, event.board() + " sends packet " + event.number("packet") + " again",
                         "each packet once");
                 add(event, event.real("start"), () -> begins(event));
-                add(event, event.real("end"), () -> each(check -> check.ends(packets.get(event.number("packet")))));
+                add(event, Math.max(event.real("start"), event.real("end")),
+                        () -> each(check -> check.ends(packets.get(event.number("packet")))));
             }
             // A board may have read a packet before the trace tells that it is damaged.
             case "rf-rx", "rf-damaged" -> add(event, event.real("end") - header.bit(), () -> hears(event));

@@ -35,6 +35,9 @@ class AirCheckTest {
     @CsvSource(delimiter = '|', value = {
             "other bits            | " + PACKET
                     + "bits=481 end=1.2402 | a sends 481 bits; expected 480 for these bytes",
+            "ends before it begins | " + PACKET + "bits=480 end=0.9 | a sends 480 bits in -0.1",
+            "sent twice            | " + PACKET + "bits=480 end=1.2397; " + PACKET + "bits=480 end=1.2397 "
+                    + "| a sends packet 1 again; expected each packet once",
             "too slow              | " + PACKET + "bits=480 end=1.2452 "
                     + "| a sends 480 bits in 0.245000 s; expected 0.2395",
             "trailer lost by reset | " + BROKEN + "1.243 a reset why=fault; 2 a QUIET | accepted",

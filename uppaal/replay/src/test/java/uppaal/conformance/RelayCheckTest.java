@@ -96,6 +96,11 @@ class RelayCheckTest {
                     + "1.926 RELAY_DRAW_ANSWER slots=2 | Carrying, not Kept",
             "from downstream       | " + COPIED + "1.776 c>b ACK hops=1 distance=2; 1.926 RELAY_ANSWERED doubt=1; "
                     + "1.926 RELAY_DRAW_ANSWER slots=0; 1.927 RELAY_ANSWER path=10 | accepted",
+            "a peer's not told     | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=2; 1.927 BUSY; "
+                    + "1.93 a>b ACK hops=1 distance=1; 2.08 COUNT counter=10 "
+                    + "| expected RELAY_PEER or RELAY_GONE_ON of place 7, or of its answer, before",
+            "a peer's told         | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=2; 1.927 BUSY; "
+                    + "1.93 a>b ACK hops=1 distance=1; 2.08 RELAY_ANSWER_PEER; 2.08 COUNT counter=10 | accepted",
             "answered more often   | " + ANSWERED + "1.926 RELAY_DRAW_ANSWER slots=0; 1.927 RELAY_ANSWER path=9; "
                     + "1.9272 b ACK hops=1 distance=1; 2.096 RELAY_ANSWER_ENDED; 2.096 QUIET; "
                     + "2.166 RELAY_ANSWER path=9 | is Kept; expected "})
