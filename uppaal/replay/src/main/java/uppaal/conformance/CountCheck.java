@@ -17,8 +17,8 @@ final class CountCheck implements Check {
             Counter.RELAY_ANSWERS, "RELAY_REFUSE", Counter.RELAY_REFUSED, "OWE_STALE", Counter.RADIO_STALE);
 
     private static final Set<String> WAITS = Set.of("CONTEND", "PART_SENT");
-    private static final Set<String> ENDS =
-            Set.of("TAKE_UP", "PASSED", "SEND", "SEND_PART", "ATTEMPT_FAILED", "DELIVERED", "UNDELIVERED", "SENT");
+    private static final Set<String> ENDS = Set.of("TAKE_UP", "PASSED", "COPIED", "SEND", "SEND_PART",
+            "ATTEMPT_FAILED", "DELIVERED", "UNDELIVERED", "SENT");
 
     /** After that without a new fragment a message is forgotten (SPEC 7.1). */
     static final double FORGOTTEN_SECONDS = 5;

@@ -30,6 +30,7 @@ class CountCheckTest {
                     + "6 BUSY; 7 QUIET | radioDeferred",
             "1 CONTEND slots=9; 2 ANSWER key=1; 2 BUSY; 3 QUIET | accepted",
             "1 CONTEND slots=9; 2 BUSY; 2 PASSED; 3 QUIET | accepted",
+            "1 CONTEND slots=9; 2 COPIED; 3 BUSY; 4 QUIET | accepted",
             "1 BUSY; 2 PUT_OFF slots=3 | COUNT of radioDeferred before",
             "1 BUSY; 2 COUNT counter=26; 2 PUT_OFF slots=3 | accepted",
             "1 ANSWER key=1; 1 BUSY; 2 PUT_OFF slots=3 | accepted",
