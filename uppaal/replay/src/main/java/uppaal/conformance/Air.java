@@ -39,14 +39,9 @@ final class Air {
     void begins(Transmission packet) {
         injected = header.boards().containsKey(packet.board()) ? injected : Double.POSITIVE_INFINITY;
         recent.addLast(packet);
-        while (!isKept(recent.getFirst())) {
+        while (recent.getFirst().end() < now() - 2 * header.longest()) {
             recent.removeFirst();
         }
-    }
-
-    /** Whether a packet is so young that it may still matter. */
-    boolean isKept(Transmission packet) {
-        return packet.end() >= now() - 2 * header.longest();
     }
 
     /** When the last packet began, in seconds. */

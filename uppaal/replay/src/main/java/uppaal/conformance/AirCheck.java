@@ -3,7 +3,6 @@ package uppaal.conformance;
 import static uppaal.conformance.RefusedException.require;
 
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -51,7 +50,6 @@ final class AirCheck implements Check {
     }
 
     private final Map<String, Station> stations = new HashMap<>();
-    private final Map<Transmission, Set<String>> reached = new HashMap<>();
     private final Header header;
     private final Air air;
     private final double bit;
@@ -121,7 +119,6 @@ final class AirCheck implements Check {
     @Override
     public void begins(Transmission packet) throws RefusedException {
         air.begins(packet);
-        reached.keySet().removeIf(before -> !air.isKept(before));
         Station station = station(packet.board());
         if (!station.isOurs) {
             return;
@@ -205,8 +202,6 @@ final class AirCheck implements Check {
     public void hears(Reception reception) throws RefusedException {
         TraceEvent event = reception.event();
         Transmission packet = reception.packet();
-        require(reached.computeIfAbsent(packet, added -> new HashSet<>()).add(event.board()), event.board() +
-                " hears " + packet + " twice", "once");
         double whole = packet.start() + (packet.wholeBits() - 2) * bit * header.second(packet.board());
         double last = packet.end() + 2 * PhysicalLimits.ARRIVAL_BITS * bit;
         double end = event.real("end");

@@ -19,8 +19,10 @@ final class Arrivals {
         arrival = PhysicalLimits.ARRIVAL_BITS * header.bit();
     }
 
-    Reception add(TraceEvent event, Transmission packet) {
+    Reception add(TraceEvent event, Transmission packet) throws RefusedException {
         Deque<Reception> here = all.computeIfAbsent(event.board(), added -> new ArrayDeque<>());
+        RefusedException.require(here.stream().noneMatch(each -> each.packet() == packet),
+                event.board() + " hears " + packet + " twice", "once");
         boolean isAtOnce = event.is("rf-rx") && !packet.isOfModule();
         double readBy = event.seconds() + (isAtOnce ? arrival : header.longest());
         Reception reception =
