@@ -5,7 +5,6 @@ import static uppaal.conformance.RefusedException.require;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import javino.protocol.Airtime;
