@@ -45,7 +45,7 @@ final class TraceMutants {
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
     private static final List<String> OPERANDS =
             List.of("number", "message", "key", "slots", "rounds", "attempts", "pending",
-                    "have", "nonce", "kept", "low", "place", "path", "distance", "doubt", "counter", "packet");
+                    "have", "nonce", "kept", "low", "place", "path", "distance", "doubt", "counter");
     private static final List<String> OUTCOMES = List.of("sent", "delivered", "undelivered");
     private static final List<String> KINDS =
             List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement");
@@ -129,6 +129,9 @@ final class TraceMutants {
         }
         other(name, event).ifPresent(other -> enter("another " + name, line, event.text(name) + " as " + other,
                 (trace, it) -> trace.change(it, name, other)));
+        if (event.has("packet")) {
+            change("another packet", line, "packet", event.number("packet") + 1);
+        }
         OPERANDS.stream().filter(event::has).forEach(operand -> enter("another operand", line,
                 what + " " + operand, (trace, it) -> trace.change(it, operand, event.number(operand) + 1)));
     }
@@ -149,7 +152,7 @@ final class TraceMutants {
         if (event.has("number")) {
             change("another number", line, "number", event.number("number") + 1);
         }
-        if (event.has("packet") && !event.is("point")) {
+        if (event.has("packet")) {
             change("another packet", line, "packet", event.number("packet") + 1);
         }
         if (event.has("content") && !isUnknown(line)) {

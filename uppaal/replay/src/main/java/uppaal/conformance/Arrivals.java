@@ -38,7 +38,7 @@ final class Arrivals {
      * @param told until when the trace has told what happened
      */
     List<Reception> of(TraceEvent point, double told) throws RefusedException {
-        if (!point.has("packet") || !point.has("run")) {
+        if (!point.has("packet")) {
             return List.of();
         }
         int named = point.number("packet");
@@ -46,6 +46,9 @@ final class Arrivals {
         RefusedException.require(point.seconds() > told - 2 * arrival
                 || here.stream().anyMatch(each -> each.packet().number() == named),
                 point.board() + " tells of packet " + named, "one that has come to it");
+        if (!point.has("run")) {
+            return List.of();
+        }
         double runBefore = point.real("run") - point.real("gap");
         while (here.size() > 1 && here.getFirst().readBy() < runBefore) {
             here.removeFirst();

@@ -16,9 +16,7 @@ import trace.TraceEvent;
  * fragments that it ignores. It counts none as what that cannot be.
  */
 final class FateCheck implements Check {
-    private static final Set<String> FATES = Set.of("QUEUED", "FRAGMENT", "OWE_DELIVERED", "OWE_FRAGMENTS", "OWE_STALE",
-            "OWE_TWICE", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
-    /** Those of which each packet has one at most, and no counter but behind a fragment. */
+    /** Fates, of which each packet has one at most, and no counter but behind a fragment. */
     static final Set<String> READ =
             Set.of("QUEUED", "FRAGMENT", "DELIVERED", "FRAGMENTS_NEW", "FRAGMENTS_KNOWN", "STALE_HEARD");
     /** Counted beside another fate, or of a host. */
@@ -154,7 +152,7 @@ final class FateCheck implements Check {
         if (isRead) {
             read(receiver, point, counter);
         }
-        if (FATES.contains(point.name()) || isCounted) {
+        if (READ.contains(point.name()) || isCounted) {
             receiver.told(point);
         } else if (receiver.waits != null
                 && point.runBefore() > receiver.waits.event().seconds() + arrival) {
