@@ -54,8 +54,10 @@ final class Air {
         if (event.textOrEmpty("do").equals("send")) {
             injected = event.seconds();
         }
+        // A board without power is silent: only that this breaks off what it sends disturbs, and its reset.
         if (BREAKS.contains(event.name()) && !HARMLESS.contains(event.textOrEmpty("do"))) {
-            disturbed = Math.max(disturbed, event.has("until") ? event.real("until") : event.seconds());
+            boolean isJam = event.textOrEmpty("do").equals("jam") && event.has("until");
+            disturbed = Math.max(disturbed, isJam ? event.real("until") : event.seconds());
         }
     }
 
