@@ -1,16 +1,15 @@
 package uppaal.conformance;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import trace.TraceEvent;
 
 /** What has come to each board, and what of it a point may be about. */
 final class Arrivals {
-    /** By board, what it may not have read yet, and at least the last. */
-    private final Map<String, Deque<Reception>> all = new HashMap<>();
+    /** By board and number, what it may not have read yet, and the last. Of two at once either may end first. */
+    private final Map<String, TreeMap<Integer, Reception>> all = new HashMap<>();
     private final Header header;
     private final double arrival;
 
@@ -19,15 +18,18 @@ final class Arrivals {
         arrival = PhysicalLimits.ARRIVAL_BITS * header.bit();
     }
 
+    private TreeMap<Integer, Reception> at(String board) {
+        return all.computeIfAbsent(board, added -> new TreeMap<>());
+    }
+
     Reception add(TraceEvent event, Transmission packet) throws RefusedException {
-        Deque<Reception> here = all.computeIfAbsent(event.board(), added -> new ArrayDeque<>());
-        RefusedException.require(here.stream().noneMatch(each -> each.packet() == packet),
-                event.board() + " hears " + packet + " twice", "once");
+        TreeMap<Integer, Reception> here = at(event.board());
         boolean isAtOnce = event.is("rf-rx") && !packet.isOfModule();
         double readBy = event.seconds() + (isAtOnce ? arrival : header.longest());
-        Reception reception =
-                new Reception(event, packet, Math.max(here.isEmpty() ? 0 : here.getLast().readBy(), readBy));
-        here.add(reception);
+        Reception reception = new Reception(event, packet,
+                Math.max(here.isEmpty() ? 0 : here.lastEntry().getValue().readBy(), readBy));
+        RefusedException.require(here.put(packet.number(), reception) == null,
+                event.board() + " hears " + packet + " twice", "once");
         return reception;
     }
 
@@ -42,27 +44,19 @@ final class Arrivals {
             return List.of();
         }
         int named = point.number("packet");
-        Deque<Reception> here = all.getOrDefault(point.board(), new ArrayDeque<>());
-        RefusedException.require(point.seconds() > told - 2 * arrival
-                || here.stream().anyMatch(each -> each.packet().number() == named),
+        TreeMap<Integer, Reception> here = at(point.board());
+        RefusedException.require(point.seconds() > told - 2 * arrival || here.containsKey(named),
                 point.board() + " tells of packet " + named, "one that has come to it");
-        if (!point.has("run")) {
+        if (!point.has("run") || here.isEmpty()) {
             return List.of();
         }
         double runBefore = point.real("run") - point.real("gap");
-        while (here.size() > 1 && here.getFirst().readBy() < runBefore) {
-            here.removeFirst();
-        }
-        return here.stream().filter(each -> each.packet().number() <= named && each.readBy() >= runBefore).toList();
+        here.headMap(here.lastKey()).values().removeIf(each -> each.readBy() < runBefore);
+        return here.headMap(named, true).values().stream().filter(each -> each.readBy() >= runBefore).toList();
     }
 
     /** A board forgets what it has not read, but its points still name what has come last. */
     void forget(String board) {
-        Deque<Reception> here = all.getOrDefault(board, new ArrayDeque<>());
-        if (!here.isEmpty()) {
-            Reception last = here.getLast();
-            here.clear();
-            here.add(new Reception(last.event(), last.packet(), Double.NEGATIVE_INFINITY));
-        }
+        at(board).replaceAll((number, each) -> new Reception(each.event(), each.packet(), Double.NEGATIVE_INFINITY));
     }
 }

@@ -40,6 +40,8 @@ class FateCheckTest {
             "forged as a whole  | 1 a>b FIRST; 1.1625 FRAGMENT; 1.1625 COUNT counter=13; 2 QUIET | accepted",
             "first run          | " + HEARD + "1.2415 QUIET | accepted",
             "reset              | " + HEARD + "1.3 b reset why=fault; 2 QUIET | accepted",
+            "numbered otherwise | 1.0001 c>b UNICAST; 1 a>b UNICAST; 2 COUNT counter=26 packet=2; "
+                    + "3 COUNT counter=26 packet=2; 4 QUIET | accepted",
             "unplugged          | " + HEARD + "1.24 b fault do=unplug; 1.2405 " + NOT_FOR_US + "2 QUIET | accepted",
             "two at once        | " + HEARD + "1.2595 a>b UNICAST; 2 QUIET | accepted",
             "assembled message  | 1 a>b FIRST; 1.1625 FRAGMENT; 2 a>b LATER; 3 QUIET "
