@@ -25,7 +25,8 @@ enum class Status : uint8_t {
   HAS_KEY = 16,          ///< a key is stored for this address: it gets no session key
   EPOCH_LOST = 17,       ///< keys are stored, but no epoch: raise it above all that the board has had
   MEMORY_DAMAGED = 18,  ///< something, as a rule the stack, ran over the memory of nonces: leave it more RAM, and reset
-  NO_RADIO = 19         ///< the sketch has no radio: make a JavinoRadioBoard
+  NO_RADIO = 19,        ///< the sketch has no radio: make a JavinoRadioBoard
+  UNICASTS_ONLY = 20    ///< it has sealed unicasts only: make a JavinoRadioBoard in place of a JavinoUnicastBoard
 };
 
 }  // namespace javinolib

@@ -46,7 +46,11 @@ public enum Status {
             "the sketch's stack, or a wild pointer, has written over the board's memory of nonces, and the board "
                     + "seals and opens nothing until it is reset; make the sketch's variables smaller"),
     /** The board has no radio. */
-    NO_RADIO("the board has no radio; for one, its sketch makes a JavinoRadioBoard");
+    NO_RADIO("the board has no radio; for one, its sketch makes a JavinoRadioBoard"),
+    /** The board has sealed unicasts only. */
+    UNICASTS_ONLY(
+            "the board has neither groups, broadcasts, relaying of frames nor renewal of keys; for these, its sketch "
+                    + "makes a JavinoRadioBoard in place of a JavinoUnicastBoard");
 
     private static final Status[] VALUES = values();
 
