@@ -90,26 +90,42 @@ class JavinoBoard : public javinolib::ArduinoBoard<javinolib::Board> {
   JavinoBoard(Port &port, const char *firmwareName) : ArduinoBoard(javinolib::hostPort(port), firmwareName) {}
 };
 
-/// A board with percepts, actions and a radio.
-class JavinoRadioBoard : public javinolib::ArduinoBoard<javinolib::RadioBoard> {
+namespace javinolib {
+
+/// An Arduino with a radio.
+template <typename Board>
+class ArduinoRadioBoard : public ArduinoBoard<Board> {
  public:
   // The radio outlives it.
   template <typename Port>
-  JavinoRadioBoard(Port &port, const char *firmwareName, javinolib::Radio &radio)
-      : ArduinoBoard(javinolib::hostPort(port), firmwareName, radio) {
-    static_assert(javinolib::EEPROM_SUFFICES || sizeof(Port) == 0,
+  ArduinoRadioBoard(Port &port, const char *firmwareName, Radio &radio)
+      : ArduinoBoard<Board>(hostPort(port), firmwareName, radio) {
+    static_assert(EEPROM_SUFFICES || sizeof(Port) == 0,
                   "this chip's EEPROM has no room for keys: 4096 bytes, or with JAVINO_SMALL 1024");
 #ifndef __AVR__
-    javinolib::eeprom::use(javinolib::coresEeprom<Port>());
+    eeprom::use(coresEeprom<Port>());
 #endif
   }
 
 #ifndef __AVR__
   // One whose keys are in another memory than the core's `EEPROM`, which outlives the board.
   template <typename Port>
-  JavinoRadioBoard(Port &port, const char *firmwareName, javinolib::Radio &radio, javinolib::Eeprom &memory)
-      : ArduinoBoard(javinolib::hostPort(port), firmwareName, radio) {
-    javinolib::eeprom::use(memory);
+  ArduinoRadioBoard(Port &port, const char *firmwareName, Radio &radio, Eeprom &memory)
+      : ArduinoBoard<Board>(hostPort(port), firmwareName, radio) {
+    eeprom::use(memory);
   }
 #endif
+};
+
+}  // namespace javinolib
+
+/// A board with percepts, actions and a radio.
+class JavinoRadioBoard : public javinolib::ArduinoRadioBoard<javinolib::RadioBoard> {
+  using ArduinoRadioBoard::ArduinoRadioBoard;
+};
+
+/// One that takes less of the flash: its radio has sealed unicasts, but no groups, no broadcasts and no renewal of
+/// keys.
+class JavinoUnicastBoard : public javinolib::ArduinoRadioBoard<javinolib::UnicastBoard> {
+  using ArduinoRadioBoard::ArduinoRadioBoard;
 };

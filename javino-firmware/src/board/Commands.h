@@ -24,7 +24,8 @@ struct Identity {
 
 enum Capability : uint8_t {
   HAS_RADIO = 1,
-  HAS_MEMORY = 2  ///< RF id, keys and boot epoch outlive a boot
+  HAS_MEMORY = 2,    ///< RF id, keys and boot epoch outlive a boot
+  UNICASTS_ONLY = 4  ///< it has sealed unicasts only: no messages to many, no renewal of keys
 };
 
 /// Performs the requests that every board knows: hello, poll, actions, counters (SPEC 4.3).

@@ -4,6 +4,7 @@
 
 namespace javinolib {
 
+template <typename Scope>
 bool Admission::isForUs(const Frame &frame) {
   const Address &to = frame.destination;
   const Address &own = state_->id.address();
@@ -12,9 +13,11 @@ bool Admission::isForUs(const Frame &frame) {
       if (to != own) return drop(Counter::RADIO_NOT_FOR_US);
       break;
     case Address::MULTICAST:
-      if (!state_->id.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
+      if (!Scope::MANY || !state_->id.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
       break;
-    case Address::BROADCAST: break;
+    case Address::BROADCAST:
+      if (!Scope::MANY) return drop(Counter::RADIO_NOT_FOR_US);
+      break;
     default: return drop(Counter::RADIO_RESERVED);
   }
   return !isOwn(frame) || drop(Counter::RADIO_OWN);
@@ -25,13 +28,14 @@ bool Admission::drop(Counter why) {
   return false;
 }
 
+template <typename Scope>
 bool Admission::accept(const Frame &frame, uint8_t *bytes, Length length, uint16_t age) {
-  return frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, age)
-                                         : acceptSealed(frame, bytes, length);
+  return Scope::MANY && frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, age)
+                                                        : acceptSealed<Scope>(frame, bytes, length);
 }
 
 bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length length, uint16_t age) {
-  if (broadcasts_.isRepeat(bytes, length, clock::millis(), age)) {
+  if (broadcasts_->isRepeat(bytes, length, clock::millis(), age)) {
     state_->count(Counter::RADIO_REPEATS);
     return true;
   }
@@ -41,15 +45,16 @@ bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length
 }
 
 // While a key is being renewed a frame may be sealed with either.
+template <typename Scope>
 bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, Length length) {
   bool hasKey = false;
-  for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
+  for (uint8_t other = 0; other < (Scope::RENEWS ? KeyStore::KEYS_OF_ADDRESS : 1); other++) {
     DerivedKeys keys;
-    const uint8_t slot = slotOf(frame, other != 0);
+    const uint8_t slot = slotOf<Scope>(frame, other != 0);
     if (!state_->keys.load(slot, keys)) continue;
     hasKey = true;
     const Envelope envelope(keys);
-    if (envelope.isAuthentic(bytes, length)) return acceptUnder(slot, envelope, frame, bytes, length);
+    if (envelope.isAuthentic(bytes, length)) return acceptUnder<Scope>(slot, envelope, frame, bytes, length);
   }
   return hasKey ? drop(Counter::RADIO_BAD_TAG) : dropWithoutKey(frame);
 }
@@ -69,15 +74,17 @@ bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, Length lengt
   return false;
 }
 
+template <typename Scope>
 uint8_t Admission::slotOf(const Frame &frame, bool other) const {
-  const Address &with = frame.destination.isMulticast() ? frame.destination : frame.origin;
-  return other ? state_->keys.other(with) : state_->keys.current(with);
+  const Address &with = Scope::MANY && frame.destination.isMulticast() ? frame.destination : frame.origin;
+  return Scope::RENEWS && other ? state_->keys.other(with) : state_->keys.current(with);
 }
 
+template <typename Scope>
 bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, Length length) {
   acknowledger_->heard(slot);
   const uint8_t *nonce = bytes + Envelope::NONCE_AT;
-  const ReplayMemory::Verdict verdict = state_->replays.judge(slot, frame.origin, nonce);
+  const ReplayMemory::Verdict verdict = state_->replays.judge<Scope>(slot, frame.origin, nonce);
   if (verdict != ReplayMemory::NEWER) return refuse(verdict, slot, frame, nonce);
   switch (inbox_->waiting(slot, frame.origin, nonce)) {
     case Inbox::THIS: state_->count(Counter::RADIO_REPEATS); return true;
@@ -85,7 +92,7 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
     case Inbox::NOTHING: break;
   }
   if (!inbox_->fits(static_cast<Length>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
-  if (!state_->replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
+  if (!state_->replays.reserve<Scope>(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
   state_->keys.used(slot);
   inbox_->add(slot, bytes, envelope.open(bytes, length));
   return true;
@@ -132,5 +139,10 @@ void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t ha
     acknowledger_->pieces(slot, frame.origin, nonce, have);
   }
 }
+
+template bool Admission::isForUs<WholeScope>(const Frame &);
+template bool Admission::isForUs<UnicastScope>(const Frame &);
+template bool Admission::accept<WholeScope>(const Frame &, uint8_t *, Length, uint16_t);
+template bool Admission::accept<UnicastScope>(const Frame &, uint8_t *, Length, uint16_t);
 
 }  // namespace javinolib

@@ -33,12 +33,14 @@ class Admission {
   bool isFor(const Address &address) const { return address == state_->id.address(); }
 
   /// Whether a board of our address accepts the frame; where not, it is counted.
+  template <typename Scope = WholeScope>
   bool isForUs(const Frame &frame);
 
   /// Takes in a frame that is for us.
   /// @param bytes all of it; a sealed one is opened there
   /// @param age how long ago its first packet began, in ms
   /// @return whether it is of no use if it comes again: it is in the inbox, or was before
+  template <typename Scope = WholeScope>
   bool accept(const Frame &frame, uint8_t *bytes, Length length, uint16_t age);
 
   /// Whether a whole frame that is for us comes from where it says: of a broadcast nobody can tell.
@@ -55,9 +57,12 @@ class Admission {
   void answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have);
 
  private:
+  template <typename Scope = WholeScope>
   uint8_t slotOf(const Frame &frame, bool other) const;
   bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length length, uint16_t age);
+  template <typename Scope>
   JAVINO_NOINLINE bool acceptSealed(const Frame &frame, uint8_t *bytes, Length length);
+  template <typename Scope>
   bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, Length length);
   bool dropWithoutKey(const Frame &frame);
   bool refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce);
@@ -65,7 +70,7 @@ class Admission {
   Part<BoardState> state_;
   Part<Inbox> inbox_;
   Part<Acknowledger> acknowledger_;
-  BroadcastMemory broadcasts_;
+  OwnPart<BroadcastMemory> broadcasts_;
 };
 
 }  // namespace javinolib

@@ -38,29 +38,30 @@ bool Courier::isUnderWay(uint8_t slot) const {
   return false;
 }
 
+template <typename Scope>
 void Courier::run() {
   backoff_.listen(medium_->quietSlots());
-  if (current().phase <= READY && outbox_.count() != 0) nextTurn();
+  if (current().phase <= READY && outbox_.count() != 0) nextTurn<Scope>();
   switch (current().phase) {
     case IDLE:
     case READY: break;
     case CONTENDING:
-      if (config::PARTNERS > 1 && current().attempt != 0 && isUnicast() && passes()) break;
+      if (config::PARTNERS > 1 && current().attempt != 0 && isUnicast<Scope>() && passes<Scope>()) break;
       acknowledger_->noteCarrier(deferred_);
-      if (backoff_.isOver(medium_->quietSlots())) send();
+      if (backoff_.isOver(medium_->quietSlots())) send<Scope>();
       break;
     case PAUSING:
       acknowledger_->noteCarrier(deferred_);
-      if (medium_->quietSlots() != 0) send();
+      if (medium_->quietSlots() != 0) send<Scope>();
       break;
     case ON_AIR:
-      if (!medium_->isSending()) packetSent();
+      if (!medium_->isSending()) packetSent<Scope>();
       break;
     case AWAITING:
       patience_ = static_cast<uint8_t>(patience_ > medium_->quietMillis() ? patience_ - medium_->quietMillis() : 0);
       if (patience_ != 0) break;
       patience_ = PATIENCE_MILLIS;
-      if (rounds_-- == 0) attemptFailed();
+      if (rounds_-- == 0) attemptFailed<Scope>();
       break;
   }
 }
@@ -74,6 +75,7 @@ void Courier::exchange(uint8_t place) {
 
 // Takes up a new message before those that wait or contend for a further attempt, unless one has let many pass. It takes the
 // place of a multicast only where no other is free.
+template <typename Scope>
 bool Courier::passes() {
   uint8_t free = config::PARTNERS;
   uint8_t underWay = 0;
@@ -89,7 +91,7 @@ bool Courier::passes() {
   }
   if (free == config::PARTNERS || underWay == outbox_.count()) return false;
   exchange(free);
-  if (!takeUp()) {
+  if (!takeUp<Scope>()) {
     exchange(free);
     return false;
   }
@@ -108,14 +110,15 @@ bool Courier::passes() {
 }
 
 // Gives each place its turn, one after the other: to go on with its message, or to take one up.
+template <typename Scope>
 void Courier::nextTurn() {
-  if (config::PARTNERS > 1 && passes()) return;
+  if (config::PARTNERS > 1 && passes<Scope>()) return;
   for (uint8_t left = config::PARTNERS; left != 0; left--) {
     if (config::PARTNERS > 1) {
       turn_ = static_cast<uint8_t>(turn_ + 1 < config::PARTNERS ? turn_ + 1 : 1);
       exchange(turn_);
     }
-    if (mayContend() || takeUp()) {
+    if (mayContend<Scope>() || takeUp<Scope>()) {
       contend();
       return;
     }
@@ -123,18 +126,20 @@ void Courier::nextTurn() {
 }
 
 // Whether the message waits for its turn. One that was refused is sealed anew only here: where that is said, the stack has no room.
+template <typename Scope>
 bool Courier::mayContend() {
   Message &message = current();
   if (message.phase != READY || !message.refused) return message.phase == READY;
   message.refused = false;
-  return begin(true);
+  return begin<Scope>(true);
 }
 
 // Seals the frame, unless it is a broadcast's; if that cannot be, its message has ended.
+template <typename Scope>
 bool Courier::begin(bool again) {
   Message &message = current();
-  if (!message.destination.isBroadcast() && !seal(again)) {
-    finish(Outcome::UNDELIVERED);
+  if ((!Scope::MANY || !message.destination.isBroadcast()) && !seal(again)) {
+    finish<Scope>(Outcome::UNDELIVERED);
     return false;
   }
   restart();
@@ -145,6 +150,7 @@ bool Courier::begin(bool again) {
 // Takes up a message whose destination has none under way: rather one to a device that had none lately, as those may be
 // absent that had; of these the oldest. The last place is for devices that answer, and for many. What can no longer be sealed
 // ends at once: its key was deleted meanwhile, or no nonce is left.
+template <typename Scope>
 bool Courier::takeUp() {
   Message &message = current();
   ByteQueue::Record taken = {nullptr, 0};
@@ -167,7 +173,7 @@ bool Courier::takeUp() {
   message.refused = false;
   message.resealed = false;
   if (config::PARTNERS > 1) message.passed = 0;
-  return begin(false);
+  return begin<Scope>(false);
 }
 
 // When a message to this destination is to be taken up. None to many waits for its turn, since it keeps it.
@@ -235,9 +241,10 @@ void Courier::contend() {
 
 // Parity follows where the partner has asked for it; a packet that is sent again, if the partner is known to understand it. To
 // others such a packet tells that we do.
+template <typename Scope>
 Trailer Courier::trailer() const {
   const Message &message = current();
-  if (!config::LARGE || !isUnicast()) return Trailer::NONE;
+  if (!config::LARGE || !isUnicast<Scope>()) return Trailer::NONE;
   const bool again = (message.sent & onAir_) != 0;
   if (partners_.has(message.slot, ASKS_PARITY) || (again && partners_.has(message.slot, KNOWS_PARITY))) {
     return Trailer::PARITY;
@@ -262,6 +269,7 @@ inline bool Courier::sendWhole(const ByteQueue::Record &record, Trailer trailer)
   return medium_->send(record.bytes, length, trailer);
 }
 
+template <typename Scope>
 void Courier::send() {
   Message &message = current();
   const ByteQueue::Record record = frame();
@@ -269,8 +277,8 @@ void Courier::send() {
   uint8_t bit = 1;
   for (; (message.pending & bit) == 0; bit = static_cast<uint8_t>(bit << 1)) index++;
   onAir_ = bit;
-  const bool wantsAnswer = message.pending == bit && isUnicast();
-  const Trailer trailer = this->trailer();
+  const bool wantsAnswer = message.pending == bit && isUnicast<Scope>();
+  const Trailer trailer = this->trailer<Scope>();
   uint8_t piece[MAX_RADIO_PAYLOAD];
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
   const bool taken =
@@ -291,49 +299,53 @@ void Courier::send() {
 
 // A broadcast or multicast keeps its turn until it was sent as often as it is to be: receivers know a broadcast's repeat by
 // the time between the two.
+template <typename Scope>
 void Courier::packetSent() {
   Message &message = current();
   message.pending = static_cast<uint8_t>(message.pending & ~onAir_);
   if (message.pending != 0) {
     message.phase = PAUSING;
     tell(trace::PART_SENT);
-  } else if (isUnicast()) {
+  } else if (isUnicast<Scope>()) {
     await(message.count == 1 && message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
     tell(trace::AWAIT, rounds_);
-  } else if (++message.attempt != sends()) {
+  } else if (++message.attempt != sends<Scope>()) {
     message.pending = pieces::all(message.count);
     contend();
   } else {
-    finish(Outcome::SENT);
+    finish<Scope>(Outcome::SENT);
   }
 }
 
 // What is relayed is sent once: if it asks for an answer, its sender asks again.
+template <typename Scope>
 uint8_t Courier::sends() const {
-  if (current().destination.isMulticast()) return config::MULTICAST_SENDS;
+  if (Scope::MANY && current().destination.isMulticast()) return config::MULTICAST_SENDS;
   return config::BROADCAST_SENDS != 1 && current().sender.isSerial() ? 1 : config::BROADCAST_SENDS;
 }
 
 // No answer came: of a frame in pieces one asks what has arrived, in the end the first one, without which none can be
 // answered; where that was there, the one that has just asked, every other time, as it is likely what is lacking.
+template <typename Scope>
 void Courier::attemptFailed() {
   Message &message = current();
   message.attempt++;
   tell(trace::ATTEMPT_FAILED, message.attempt);
   if (message.attempt == MAX_ATTEMPTS) {
-    finish(Outcome::UNDELIVERED);
+    finish<Scope>(Outcome::UNDELIVERED);
   } else {
     message.pending = (message.arrived & message.attempt & 1) != 0 ? onAir_ : 1;
     message.phase = READY;
-    nextTurn();
+    nextTurn<Scope>();
   }
 }
 
+template <typename Scope>
 void Courier::finish(Outcome outcome) {
   Message &message = current();
   partners_.set(message.slot, outcome == Outcome::DELIVERED, ANSWERS);
   if (outcome != Outcome::SENT) message.slot = KeyStore::NO_SLOT;
-  if (isUnicast()) {
+  if (isUnicast<Scope>()) {
     state_->count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
   }
   outbox_.close(message.number, outcome);
@@ -341,13 +353,14 @@ void Courier::finish(Outcome outcome) {
   tell(static_cast<trace::Point>(trace::SENT + static_cast<uint8_t>(outcome)));
 }
 
+template <typename Scope>
 void Courier::keysChanged() {
   for (uint8_t place = 0; place < config::PARTNERS; place++) {
     if (config::PARTNERS > 1 && place != 0) exchange(place);
     Message &message = current();
     if (message.slot != KeyStore::NO_SLOT && state_->keys.isFree(message.slot)) {
       message.slot = KeyStore::NO_SLOT;
-      if (message.phase != IDLE && isUnicast()) finish(Outcome::UNDELIVERED);
+      if (message.phase != IDLE && isUnicast<Scope>()) finish<Scope>(Outcome::UNDELIVERED);
     }
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
@@ -364,14 +377,15 @@ void Courier::otherAcknowledged() {
 
 // It may be about one whose turn has passed: that takes the first place meanwhile. Of two with the same bits in their nonces
 // the proof tells which it is about.
+template <typename Scope>
 bool Courier::acknowledged(const Frame &frame) {
   bool concerned = false;
   bool accepted = false;
   for (uint8_t place = 0; place < config::PARTNERS && !accepted; place++) {
     if (config::PARTNERS > 1 && place != 0) exchange(place);
-    if (concerns(frame)) {
+    if (concerns<Scope>(frame)) {
       concerned = true;
-      accepted = accept(frame);
+      accepted = accept<Scope>(frame);
     }
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
@@ -379,13 +393,15 @@ bool Courier::acknowledged(const Frame &frame) {
   return concerned;
 }
 
+template <typename Scope>
 bool Courier::concerns(const Frame &acknowledgement) const {
   const Message &message = current();
   const uint16_t bits = static_cast<uint16_t>((message.nonce[4] << 8 | message.nonce[5]) & 0xFFF);
   return message.sent != 0 && message.slot != KeyStore::NO_SLOT && acknowledgement.destination.member() == bits &&
-         (!isUnicast() || acknowledgement.origin == message.destination);
+         (!isUnicast<Scope>() || acknowledgement.origin == message.destination);
 }
 
+template <typename Scope>
 bool Courier::accept(const Frame &acknowledgement) {
   const Length bodyLength = static_cast<Length>(acknowledgement.length - PROOF_LENGTH);
   Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
@@ -402,16 +418,18 @@ bool Courier::accept(const Frame &acknowledgement) {
     claim.asksParity = true;
   }
   noteParity(claim);
-  return onAnswer(claim.type, claim.body);
+  return onAnswer<Scope>(claim.type, claim.body);
 }
 
+template <typename Scope>
 void Courier::acknowledged(const RadioPacket &lost) {
   bool borne = false;
   for (uint8_t place = 0; place < config::PARTNERS && !borne; place++) {
     if (config::PARTNERS > 1 && place != 0) exchange(place);
     const Message &message = current();
-    if (isUnicast() && message.sent != 0 && message.slot != KeyStore::NO_SLOT) {
-      borne = isExpected(Proof::DELIVERED, lost) || (message.count > 1 && isExpected(Proof::PIECES, lost));
+    if (isUnicast<Scope>() && message.sent != 0 && message.slot != KeyStore::NO_SLOT) {
+      borne =
+          isExpected<Scope>(Proof::DELIVERED, lost) || (message.count > 1 && isExpected<Scope>(Proof::PIECES, lost));
     }
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
@@ -437,6 +455,7 @@ void Courier::await(uint8_t rounds) {
 }
 
 // Compares with the answers that the partner can give. All bits but those of the proof only show what it is about.
+template <typename Scope>
 bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
   Message &message = current();
   const uint8_t bodyLength = Proof::bodyLength(type);
@@ -463,7 +482,7 @@ bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
       if (borne) {
         message.guesses--;  // it was none
         noteParity(claim);
-        return onAnswer(type, &have);
+        return onAnswer<Scope>(type, &have);
       }
     }
     if (have == last) break;
@@ -484,26 +503,29 @@ bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
 }
 
 // Returns false where what was said, though proved, cannot be.
+template <typename Scope>
 bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
   switch (type) {
     case Proof::DELIVERED:
-      if (isUnicast()) {
+      if (isUnicast<Scope>()) {
         if (config::LARGE) backoff_.acknowledged();
-        finish(Outcome::DELIVERED);
+        finish<Scope>(Outcome::DELIVERED);
       }
-      return isUnicast();
-    case Proof::PIECES: return onPieces(body[0]);
-    case Proof::STALE: return onStale(body, static_cast<uint16_t>(body[NONCE_LENGTH] << 8 | body[NONCE_LENGTH + 1]));
+      return isUnicast<Scope>();
+    case Proof::PIECES: return onPieces<Scope>(body[0]);
+    case Proof::STALE:
+      return onStale<Scope>(body, static_cast<uint16_t>(body[NONCE_LENGTH] << 8 | body[NONCE_LENGTH + 1]));
   }
   return false;
 }
 
 // Sends what is lacking, as soon as pieces follow each other: whoever heard the answer or the question leaves the air to
 // them. While a new attempt is already on the air, its own answer is waited for. What waits for its turn goes on waiting.
+template <typename Scope>
 bool Courier::onPieces(uint8_t have) {
   Message &message = current();
   const uint8_t all = pieces::all(message.count);
-  if (!isUnicast() || message.count == 1 || (have & 1) == 0 || (have & ~all) != 0) return false;
+  if (!isUnicast<Scope>() || message.count == 1 || (have & 1) == 0 || (have & ~all) != 0) return false;
   const bool isNews = (have & ~message.arrived) != 0;
   message.arrived |= have;
   if (have == all || message.phase == PAUSING || message.phase == ON_AIR) return true;
@@ -513,7 +535,7 @@ bool Courier::onPieces(uint8_t have) {
   } else {
     tell(trace::FRAGMENTS_KNOWN, have);
     if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
-      finish(Outcome::UNDELIVERED);
+      finish<Scope>(Outcome::UNDELIVERED);
       return true;
     }
   }
@@ -522,17 +544,18 @@ bool Courier::onPieces(uint8_t have) {
   return true;
 }
 
+template <typename Scope>
 bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
   Message &message = current();
   if (!state_->nonces.raiseAbove(floor, message.nonce)) return false;
-  if (!isUnicast() || message.refused) return true;
+  if (!isUnicast<Scope>() || message.refused) return true;
   tell(trace::STALE_HEARD);
   if (!message.resealed && cannotHaveHadIt(uptime)) {
     message.refused = true;
     message.resealed = true;
     message.phase = READY;
   } else {
-    finish(Outcome::UNDELIVERED);
+    finish<Scope>(Outcome::UNDELIVERED);
   }
   return true;
 }
@@ -543,5 +566,14 @@ bool Courier::cannotHaveHadIt(uint16_t uptime) const {
   const uint32_t onItsWay = clock::millis() - current().sentAt;
   return uptime * 100ul > onItsWay + onItsWay / 16 + 1000;
 }
+
+template void Courier::run<WholeScope>();
+template void Courier::run<UnicastScope>();
+template bool Courier::acknowledged<WholeScope>(const Frame &);
+template bool Courier::acknowledged<UnicastScope>(const Frame &);
+template void Courier::acknowledged<WholeScope>(const RadioPacket &);
+template void Courier::acknowledged<UnicastScope>(const RadioPacket &);
+template void Courier::keysChanged<WholeScope>();
+template void Courier::keysChanged<UnicastScope>();
 
 }  // namespace javinolib

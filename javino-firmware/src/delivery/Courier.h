@@ -44,10 +44,12 @@ class Courier {
   bool isUnderWay(uint8_t slot) const;
 
   /// Does what air and clock allow now.
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE void run();
 
   /// Takes in a frame to an acknowledgement's address.
   /// @return false where it is not about what is under way
+  template <typename Scope = WholeScope>
   bool acknowledged(const Frame &frame);
 
   /// Another device was acknowledged.
@@ -58,9 +60,11 @@ class Courier {
 
   /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong
   /// bits can be borne.
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE void acknowledged(const RadioPacket &lost);
 
   /// To be called when keys were deleted: what was sealed with one of them can no longer be acknowledged. A unicast ends.
+  template <typename Scope = WholeScope>
   void keysChanged();
 
  private:
@@ -104,17 +108,25 @@ class Courier {
   Message &current() { return messages_[0]; }
   const Message &current() const { return messages_[0]; }
   JAVINO_NOINLINE void exchange(uint8_t place);
+  template <typename Scope>
   bool passes();
+  template <typename Scope>
   JAVINO_NOINLINE void nextTurn();
+  template <typename Scope>
   bool takeUp();
   Turn turnOf(const Address &destination) const;
   JAVINO_NOINLINE bool seal(bool again);
+  template <typename Scope>
   bool mayContend();
+  template <typename Scope>
   bool begin(bool again);
   JAVINO_OUT_OF_LINE void restart();
   JAVINO_NOINLINE void contend();
+  template <typename Scope>
   JAVINO_NOINLINE void send();
+  template <typename Scope>
   void packetSent();
+  template <typename Scope>
   uint8_t sends() const;
   void await(uint8_t rounds);
   /// Tells a point of the current message; where several are under way, also of which.
@@ -129,20 +141,33 @@ class Courier {
     tellTurn();
     trace::tell(point, operand);
   }
+  template <typename Scope>
   void attemptFailed();
+  template <typename Scope>
   JAVINO_NOINLINE void finish(Outcome outcome);
-  JAVINO_NOINLINE bool isUnicast() const { return current().destination.isDevice(); }
+  template <typename Scope>
+  bool isUnicast() const {
+    return !Scope::MANY || isToDevice();
+  }
+  JAVINO_NOINLINE bool isToDevice() const { return current().destination.isDevice(); }
   ByteQueue::Record frame() const;
+  template <typename Scope>
   bool concerns(const Frame &acknowledgement) const;
+  template <typename Scope>
   bool accept(const Frame &acknowledgement);
+  template <typename Scope>
   bool isExpected(Proof::Type type, const RadioPacket &lost);
   bool isBorne(const Proof::Claim &claim, const RadioPacket &lost) const;
+  template <typename Scope>
   Trailer trailer() const;
   bool sendWhole(const ByteQueue::Record &record, Trailer trailer);
   void noteParity(const Proof::Claim &claim);
   bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
+  template <typename Scope>
   bool onAnswer(Proof::Type type, const uint8_t *body);
+  template <typename Scope>
   bool onPieces(uint8_t have);
+  template <typename Scope>
   bool onStale(const uint8_t *floor, uint16_t uptime);
   bool cannotHaveHadIt(uint16_t uptime) const;
 

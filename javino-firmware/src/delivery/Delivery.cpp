@@ -41,18 +41,26 @@ void Delivery::beginToRelay(const uint8_t *number) {
 }
 
 // What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.
+template <typename Scope>
 void Delivery::run() {
   medium_->update();
-  receiver_.run();
+  receiver_.run<Scope>();
   acknowledger_->run();
   receiver_.forwarding().run();
-  courier_->run();
+  courier_->run<Scope>();
 }
 
+template void Delivery::run<WholeScope>();
+template void Delivery::run<UnicastScope>();
+
+template <typename Scope>
 void Delivery::keysChanged() {
   inbox_->keysChanged(state_->keys);
   acknowledger_->keysChanged();
-  courier_->keysChanged();
+  courier_->keysChanged<Scope>();
 }
+
+template void Delivery::keysChanged<WholeScope>();
+template void Delivery::keysChanged<UnicastScope>();
 
 }  // namespace javinolib

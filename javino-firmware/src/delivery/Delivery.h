@@ -39,6 +39,7 @@ class Delivery {
   /// @return false where it does not start
   bool begin();
 
+  template <typename Scope = WholeScope>
   void run();
 
   /// Whether the radio holds nothing for run(). Safe to call with interrupts off.
@@ -51,6 +52,7 @@ class Delivery {
   void seed();
 
   /// To be called when keys may have been deleted.
+  template <typename Scope = WholeScope>
   void keysChanged();
 
   /// Opens or blocks the radio for messages (SPEC 4.3).

@@ -40,6 +40,7 @@ Inbox::Waiting Inbox::waiting(uint8_t slot, const Address &origin, const uint8_t
   return waiting;
 }
 
+template <typename Scope>
 void Inbox::taken(uint8_t number) {
   const uint8_t index = static_cast<uint8_t>(number - firstNumber_);
   if (index >= records_.count()) return;
@@ -47,18 +48,19 @@ void Inbox::taken(uint8_t number) {
   trace::tell(trace::TAKEN, number);
   for (uint8_t left = static_cast<uint8_t>(index + 1); left != 0; left--) {
     uint8_t *const record = records_.first().bytes;
-    settle(record);
+    settle<Scope>(record);
     records_.remove(record);
   }
 }
 
+template <typename Scope>
 void Inbox::settle(const uint8_t *record) {
   const uint8_t slot = record[0];
   if (slot == KeyStore::NO_SLOT) return;
   Address destination, origin;
   Address::parse(record + DESTINATION_AT, destination);
   Address::parse(record + ORIGIN_AT, origin);
-  replays_->remember(slot, origin, record + NONCE_AT);
+  replays_->remember<Scope>(slot, origin, record + NONCE_AT);
   if (destination.isDevice()) acknowledger_->delivered(slot, origin, record + NONCE_AT);
 }
 
@@ -74,5 +76,8 @@ Inbox::Message Inbox::read(ByteQueue::Record record) {
                            static_cast<Length>(record.length - HEAD_LENGTH)};
   return message;
 }
+
+template void Inbox::taken<WholeScope>(uint8_t);
+template void Inbox::taken<UnicastScope>(uint8_t);
 
 }  // namespace javinolib

@@ -58,6 +58,7 @@ class Inbox {
   Waiting waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const;
 
   /// The host has taken over the message of this number and all before it; nothing is done where it is not here.
+  template <typename Scope = WholeScope>
   void taken(uint8_t number);
 
   /// To be called when keys were deleted: what came under them is neither remembered nor acknowledged.
@@ -80,6 +81,7 @@ class Inbox {
 
   static_assert(config::RECEIVE_BYTES >= 2 + HEAD_LENGTH + MAX_CONTENT_LENGTH, "RECEIVE_BYTES: too few");
 
+  template <typename Scope>
   void settle(const uint8_t *record);
 
   Part<ReplayMemory> replays_;

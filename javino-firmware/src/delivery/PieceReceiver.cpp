@@ -10,6 +10,7 @@ namespace javinolib {
 static const uint8_t INDEX_MASK = MAX_FRAGMENTS - 1;
 static const uint8_t INDEXES = MAX_FRAGMENTS + pieces::WANTS_ANSWER;
 
+template <typename Scope>
 bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint16_t age, bool isDoubtful) {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const uint8_t id = pieces::idOf(piece.destination);
@@ -20,7 +21,8 @@ bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint16_t age, bo
   if (index >= INDEXES || piece.length == 0 || (at == 0 && !startsFrame(piece, longest, whole))) {
     return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
-  if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return false;
+  if (at == 0 ? !isWanted<Scope>(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now))
+    return false;
   if (isDoubtful && !isSealed(piece, id, at)) return admission_->drop(Counter::RADIO_DOUBTFUL);
   PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, static_cast<uint16_t>(now - age));
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
@@ -54,10 +56,11 @@ bool PieceReceiver::startsFrame(const Frame &piece, uint8_t longest, Frame &whol
 }
 
 // Whether the frame that a first piece begins is of use. Where not, its other pieces are ignored too.
+template <typename Scope>
 bool PieceReceiver::isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now) {
   const bool broadcast = whole.destination.isBroadcast();
   if (broadcast && ignored_.covers(piece.origin, id, now)) return false;
-  if (admission_->isForUs(whole) && (broadcast || admission_->needsMore(whole, whole.message, wantsAnswer))) {
+  if (admission_->isForUs<Scope>(whole) && (broadcast || admission_->needsMore(whole, whole.message, wantsAnswer))) {
     ignored_.remove(piece.origin, id);
     return true;
   }
@@ -109,6 +112,9 @@ void PieceReceiver::answer(Admission &admission, const PartialFrame &partial) {
   Frame::parseHeader(partial.bytes(), whole);
   if (whole.destination.isDevice()) admission.answerPiece(whole, whole.message, partial.undoubted());
 }
+
+template bool PieceReceiver::accept<WholeScope>(const Frame &, uint8_t, uint16_t, bool);
+template bool PieceReceiver::accept<UnicastScope>(const Frame &, uint8_t, uint16_t, bool);
 
 void PieceReceiver::run() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());

@@ -21,6 +21,7 @@ class PieceReceiver {
   /// @param age how long ago its packet began, in ms
   /// @param isDoubtful whether only a tag can tell if it is right: then it must be of a sealed frame
   /// @return whether it is of use
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE bool accept(const Frame &piece, uint8_t longest, uint16_t age, bool isDoubtful);
 
   /// Forgets what has got no new piece for 5 s; to be called often.
@@ -35,6 +36,7 @@ class PieceReceiver {
 
  private:
   static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
+  template <typename Scope>
   bool isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
   bool isSealed(const Frame &piece, uint8_t id, uint8_t index);
   PartialFrame *placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst, uint16_t begun);
@@ -51,7 +53,10 @@ class NoPieceReceiver {
  public:
   explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}
 
-  bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED); }
+  template <typename Scope = WholeScope>
+  bool accept(const Frame &, uint8_t, uint32_t, bool) {
+    return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
+  }
   void run() {}
   void clear() {}
   BoardsForwarding::Memory *lend() { return nullptr; }

@@ -4,6 +4,7 @@
 
 namespace javinolib {
 
+template <typename Scope>
 void Receiver::run() {
   const Mender *const mender = medium_->mender();
   Received with;
@@ -11,7 +12,7 @@ void Receiver::run() {
     doubtful_ = mender && mender->isDoubtful();
     acknowledger_->heard(KeyStore::NO_SLOT);
     overheard_->add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, with.length);
-    accept(packet, with);
+    accept<Scope>(packet, with);
     if (config::LARGE && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
         acknowledger_->askForParity();
@@ -24,7 +25,7 @@ void Receiver::run() {
   if (mender && mender->lost()) {
     acknowledger_->heard(KeyStore::NO_SLOT);
     overheard_->add(*mender->lost());
-    if (config::LARGE) courier_->acknowledged(*mender->lost());
+    if (config::LARGE) courier_->acknowledged<Scope>(*mender->lost());
     medium_->release();
   }
   // The mark of an intact packet comes when that has been handled; it is another's if another waits.
@@ -59,6 +60,7 @@ void Receiver::open(bool open) {
   if (!open) pieces_.clear();
 }
 
+template <typename Scope>
 void Receiver::accept(uint8_t *packet, const Received &with) {
   Frame frame;
   if (Frame::parse(packet, with.length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
@@ -70,7 +72,7 @@ void Receiver::accept(uint8_t *packet, const Received &with) {
   }
   const Address::Class to = frame.destination.classOf();
   if (to == Address::ACKNOWLEDGEMENT) {
-    if (courier_->acknowledged(frame)) return;
+    if (courier_->acknowledged<Scope>(frame)) return;
     admission_->drop(Counter::RADIO_NOT_FOR_US);
     if (config::LARGE && with.path == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
     return;
@@ -79,7 +81,7 @@ void Receiver::accept(uint8_t *packet, const Received &with) {
   if (!open_) {
     admission_->drop(Counter::RADIO_BLOCKED);
   } else {
-    accept(frame, packet, with);
+    accept<Scope>(frame, packet, with);
   }
 }
 
@@ -90,20 +92,24 @@ bool Receiver::mayBeDoubtful(const Frame &frame) const { return config::LARGE &&
 
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
 // is right, if there is a doubt.
+template <typename Scope>
 void Receiver::accept(const Frame &frame, uint8_t *packet, const Received &with) {
   const uint16_t age = medium_->begunMillis(with);
   if (frame.destination.classOf() == Address::PIECE) {
     if (admission_->isOwn(frame)) {
       admission_->drop(Counter::RADIO_OWN);
     } else {
-      if (pieces_.accept(frame, medium_->pieceLength(), age, doubtful_)) keep();
+      if (pieces_.accept<Scope>(frame, medium_->pieceLength(), age, doubtful_)) keep();
     }
-  } else if (doubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
+  } else if (Scope::MANY && doubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
     admission_->drop(Counter::RADIO_DOUBTFUL);
-  } else if (admission_->isForUs(frame)) {
+  } else if (admission_->isForUs<Scope>(frame)) {
     if (frame.destination.isDevice()) keep();
-    if (!admission_->accept(frame, packet, with.length, age) && frame.destination.isDevice()) forget();
+    if (!admission_->accept<Scope>(frame, packet, with.length, age) && frame.destination.isDevice()) forget();
   }
 }
+
+template void Receiver::run<WholeScope>();
+template void Receiver::run<UnicastScope>();
 
 }  // namespace javinolib

@@ -30,6 +30,7 @@ class Receiver {
         forwarding_(medium, state.random, state.counters) {}
 
   /// Takes in all that the radio holds.
+  template <typename Scope = WholeScope>
   void run();
 
   /// What the board does as a relay.
@@ -42,7 +43,9 @@ class Receiver {
   void open(bool open);
 
  private:
+  template <typename Scope>
   void accept(uint8_t *packet, const Received &with);
+  template <typename Scope>
   void accept(const Frame &frame, uint8_t *packet, const Received &with);
   bool mayBeDoubtful(const Frame &frame) const;
   void keep();

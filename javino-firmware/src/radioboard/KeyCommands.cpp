@@ -31,15 +31,17 @@ Status KeyCommands::raiseEpoch(const uint8_t *body, Length length) {
   return nonces_->status();
 }
 
+template <typename Scope>
 Status KeyCommands::store(bool renews, const uint8_t *body, Length length, Reply &reply) {
   Address address;
   if (length != STORE_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
-  if (isOneMorePair(renews, address) && !replays_->hasPlaceForPair()) return Status::STORE_FULL;
-  const Status status = keys_->store(address, body + Address::TEXT_LENGTH, renews);
+  if (!Scope::MANY && !address.isDevice()) return Status::UNICASTS_ONLY;
+  if (Scope::MANY && isOneMorePair(renews, address) && !replays_->hasPlaceForPair()) return Status::STORE_FULL;
+  const Status status = keys_->store<Scope>(address, body + Address::TEXT_LENGTH, renews);
   const bool forgotten = replays_->forgetLostKeys();
   if (status != Status::OK) return status;
   if (!forgotten) return Status::STORE_FAILED;
-  const uint8_t next = keys_->next(address);
+  const uint8_t next = Scope::RENEWS ? keys_->next(address) : KeyStore::NO_SLOT;
   addCheckValue(next == KeyStore::NO_SLOT ? keys_->current(address) : next, reply);
   return Status::OK;
 }
@@ -51,10 +53,18 @@ bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
   return slot == KeyStore::NO_SLOT || KeyStore::isSession(slot);
 }
 
+template <typename Scope>
 Status KeyCommands::change(Change change, const uint8_t *body, Length length, const Delivery &delivery) {
   Address address;
   if (length != Address::TEXT_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
   const uint8_t current = keys_->current(address);
+  if (!Scope::RENEWS) {
+    if (current == KeyStore::NO_SLOT) return Status::NO_KEY;
+    for (uint8_t slot = current; slot != KeyStore::NO_SLOT; slot = keys_->current(address)) {
+      if (!erase(slot)) return Status::STORE_FAILED;
+    }
+    return Status::OK;
+  }
   const uint8_t other = keys_->other(address);
   const uint8_t next = keys_->next(address);
   if (change == USE) {
@@ -70,6 +80,7 @@ Status KeyCommands::change(Change change, const uint8_t *body, Length length, co
   return (other == KeyStore::NO_SLOT || erase(other)) && erase(current) ? Status::OK : Status::STORE_FAILED;
 }
 
+template <typename Scope>
 Status KeyCommands::setSession(const uint8_t *body, Length length, Delivery &delivery, Reply &reply) {
   Address device;
   if (length != STORE_LENGTH || !parseAddress(body, device) || !device.isDevice()) return Status::BAD_ARGUMENT;
@@ -84,7 +95,7 @@ Status KeyCommands::setSession(const uint8_t *body, Length length, Delivery &del
     if (slot == KeyStore::NO_SLOT) slot = placeForSession(delivery.outbox());
     if (!keys_->isFree(slot)) {
       erase(slot);
-      delivery.keysChanged();
+      delivery.keysChanged<Scope>();
     }
     keys_->setSession(slot, device, key, derived.check);
   }
@@ -108,6 +119,7 @@ uint8_t KeyCommands::placeForSession(const Outbox &outbox) const {
   return chosen;
 }
 
+template <typename Scope>
 Status KeyCommands::list(Length length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   for (uint8_t slot = 0; slot < KeyStore::PLACES; slot++) {
@@ -115,16 +127,23 @@ Status KeyCommands::list(Length length, Reply &reply) {
     if (keys_->isFree(slot)) continue;
     uint8_t entry[Address::TEXT_LENGTH + 1];
     address.write(entry);
-    entry[Address::TEXT_LENGTH] = KeyStore::isSession(slot)         ? SESSION
-                                  : slot == keys_->current(address) ? CURRENT
-                                  : slot == keys_->next(address)    ? NEXT
-                                                                    : PREVIOUS;
+    entry[Address::TEXT_LENGTH] = KeyStore::isSession(slot)                           ? SESSION
+                                  : !Scope::RENEWS || slot == keys_->current(address) ? CURRENT
+                                  : slot == keys_->next(address)                      ? NEXT
+                                                                                      : PREVIOUS;
     if (replays_->isDoubtful(slot)) entry[Address::TEXT_LENGTH] |= DOUBTFUL;
     reply.add(entry, sizeof entry);
     addCheckValue(slot, reply);
   }
   return Status::OK;
 }
+
+template Status KeyCommands::store<WholeScope>(bool, const uint8_t *, Length, Reply &);
+template Status KeyCommands::store<UnicastScope>(bool, const uint8_t *, Length, Reply &);
+template Status KeyCommands::change<WholeScope>(Change, const uint8_t *, Length, const Delivery &);
+template Status KeyCommands::change<UnicastScope>(Change, const uint8_t *, Length, const Delivery &);
+template Status KeyCommands::list<WholeScope>(Length, Reply &);
+template Status KeyCommands::list<UnicastScope>(Length, Reply &);
 
 bool KeyCommands::erase(uint8_t slot) { return keys_->erase(slot) && replays_->forget(slot); }
 
@@ -133,5 +152,8 @@ void KeyCommands::addCheckValue(uint8_t slot, Reply &reply) const {
   keys_->readCheckValue(slot, check);
   reply.add(check, sizeof check);
 }
+
+template Status KeyCommands::setSession<WholeScope>(const uint8_t *, Length, Delivery &, Reply &);
+template Status KeyCommands::setSession<UnicastScope>(const uint8_t *, Length, Delivery &, Reply &);
 
 }  // namespace javinolib

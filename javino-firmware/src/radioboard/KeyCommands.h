@@ -28,6 +28,7 @@ class KeyCommands {
   Status raiseEpoch(const uint8_t *body, Length length);
 
   /// K: makes a key the only one of its address; N, which renews: the next one.
+  template <typename Scope = WholeScope>
   Status store(bool renews, const uint8_t *body, Length length, Reply &reply);
 
   enum Change : char {
@@ -38,12 +39,15 @@ class KeyCommands {
 
   /// @return BUSY to USE while a message is under way that is sealed with the key to be replaced: when a board has taken a
   ///         key into use, nothing of what it sends is sealed with the one before
+  template <typename Scope = WholeScope>
   Status change(Change change, const uint8_t *body, Length length, const Delivery &delivery);
 
   /// V: sets the session key of a device. What is under way or waits under one that makes room is as with a deleted key.
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE Status setSession(const uint8_t *body, Length length, Delivery &delivery, Reply &reply);
 
   /// L: tells addresses, roles and check values.
+  template <typename Scope = WholeScope>
   Status list(Length length, Reply &reply);
 
  private:

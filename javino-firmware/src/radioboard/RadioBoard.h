@@ -22,13 +22,15 @@ class RadioBoard {
 
   /// Reads the EEPROM, raises the boot epoch and starts the radio. To be called once, after a boot.
   /// @return false where the radio could not be started or the EEPROM not be written; all else works nevertheless.
+  template <typename Scope = WholeScope>
   bool begin();
 
   /// Handles what serial line and radio brought. Never waits, but for the EEPROM where a command writes to it.
+  template <typename Scope = WholeScope>
   void run();
 
   /// Whether run() has nothing to do until the next interrupt. Safe to call with interrupts off.
-  bool isIdle() const { return delivery_->isIdle() && session_.isIdle() && !radioCommands_.canTell(); }
+  bool isIdle() const { return delivery_->isIdle() && session_.isIdle() && !radioCommands_->canTell(); }
 
   Poll &poll() { return poll_; }
   Actions &actions() { return actions_; }
@@ -39,9 +41,18 @@ class RadioBoard {
   OwnPart<Actions> actions_;
   OwnPart<Poll> poll_;
   OwnPart<Commands> commands_;
-  RadioCommands radioCommands_;
+  OwnPart<RadioCommands> radioCommands_;
   SerialSession session_;
   uint8_t packet_[MAX_PACKET_LENGTH];
+};
+
+/// One with sealed unicasts only.
+class UnicastBoard : public RadioBoard {
+ public:
+  using RadioBoard::RadioBoard;
+
+  bool begin() { return RadioBoard::begin<UnicastScope>(); }
+  void run() { RadioBoard::run<UnicastScope>(); }
 };
 
 }  // namespace javinolib

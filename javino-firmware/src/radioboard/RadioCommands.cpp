@@ -16,16 +16,18 @@ const uint8_t FLAGS_AT = 1 + HEADER_LENGTH + 1;  // of a poll's reply, in its pa
 // Of a board without ASK hardware; else that is linked in place of it.
 __attribute__((weak)) uint8_t askhardware::takenTimer() { return 0; }
 
+template <typename Scope>
 bool RadioCommands::perform(const Request &request, Reply &reply) {
   if (!commands_->allows(request, reply)) return false;
-  reply.setStatus(dispatch(request, reply));
+  reply.setStatus(dispatch<Scope>(request, reply));
   return true;
 }
 
+template <typename Scope>
 Status RadioCommands::dispatch(const Request &request, Reply &reply) {
-  if (!request.toBoard) return transmit(request, reply);
+  if (!request.toBoard) return transmit<Scope>(request, reply);
   const Status status = Commands::check(request);
-  return status == Status::OK ? command(request, reply) : status;
+  return status == Status::OK ? command<Scope>(request, reply) : status;
 }
 
 bool RadioCommands::answer(Reply &reply, bool released) {
@@ -43,21 +45,23 @@ bool RadioCommands::answer(Reply &reply, bool released) {
 }
 
 // Puts a frame to an RF address, with the plain content as message, into the outbox.
+template <typename Scope>
 Status RadioCommands::transmit(const Request &request, Reply &reply) {
   Frame frame;
   Frame::parseHeader(request.frame, frame);  // an origin that is no device is not the board's either
-  const Status status = mayTransmit(frame);
+  const Status status = mayTransmit<Scope>(frame);
   if (status != Status::OK) return status;
   Outbox &outbox = delivery_->outbox();
-  reply.add(frame.destination.isBroadcast() ? outbox.addPlain(frame) : outbox.addUnsealed(frame));
+  reply.add(Scope::MANY && frame.destination.isBroadcast() ? outbox.addPlain(frame) : outbox.addUnsealed(frame));
   return Status::OK;
 }
 
 // The first that applies, in the order of SPEC 4.4.
+template <typename Scope>
 Status RadioCommands::mayTransmit(const Frame &frame) const {
-  const Status addresses = checkAddresses(frame);
+  const Status addresses = checkAddresses<Scope>(frame);
   if (addresses != Status::OK) return addresses;
-  const bool sealed = !frame.destination.isBroadcast();
+  const bool sealed = !Scope::MANY || !frame.destination.isBroadcast();
   if (sealed && state_->keys.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
   const Length length = static_cast<Length>(HEADER_LENGTH + (sealed ? SEAL_LENGTH : 0) + frame.length);
   if (frame.length > MAX_CONTENT_LENGTH || !delivery_->carries(length)) return Status::TOO_LONG;
@@ -65,14 +69,18 @@ Status RadioCommands::mayTransmit(const Frame &frame) const {
   return sealed ? state_->nonces.status() : Status::OK;
 }
 
+template <typename Scope>
 Status RadioCommands::checkAddresses(const Frame &frame) const {
   if (!state_->id.isSet()) return Status::NO_RF_ID;
   if (frame.origin != state_->id.address()) return Status::WRONG_ORIGIN;
   const Address::Class to = frame.destination.classOf();
-  const bool canBeSentTo = to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST;
+  const bool isToMany = to == Address::MULTICAST || to == Address::BROADCAST;
+  if (!Scope::MANY && isToMany) return Status::UNICASTS_ONLY;
+  const bool canBeSentTo = to == Address::DEVICE || isToMany;
   return canBeSentTo && frame.destination != state_->id.address() ? Status::OK : Status::BAD_DESTINATION;
 }
 
+template <typename Scope>
 Status RadioCommands::command(const Request &request, Reply &reply) {
   const char name = static_cast<char>(*request.message());
   const uint8_t *const body = request.message() + 1;
@@ -81,39 +89,45 @@ Status RadioCommands::command(const Request &request, Reply &reply) {
     case 'I': return setRfId(body, length);
     case 'R': return openRadio(body, length);
     case 'O': return overhear(body, length);
-    case 'Y': return relay(body, length, reply);
+    case 'Y': return Scope::MANY ? relay(body, length, reply) : Status::UNICASTS_ONLY;
     case 'W': return config::LARGE ? relaying(body, length, reply) : Status::UNKNOWN_COMMAND;
     case 'E': return delivery_->outbox().count() != 0 ? Status::BUSY : keyCommands_.raiseEpoch(body, length);
     case 'K':
-    case 'N': return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
+    case 'N':
+      if (!Scope::RENEWS && name == 'N') return Status::UNICASTS_ONLY;
+      return keysChanged<Scope>(keyCommands_.store<Scope>(Scope::RENEWS && name == 'N', body, length, reply));
     case KeyCommands::USE:
     case KeyCommands::FINISH:
     case KeyCommands::DELETE: {
-      const Status status = keyCommands_.change(static_cast<KeyCommands::Change>(name), body, length, delivery_);
-      return name == KeyCommands::USE ? status : keysChanged(status);
+      if (!Scope::RENEWS && name != KeyCommands::DELETE) return Status::UNICASTS_ONLY;
+      const Status status = keyCommands_.change<Scope>(static_cast<KeyCommands::Change>(name), body, length, delivery_);
+      return name == KeyCommands::USE ? status : keysChanged<Scope>(status);
     }
     case 'V':
-      return config::SESSION_KEYS ? keyCommands_.setSession(body, length, delivery_, reply) : Status::UNKNOWN_COMMAND;
-    case 'L': return keyCommands_.list(length, reply);
+      return config::SESSION_KEYS ? keyCommands_.setSession<Scope>(body, length, delivery_, reply)
+                                  : Status::UNKNOWN_COMMAND;
+    case 'L': return keyCommands_.list<Scope>(length, reply);
     case Request::STATISTICS: return statistics(length, reply);
-    case Request::HELLO: return hello(request, reply);
+    case Request::HELLO: return hello<Scope>(request, reply);
     default: {
       const Status status = commands_->command(request, reply);
-      if (name == Request::POLL && status == Status::OK) polled(request);
+      if (name == Request::POLL && status == Status::OK) polled<Scope>(request);
       return status;
     }
   }
 }
 
+template <typename Scope>
 Status RadioCommands::hello(const Request &request, Reply &reply) {
   news_.tellAgain();
   if (!retained::holds()) state_->count(Counter::MEMORY_DAMAGED);
-  Identity identity = {PROTOCOL_VERSION, {}, {}, HAS_RADIO | HAS_MEMORY};
+  Identity identity = {PROTOCOL_VERSION, {}, {}, HAS_RADIO | HAS_MEMORY | (Scope::MANY ? 0 : UNICASTS_ONLY)};
   writeUint24(identity.bootEpoch, keyCommands_.epoch());
   state_->id.address().write(identity.id);
   return commands_->hello(request, identity, reply);
 }
 
+template <typename Scope>
 void RadioCommands::polled(const Request &request) {
   const uint8_t *const body = request.message() + 1;
   if ((body[0] & Poll::REPLY_LOST) != 0) {
@@ -121,12 +135,13 @@ void RadioCommands::polled(const Request &request) {
   } else if ((body[0] & Poll::REPLY_COMING) == 0) {
     news_.forgetTold();
   }
-  if (request.length > 1 + Request::POLL_LENGTH) delivery_->inbox().taken(body[Request::POLL_LENGTH]);
+  if (request.length > 1 + Request::POLL_LENGTH) delivery_->inbox().taken<Scope>(body[Request::POLL_LENGTH]);
 }
 
 // What was sealed with a key that is gone must not be opened, acknowledged or sealed anew with the next one in its place.
+template <typename Scope>
 Status RadioCommands::keysChanged(Status status) {
-  delivery_->keysChanged();
+  delivery_->keysChanged<Scope>();
   return status;
 }
 
@@ -190,5 +205,8 @@ Status RadioCommands::statistics(Length length, Reply &reply) {
   }
   return Status::OK;
 }
+
+template bool RadioCommands::perform<WholeScope>(const Request &, Reply &);
+template bool RadioCommands::perform<UnicastScope>(const Request &, Reply &);
 
 }  // namespace javinolib

@@ -25,6 +25,7 @@ class RadioCommands {
         poll_(poll) {}
 
   /// As Commands::perform().
+  template <typename Scope = WholeScope>
   bool perform(const Request &request, Reply &reply);
 
   /// As Commands::answer(): news come before a reading.
@@ -34,13 +35,21 @@ class RadioCommands {
   bool canTell() const { return poll_->isHeld() && news_.areWaiting(); }
 
  private:
+  template <typename Scope>
   Status dispatch(const Request &request, Reply &reply);
+  template <typename Scope>
   Status transmit(const Request &request, Reply &reply);
+  template <typename Scope>
   Status mayTransmit(const Frame &frame) const;
+  template <typename Scope>
   Status checkAddresses(const Frame &frame) const;
+  template <typename Scope>
   Status command(const Request &request, Reply &reply);
+  template <typename Scope>
   Status hello(const Request &request, Reply &reply);
+  template <typename Scope>
   void polled(const Request &request);
+  template <typename Scope>
   Status keysChanged(Status status);
   Status setRfId(const uint8_t *body, Length length);
   Status openRadio(const uint8_t *body, Length length);

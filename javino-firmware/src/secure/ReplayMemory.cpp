@@ -85,14 +85,15 @@ bool ReplayMemory::takeOverRam(uint32_t epoch) {
 }
 
 // The highest nonce stands where the floor of a pair is missing; with the group as origin, for all that have none there.
+template <typename Scope>
 void ReplayMemory::doubtFloors() {
   uint8_t highest[NONCE_LENGTH];
   for (uint8_t &byte : highest) byte = 0xFF;
   for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
     const Address &with = keys_->addressAt(key);
     if (keys_->isFree(key) || find(key, with) != nullptr) continue;
-    reserve(key, with, highest);
-    remember(key, with, highest);
+    reserve<Scope>(key, with, highest);
+    remember<Scope>(key, with, highest);
   }
 }
 
@@ -143,10 +144,11 @@ bool ReplayMemory::isDoubtful(uint8_t key) const {
   return entry != nullptr && entry->state != NOTHING_TAKEN && entry->taken.nonce[0] == 0xFF;
 }
 
+template <typename Scope>
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
   if (!retained::holds()) return DAMAGED;
   const TakenNonce *entry = find(key, origin);
-  if (entry == nullptr) return isDoubtful(key) ? REPLAYED : hasRoom(key) ? NEWER : FULL;
+  if (entry == nullptr) return isDoubtful(key) ? REPLAYED : hasRoom<Scope>(key) ? NEWER : FULL;
 
   const int order = entry->state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry->taken.nonce, NONCE_LENGTH);
   if (order > 0) return NEWER;
@@ -154,9 +156,10 @@ ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, co
   return order == 0 ? REPEATED : REPLAYED;
 }
 
+template <typename Scope>
 bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *nonce) {
   TakenNonce *entry = find(key, origin);
-  if (entry == nullptr ? !hasRoom(key) : isCovered(*entry, nonce)) return entry != nullptr;
+  if (entry == nullptr ? !hasRoom<Scope>(key) : isCovered(*entry, nonce)) return entry != nullptr;
 
   Floor floor;
   floor.key = key;
@@ -185,8 +188,9 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
   return true;
 }
 
+template <typename Scope>
 void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *nonce) {
-  if (judge(key, origin, nonce) != NEWER) return;
+  if (judge<Scope>(key, origin, nonce) != NEWER) return;
   TakenNonce *entry = find(key, origin);
   if (entry == nullptr) return;
   entry->state = EXACT;
@@ -242,8 +246,9 @@ TakenNonce *ReplayMemory::findFree(uint8_t key) {
 }
 
 // Whether one more origin of a key may be remembered.
+template <typename Scope>
 bool ReplayMemory::hasRoom(uint8_t key) const {
-  if (!keys_->addressAt(key).isMulticast()) return findFree(key) != nullptr;
+  if (!Scope::MANY || !keys_->addressAt(key).isMulticast()) return findFree(key) != nullptr;
   const Groups groups = this->groups(key);
   return groups.origins < groups.places && (groups.own + 1) * groups.keys <= groups.places;
 }
@@ -290,5 +295,14 @@ bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) cons
   Floor floor;
   return entry.floor != NO_PLACE && read(entry.floor, floor) && memcmp(nonce, floor.nonce, NONCE_LENGTH) <= 0;
 }
+
+template void ReplayMemory::doubtFloors<WholeScope>();
+template void ReplayMemory::doubtFloors<UnicastScope>();
+template ReplayMemory::Verdict ReplayMemory::judge<WholeScope>(uint8_t, const Address &, const uint8_t *) const;
+template ReplayMemory::Verdict ReplayMemory::judge<UnicastScope>(uint8_t, const Address &, const uint8_t *) const;
+template void ReplayMemory::remember<WholeScope>(uint8_t, const Address &, const uint8_t *);
+template void ReplayMemory::remember<UnicastScope>(uint8_t, const Address &, const uint8_t *);
+template bool ReplayMemory::reserve<WholeScope>(uint8_t, const Address &, const uint8_t *);
+template bool ReplayMemory::reserve<UnicastScope>(uint8_t, const Address &, const uint8_t *);
 
 }  // namespace javinolib

@@ -57,6 +57,7 @@ class ReplayMemory {
 
   /// Floors may be lost, since others in EEPROM are: from now on what comes under a stored key is refused, other than above
   /// a floor that is there. It stays so until the key is deleted.
+  template <typename Scope = WholeScope>
   void doubtFloors();
 
   /// Whether what comes under a key from an origin without a floor is refused.
@@ -64,15 +65,18 @@ class ReplayMemory {
 
   /// @param key the place of the key in the key store
   /// @param nonce 6 bytes
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;
 
   /// Makes sure that the floor in EEPROM is not below a nonce that was judged NEWER, before anything comes of it: some
   /// 110 ms for the first of 32, else nothing. Under a session key it only takes the origin's place.
   /// @return false where there is no room for another origin or EEPROM does not keep it: then the nonce must be refused.
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE bool reserve(uint8_t key, const Address &origin, const uint8_t *nonce);
 
   /// Takes note that the host has taken the message of a nonce for which reserve() was called. The highest stays; where
   /// the key was forgotten meanwhile, nothing happens.
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE void remember(uint8_t key, const Address &origin, const uint8_t *nonce);
 
   /// Tells the floor in EEPROM: all zeroes where there is none.
@@ -119,6 +123,7 @@ class ReplayMemory {
   JAVINO_NOINLINE bool isInForce(uint8_t place) const;
   JAVINO_NOINLINE static TakenNonce *find(uint8_t key, const Address &origin);
   static TakenNonce *findFree(uint8_t key);
+  template <typename Scope>
   bool hasRoom(uint8_t key) const;
   JAVINO_NOINLINE Groups groups(uint8_t key) const;
   uint8_t store(Floor &floor);

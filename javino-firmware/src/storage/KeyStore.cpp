@@ -70,6 +70,7 @@ bool isNewer(uint8_t slot, uint8_t other) { return static_cast<int8_t>(generatio
 
 }  // namespace
 
+template <typename Scope>
 bool KeyStore::begin() {
   bool any = false;
   sessions_.begin();
@@ -78,17 +79,19 @@ bool KeyStore::begin() {
     StoredKey stored;
     const bool whole = recordAt(slot).begin(stored.record(), SECRETS_LENGTH);
     addresses_[slot] = whole ? stored.address : Address::serialLine();
-    if (whole) settleUse(slot);
+    if (Scope::RENEWS && whole) settleUse(slot);
     any |= whole;
   }
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
-    if (isReplaced(slot) && isReplaced(slot)) erase(slot);  // twice, as a cell may read wrong once
+    if (isReplaced<Scope>(slot) && isReplaced<Scope>(slot)) erase(slot);  // twice, as a cell may read wrong once
   }
   return any;
 }
 
 // Whether a newer key of the same address replaces this one: an interrupted change has left it.
+template <typename Scope>
 bool KeyStore::isReplaced(uint8_t slot) const {
+  if (!Scope::RENEWS) return !isFree(slot) && current(addressAt(slot)) != slot;
   for (uint8_t other = 0; other < SLOTS; other++) {
     if (!isFree(slot) && addressAt(other) == addressAt(slot) && isNewer(other, slot) && isAlone(other)) return true;
   }
@@ -132,15 +135,18 @@ void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
   }
 }
 
-Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) {
+template <typename Scope>
+Status KeyStore::store(const Address &address, const uint8_t *key, bool renewing) {
+  const bool renews = Scope::RENEWS && renewing;
   StoredKey added;
   added.keys.derive(key);
   if (sessions_.had(added.keys.check)) return Status::BAD_ARGUMENT;
   const uint8_t current = this->current(address);
-  const uint8_t other = this->other(address);
-  const uint8_t next = this->next(address);
+  // Where no key is renewed, another one is what could not be erased: the next boot tries again.
+  const uint8_t other = Scope::RENEWS ? this->other(address) : NO_SLOT;
+  const uint8_t next = Scope::RENEWS ? this->next(address) : NO_SLOT;
   const uint8_t stored = isSession(current) ? NO_SLOT : current;
-  const bool isOther = holds(other, added.keys);
+  const bool isOther = Scope::RENEWS && holds(other, added.keys);
   const bool isCurrent = holds(stored, added.keys);
   uint8_t most = config::KEYS;
   if (renews) {
@@ -164,6 +170,11 @@ Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) 
   const Status erased = eraseIfAny(other);
   return eraseIfAny(current) == Status::OK ? erased : Status::STORE_FAILED;
 }
+
+template bool KeyStore::begin<WholeScope>();
+template bool KeyStore::begin<UnicastScope>();
+template Status KeyStore::store<WholeScope>(const Address &, const uint8_t *, bool);
+template Status KeyStore::store<UnicastScope>(const Address &, const uint8_t *, bool);
 
 Status KeyStore::use(const Address &address) {
   const uint8_t slot = next(address);

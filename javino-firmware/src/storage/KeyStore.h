@@ -8,6 +8,7 @@
 #include "../crypto/DerivedKeys.h"
 #include "../support/Inlining.h"
 #include "../support/Part.h"
+#include "../support/Scope.h"
 #include "../support/Trace.h"
 #include "SessionKeys.h"
 
@@ -41,7 +42,9 @@ class KeyStore {
 
   /// Reads the addresses, erases what an interrupted change left over, and overwrites the secrets of what is no whole
   /// record. To be called once, after a boot.
+  /// Where keys are not renewed, it breaks off what another sketch has begun: the key in use stays.
   /// @return whether there is a key
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE bool begin();
 
   /// @return the place 0…PLACES - 1 of the key that seals for a device or multicast address, or NO_SLOT.
@@ -82,6 +85,7 @@ class KeyStore {
   Status renew(const Address &address, const uint8_t *key) { return store(address, key, true); }
 
   /// One of the two above.
+  template <typename Scope = WholeScope>
   JAVINO_NOINLINE Status store(const Address &address, const uint8_t *key, bool renews);
 
   /// Makes the next key the current one, and what was the current one the previous: 3.4 ms.
@@ -111,6 +115,7 @@ class KeyStore {
 
  private:
   JAVINO_NOINLINE uint8_t best(const Address &address, uint8_t except) const;
+  template <typename Scope>
   bool isReplaced(uint8_t slot) const;
   JAVINO_NOINLINE bool loadStored(uint8_t slot, DerivedKeys &into) const;
   JAVINO_NOINLINE bool loadSession(uint8_t slot, DerivedKeys &into) const;

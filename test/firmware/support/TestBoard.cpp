@@ -84,7 +84,7 @@ bool TestBoard::reboot() {
   radio = FakeRadio();
   radio.mends = mends;
   board.reset(new javinolib::RadioBoard(javinolib::SerialPort(port), "test 1.0", other_ == nullptr ? radio : *other_));
-  return board->begin();
+  return unicastsOnly ? board->begin<javinolib::UnicastScope>() : board->begin();
 }
 
 bool TestBoard::powerUp() {
@@ -179,12 +179,12 @@ std::vector<Bytes> TestHost::takePackets() {
 
 void TestBoard::receive(const Bytes &payload) {
   radio.arrive(payload);
-  board->run();
+  run();
 }
 
 void TestBoard::finishSending() {
   radio.finishSending();
-  board->run();
+  run();
 }
 
 void TestHost::pass(uint32_t millis) {

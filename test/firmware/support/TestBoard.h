@@ -171,9 +171,10 @@ class TestBoard : public TestHost {
   SimulatedEeprom eeprom;
   SimulatedRam ram;
   std::unique_ptr<javinolib::RadioBoard> board;
+  bool unicastsOnly = false;  ///< from the next boot on, its sketch makes a JavinoUnicastBoard
 
  protected:
-  void run() override { board->run(); }
+  void run() override { unicastsOnly ? board->run<javinolib::UnicastScope>() : board->run(); }
 
  private:
   javinolib::Radio *const other_;

@@ -9,7 +9,7 @@
 #include <JavinoBDI.h>
 
 JavinoAskRadio radio;
-JavinoRadioBoard board(Serial, "turntable 1.0", radio);
+JavinoUnicastBoard board(Serial, "turntable 1.0", radio);
 
 // The time between two steps follows from the one before (David Austin, 2005).
 class Stepper {

@@ -63,7 +63,7 @@ class Display : public Print {
 
 Display display;
 JavinoAskRadio radio;
-JavinoRadioBoard board(Serial, "weather 1.0", radio);
+JavinoUnicastBoard board(Serial, "weather 1.0", radio);
 
 float temperature = NAN, humidity = NAN;
 unsigned long measuredAt;

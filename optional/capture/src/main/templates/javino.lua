@@ -186,6 +186,7 @@ field(serial, "boot_epoch", "uint24", "Boot epoch")
 field(serial, "capabilities", "uint8", "Capabilities", base.HEX)
 field(serial, "capabilities.radio", "bool", "Has a radio", 8, nil, 0x01)
 field(serial, "capabilities.memory", "bool", "Has a memory", 8, nil, 0x02)
+field(serial, "capabilities.unicasts_only", "bool", "Has sealed unicasts only", 8, nil, 0x04)
 field(serial, "firmware", "string", "Firmware name")
 field(serial, "poll.flags", "uint8", "Flags", base.HEX)
 field(serial, "poll.percepts", "bool", "Percepts are wanted", 8, nil, 0x01)
@@ -1214,7 +1215,7 @@ local REPLIES = {
     -- A board of an earlier library has its name there.
     if r.left() > 0 and range(r.at, 1):uint() < 0x20 then
       local item, _, bits = r.take("serial.capabilities", 1)
-      for _, name in ipairs({"radio", "memory"}) do item:add(f["serial.capabilities." .. name], bits) end
+      for _, name in ipairs({"radio", "memory", "unicasts_only"}) do item:add(f["serial.capabilities." .. name], bits) end
     end
     return (r.left() == 0 or is_utf8(select(2, r.text("serial.firmware", r.left()))))
   end,

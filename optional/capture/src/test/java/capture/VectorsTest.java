@@ -712,6 +712,7 @@ class VectorsTest {
                     dissected.get(index).hex("javino.serial.capabilities").isEmpty());
             case "radio" -> showsCapability(index, "radio", value);
             case "memory" -> showsCapability(index, "memory", value);
+            case "unicastsOnly" -> showsCapability(index, "unicasts_only", value);
             case "more" -> shows(index, "serial.poll.more", value.getAsBoolean() ? 1 : 0);
             case "leftOut" -> shows(index, "serial.poll.left_out", value.getAsBoolean() ? 1 : 0);
             case "reading" -> shows(index, "serial.poll.reading", value.getAsBoolean() ? 1 : 0);

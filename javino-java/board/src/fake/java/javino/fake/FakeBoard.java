@@ -110,6 +110,11 @@ public final class FakeBoard {
             requests.add("of a radio");
             return status(Status.NO_RADIO);
         }
+        if (capabilities.contains(Capability.UNICASTS_ONLY) && (isCommand ? "NUFY".indexOf(command) >= 0
+                : frame.destination().kind() != Address.Kind.DEVICE)) {
+            requests.add("of a whole radio");
+            return status(Status.UNICASTS_ONLY);
+        }
         String request = isCommand ? describe(command, message) : frame.destination() + " " + contentOf(message);
         if (!isCommand) {
             // The count is there before others can see the request, and end it.

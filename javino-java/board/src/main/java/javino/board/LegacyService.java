@@ -86,15 +86,15 @@ final class LegacyService {
     }
 
     private void look() throws LinkException, LostException {
-        perception.update();
-        if (perception.isWanted() && perception.dueIn().isZero()) {
+        boolean wanted = perception.update();
+        if (wanted && perception.dueIn().isZero()) {
             perception.asked();
             askPercepts();
-        } else if (!perception.isWanted()) {
+        } else if (!wanted) {
             exchange.listen();
         }
         tellOfDamage();
-        next = Deadline.in(perception.isWanted() ? PAUSE : LOOK_INTERVAL);
+        next = Deadline.in(wanted ? PAUSE : LOOK_INTERVAL);
     }
 
     private void askPercepts() throws LinkException, LostException {

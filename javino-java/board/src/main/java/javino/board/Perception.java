@@ -41,10 +41,6 @@ final class Perception {
         this.counters = counters;
     }
 
-    boolean isWanted() {
-        return wanted;
-    }
-
     void setWanted(boolean percepts) {
         wanted = percepts;
     }
@@ -68,20 +64,26 @@ final class Perception {
         unwritable = Set.of();
     }
 
-    /** Tells that nothing is perceived, once percepts are wanted no longer, and releases who would wait in vain. */
-    void update() {
+    /**
+     * Tells that nothing is perceived, once percepts are wanted no longer, and releases who would wait in vain.
+     *
+     * @return whether percepts are to be asked for. If not, the board is to be told so, even if they are wanted again
+     *         by then: it tells only what differs from its last reading, which the listener has no more.
+     */
+    boolean update() {
         if (wanted) {
             Duration due = dueIn();
             List<Reading> inVain = waiting.stream().filter(reading -> reading.within().compareTo(due) < 0).toList();
             waiting.removeAll(inVain);
             inVain.forEach(reading -> reading.taken().complete(null));
-            return;
+            return true;
         }
         if (percepts != null) {
-            tell(List.of());
             percepts = null;
+            tell(List.of());
         }
         end();
+        return false;
     }
 
     /** How long percepts are not to be told yet; zero if they may be. */

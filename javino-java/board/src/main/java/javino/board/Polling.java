@@ -122,10 +122,10 @@ final class Polling {
      * @param lastReply the state of the replies to the polls before.
      */
     Request nextPoll(Duration hold, Request.LastReply lastReply) {
-        perception.update();
+        boolean wanted = perception.update();
         Duration due = perception.dueIn();
         // For longer than a poll can say, they are not asked for; the board then tells them anew.
-        if (!perception.isWanted() || due.compareTo(LONGEST_LEAST) > 0) {
+        if (!wanted || due.compareTo(LONGEST_LEAST) > 0) {
             return poll(Request.Percepts.NONE, hold, lastReply);
         }
         if (!perception.isAwaited()) {

@@ -138,6 +138,9 @@ final class Service {
             if (request.command().needsRadio() && !board.hasRadio()) {
                 throw new RequestFailedException(pending.description(), Status.NO_RADIO);
             }
+            if (request.needsWholeRadio() && board.hasUnicastsOnly()) {
+                throw new RequestFailedException(pending.description(), Status.UNICASTS_ONLY);
+            }
             if (request.isSealed() && !guard.maySeal()) {
                 throw new RequestFailedException(pending.description(), Status.NONCE_EXHAUSTED);
             }

@@ -622,6 +622,35 @@ class BoardTest extends BoardFixture {
         assertEquals(List.of(), listener.rest());
     }
 
+    /** Wanted again before the board is told that they were not. */
+    @Test
+    void percepts_wantedAgainWhileTheirEndIsTold_areToldAnew() throws Exception {
+        fake.perceive("dark");
+        CountDownLatch online = new CountDownLatch(1);
+        open(new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                online.countDown();
+            }
+
+            @Override
+            public void percepts(List<String> literals) {
+                listener.percepts(literals);
+                if (literals.isEmpty()) {
+                    board.percepts(true);
+                }
+            }
+        });
+        online.await();
+        board.percepts(true);
+        assertEquals("percepts [dark]", listener.next());
+        for (int i = 0; i < 10; i++) {
+            board.percepts(false);
+            assertEquals("percepts []", listener.next());
+            assertEquals("percepts [dark]", listener.next());
+        }
+    }
+
     @Test
     void percepts_longInterval_areAskedForOnce() throws Exception {
         openAndAwaitOnline();

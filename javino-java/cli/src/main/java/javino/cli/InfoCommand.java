@@ -86,7 +86,8 @@ final class InfoCommand implements Callable<Integer> {
         out.println(line("firmware", info.firmware()));
         out.println(line("protocol version", info.protocolVersion()));
         out.println(line("library", info.isOfEarlierLibrary() ? "earlier; flash the sketch anew" : "current"));
-        out.println(line("radio", info.hasRadio() ? "yes" : "none: the board has percepts and actions"));
+        out.println(line("radio", info.hasUnicastsOnly() ? "sealed unicasts only"
+                : info.hasRadio() ? "yes" : "none: the board has percepts and actions"));
         if (info.hasRadio()) {
             out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
             out.println(line("boot epoch", info.hasLostEpoch() ? LostState.notRaised() : info.bootEpoch()));

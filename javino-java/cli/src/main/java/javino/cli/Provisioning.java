@@ -80,6 +80,9 @@ final class Provisioning {
         Map<Address, SharedKey> wanted = new LinkedHashMap<>(ring.keysOf(id));
         more.forEach((with, key) -> wanted.put(with, ring.keyOf(id, with).filter(shared -> shared.all().contains(key))
                 .orElse(new SharedKey(key, null))));
+        if (info.hasUnicastsOnly()) {
+            refuseMore(wanted);
+        }
         refuseForeign(info, held, ring);
         refuseLost(held, wanted, ring);
         refuseEpoch(info, ring, !held.isEmpty());
@@ -95,6 +98,17 @@ final class Provisioning {
                     + "; javino provision on these first");
         }
         waits.forEach(out::println);
+    }
+
+    /** A board that has sealed unicasts only takes no key of a group, and renews none. */
+    private void refuseMore(Map<Address, SharedKey> wanted) throws JavinoException {
+        List<Address> refused = wanted.entrySet().stream()
+                .filter(entry -> entry.getKey().kind() != Address.Kind.DEVICE || entry.getValue().next() != null)
+                .map(Map.Entry::getKey).toList();
+        if (!refused.isEmpty()) {
+            throw new JavinoException(port + ": nothing was changed for " + text(refused) + ": "
+                    + Status.UNICASTS_ONLY.explanation());
+        }
     }
 
     /** A board that holds pair keys of another id is another board, or is to be another one. */

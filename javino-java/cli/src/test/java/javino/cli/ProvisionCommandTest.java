@@ -34,6 +34,7 @@ import javino.board.BoardListener;
 import javino.fake.FakeBoard;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Capability;
 import javino.protocol.Status;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -565,5 +566,25 @@ class ProvisionCommandTest {
             assertTrue(fail(provisionOf("SUPO")).contains("is being changed by another program; if none runs, delete"));
         }
         assertEquals(0, performed("SUPO", "key"));
+    }
+
+    @Test
+    void provision_boardWithUnicastsOnly_refusesGroupsAndRenewalBeforeAnythingIsDone() {
+        for (String id : IDS) {
+            boards.get(id).setCapabilities(Capability.RADIO, Capability.MEMORY, Capability.UNICASTS_ONLY,
+                    Capability.SAYS_TAKEN);
+        }
+        String group = fail(provisionOf("SUPO"));
+        assertTrue(group.contains("nothing was changed for //SU: the board has neither groups"), group);
+        assertTrue(group.endsWith("makes a JavinoRadioBoard in place of a JavinoUnicastBoard"), group);
+        provision("ROMA");
+        succeed("keygen", "--renew", keys.toString(), "--id", "ROMA");
+        boards.get("ROMA").requests.clear();
+        String renewal = fail(provisionOf("ROMA"));
+        assertTrue(renewal.contains("changed for SUPO: "), renewal);
+        for (String id : List.of("SUPO", "ROMA")) {
+            assertTrue(boards.get(id).requests.stream().noneMatch(request -> request.matches("(id|key|.* key) .*")),
+                    boards.get(id).requests.toString());
+        }
     }
 }

@@ -57,6 +57,11 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpo
         return capabilities.contains(Capability.RADIO);
     }
 
+    /** Whether its sketch left out all that needs more than sealed unicasts. */
+    public boolean hasUnicastsOnly() {
+        return capabilities.contains(Capability.UNICASTS_ONLY);
+    }
+
     /** Whether its sketch was built with an earlier library of this protocol, or with the older protocol. */
     public boolean isOfEarlierLibrary() {
         return !capabilities.contains(Capability.SAYS_TAKEN);

@@ -270,6 +270,22 @@ public record Request(Command command, Frame frame, String description) {
         return command == Command.TRANSMIT && !frame.destination().equals(Address.BROADCAST);
     }
 
+    /**
+     * Whether a board that has sealed unicasts only refuses it.
+     *
+     * @throws ProtocolException if its key is for no address.
+     */
+    public boolean needsWholeRadio() throws ProtocolException {
+        return switch (command) {
+            case RELAY, RENEW_KEY, USE_KEY, FINISH_RENEWAL -> true;
+            case TRANSMIT -> frame.destination().kind() != Address.Kind.DEVICE;
+            case SET_KEY -> Address.decode(frame.message(), 1).kind() != Address.Kind.DEVICE;
+            case HELLO, POLL, ACT, LIST_ACTIONS, SET_RF_ID, RADIO, OVERHEAR, RELAYING, RAISE_EPOCH, DELETE_KEY,
+                    SET_SESSION_KEY, LIST_KEYS, STATISTICS ->
+                false;
+        };
+    }
+
     /** {@link Command#USE_KEY}. */
     public static Request useKey(Address address) {
         return Command.USE_KEY.with(address.toBytes(), "use key for " + address);

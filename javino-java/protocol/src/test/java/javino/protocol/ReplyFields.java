@@ -24,6 +24,7 @@ final class ReplyFields {
                 fields.addProperty("bootEpoch", info.bootEpoch());
                 fields.addProperty("radio", info.hasRadio());
                 fields.addProperty("memory", info.capabilities().contains(Capability.MEMORY));
+                fields.addProperty("unicastsOnly", info.hasUnicastsOnly());
                 fields.addProperty("earlier", info.isOfEarlierLibrary());
                 fields.addProperty("firmware", info.firmware());
             }

@@ -244,7 +244,7 @@ final class CommandVectors {
                 refused(10, "TOO_LONG"), refused(11, "QUEUE_FULL"), refused(12, "STORE_FULL"),
                 refused(13, "STORE_FAILED"), refused(14, "NONCE_EXHAUSTED"),
                 refused(15, "BUSY"), refused(16, "HAS_KEY"), refused(17, "EPOCH_LOST"), refused(18, "MEMORY_DAMAGED"),
-                refused(19, "NO_RADIO"));
+                refused(19, "NO_RADIO"), refused(20, "UNICASTS_ONLY"));
     }
 
     /** @param capabilities null for a board of an earlier library, which has radio and memory. */
@@ -254,7 +254,8 @@ final class CommandVectors {
                 join(bytes(version), text(id == null ? "++++" : id), bytes(epoch >> 16, epoch >> 8, epoch),
                         capabilities == null ? new byte[0] : bytes(capabilities), text(firmware)),
                 vector("version", version, "rfId", id, "bootEpoch", epoch, "radio", (has & 1) != 0,
-                        "memory", (has & 2) != 0, "earlier", capabilities == null, "firmware", firmware));
+                        "memory", (has & 2) != 0, "unicastsOnly", (has & 4) != 0, "earlier", capabilities == null,
+                        "firmware", firmware));
     }
 
     private static byte[] record(char type, byte[] value) {
@@ -319,7 +320,7 @@ final class CommandVectors {
     private static List<Map<String, Object>> badReplies() {
         return List.of(
                 badReply("act", new byte[0], "no status"),
-                badReply("act", bytes(20), "unknown status"),
+                badReply("act", bytes(21), "unknown status"),
                 badReply("act", bytes(0, 1), "something where nothing is due"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0)), "a byte short"),
                 badReply("hello", join(bytes(0, 1), text("RO-A"), bytes(0, 0, 1)), "no address"),
