@@ -2,7 +2,6 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import diffuser.gate.Plans;
 
 import javino.fake.FakeBoard;
 

@@ -14,7 +14,6 @@ import diffuser.board.DeviceContext;
 import diffuser.board.ExclusivePort;
 import diffuser.board.HostMessages;
 import diffuser.board.KeyService;
-import diffuser.mind.Inbox;
 import diffuser.report.Warnings;
 
 import javino.board.BoardConfig;

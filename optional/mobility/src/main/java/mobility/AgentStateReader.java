@@ -77,7 +77,8 @@ final class AgentStateReader {
                 Plan plan = plan(line);
                 state.plans.add(plan);
                 boolean labelled = plan.getLabel() != null && !plan.getLabel().getFunctor().equals(TermReader.NO_LABEL);
-                TermReader.expect(!labelled || labels.add(name(plan.getLabel())), line, "two plans have the same label");
+                TermReader.expect(!labelled || labels.add(name(plan.getLabel())), line,
+                        "two plans have the same label");
             } else {
                 state.rules.add(TermReader.rule(line));
                 limit(state.rules.size(), MOST_BELIEFS, "rules");

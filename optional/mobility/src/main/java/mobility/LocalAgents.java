@@ -223,7 +223,8 @@ record LocalAgents(Diffuser diffuser) {
 
     private static boolean isAway(String name, String door, Path records) {
         // Any of them may be about this agent, but about the one with the board only if it has ever left.
-        boolean unknown = !MoveStore.unreadable(records).isEmpty() && (!name.equals(door) || MoveStore.hasBoard(records));
+        boolean unknown =
+                !MoveStore.unreadable(records).isEmpty() && (!name.equals(door) || MoveStore.hasBoard(records));
         return unknown || MoveStore.records(records).stream()
                 // Under whatever name it may live here since it came back.
                 .anyMatch(move -> move.isOurs() && List.of(move.name(), move.identity().name()).contains(name)

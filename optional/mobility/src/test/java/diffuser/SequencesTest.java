@@ -13,7 +13,6 @@ import diffuser.RightsTest.Of;
 import diffuser.RightsTest.Try;
 import diffuser.RightsTest.Who;
 import diffuser.Victim.Effect;
-import diffuser.mind.Questions;
 
 import javino.protocol.Address;
 

@@ -33,7 +33,8 @@ class HostileImageTest {
     static boolean exploded;
 
     private static String refusal(String program, String state) {
-        RefusedException e = assertThrows(RefusedException.class, () -> AgentStateReader.read(new Image(program, state)));
+        RefusedException e =
+                assertThrows(RefusedException.class, () -> AgentStateReader.read(new Image(program, state)));
         assertFalse(e.getMessage().matches("(?s).*[\\p{Cc}\\u2028\\u202e].*"),
                 "it commands a terminal: " + e.getMessage());
         assertTrue(e.getMessage().length() < 300, e.getMessage());

@@ -68,7 +68,8 @@ class ImageTest {
                 +!tour(N) <- mobility.leave%s.
                 -!tour(N)[error(E)] <- say(N,E).
                 """.formatted(then)).leave();
-        Stage here = Stage.of(AgentStateReader.read(image), new Agent(), Optional.of(new Failure("undelivered", "nobody there")));
+        Stage here = Stage.of(AgentStateReader.read(image), new Agent(),
+                Optional.of(new Failure("undelivered", "nobody there")));
         assertEquals(List.of("say 7 undelivered", "say end"), here.run(20).done);
     }
 
@@ -145,7 +146,8 @@ class ImageTest {
 
     @Test
     void wait_beginsAnew() throws Exception {
-        Stage there = Stage.of(AgentStateWriter.write(Stage.of("!go. +!go <- .wait({+over(X)}); say(X).").run(5).ts, null));
+        Stage there =
+                Stage.of(AgentStateWriter.write(Stage.of("!go. +!go <- .wait({+over(X)}); say(X).").run(5).ts, null));
         there.run(5);
         assertEquals(List.of(), there.done);
         there.ts.getAg().addBel(ASSyntax.parseLiteral("over(3)"));

@@ -4,7 +4,10 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The report of one campaign, or of another program that measures: its progress while it runs, then claims, text, tables, aims and violations. */
+/**
+ * The report of one campaign, or of another program that measures: its progress while it runs, then claims, text,
+ * tables, aims and violations.
+ */
 public final class Report {
 
     private final String name;

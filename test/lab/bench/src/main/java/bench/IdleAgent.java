@@ -59,7 +59,7 @@ final class IdleAgent implements Subject {
                             .goal("≤ 1.5").claim(),
                     Row.against("the same, wake-ups a second", "%.1f", wakeUps, plainWakeUps, "plain agent"),
                     Row.of("wake-ups a second for the board", Table.text("%.1f", wakeUps - plainWakeUps))
-                        .goal("≤ 5"));
+                            .goal("≤ 5"));
         }
     }
 
