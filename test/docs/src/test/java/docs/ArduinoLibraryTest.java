@@ -153,8 +153,8 @@ class ArduinoLibraryTest {
         assertEquals(functions, words(lines, "KEYWORD2"));
         assertEquals(found("(?m)^(?:class|using) (Javino\\w*) ",
                 source("JavinoBDI.h") + source("arduino/ArduinoBoard.h") + published), words(lines, "KEYWORD1"));
-        assertEquals(found("(?m)^(?:#ifndef|#if defined\\(|extern const javinolib::SerialModule) ?(JAVINO_\\w+)",
-                source("Config.h") + source("radio/AskHardwareAvrTimer.h") + source("serialradio/SerialModule.h")),
+        assertEquals(found("(?m)^(?:#ifndef |#if defined\\(|SERIAL_MODULE\\()(JAVINO_\\w+)",
+                source("Config.h") + source("radio/AskHardwareAvrTimer.h") + source("serialradio/SerialModules.def")),
                 words(lines, "LITERAL1"));
     }
 

@@ -45,8 +45,9 @@ class ErrorsPageTest {
     @Test
     void gate_eachRefusal_hasAnEntry() {
         assertTexts("In a plan",
-                Stream.of("gate/Gate", "mind/Inbox").flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
-                        Repository.text("diffuser-arch/src/main/java/diffuser/" + name + ".java"))));
+                Stream.of("gate/Gate", "mind/Inbox")
+                        .flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
+                                Repository.text("diffuser-arch/src/main/java/diffuser/" + name + ".java"))));
     }
 
     @Test
@@ -62,8 +63,8 @@ class ErrorsPageTest {
 
     @Test
     void board_eachStatus_hasAnEntryAndIsTheSameOnBothSides() {
-        List<String> firmware = found("(?m)^  ([A-Z_]+) = \\d+",
-                Repository.text("javino-firmware/src/support/Status.h")).toList();
+        List<String> firmware = found("(?m)^STATUS\\((\\w+)",
+                Repository.text("javino-firmware/src/support/Statuses.def")).toList();
         assertEquals(Arrays.stream(Status.values()).map(Enum::name).toList(), firmware);
         assertEntries("From the board", firmware.stream().filter(status -> !status.equals("OK")));
     }

@@ -22,7 +22,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** No {@code git add -A} takes in what the how-tos make: keyrings and EEPROMs hold secret keys. */
 class IgnoredFilesTest {
 
-    private static final Path PROJECT = Path.of("javino-java/cli/src/main/resources/javino/cli/project/common/gitignore");
+    private static final Path PROJECT =
+            Path.of("javino-java/cli/src/main/resources/javino/cli/project/common/gitignore");
 
     /** The files that are written: by a command, by a scenario's board, or by the reader, who is told the name. */
     private static final Pattern MADE =

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import javino.protocol.Counter;
 import javino.protocol.HostMessage;
 import javino.protocol.Performative;
+import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 
 /** The tables of SPEC.md that Java, the firmware and the vectors repeat: each repeats them whole and in order. */
@@ -51,10 +52,8 @@ class SpecTablesTest {
 
     @Test
     void counters_inTheFirmware_areThoseOfTheTable() {
-        String declaration = Repository.text("javino-firmware/src/support/Counters.h").split("enum class Counter")[1]
-                .split("\\bEND\\b")[0];
         assertEquals(counters().stream().map(SpecTablesTest::constant).toList(),
-                found("[A-Z][A-Z_]+(?=[ ,])", declaration).toList());
+                found("(?<=^COUNTER\\()\\w+", Repository.text("javino-firmware/src/support/Counters.def")).toList());
     }
 
     @Test
@@ -65,6 +64,21 @@ class SpecTablesTest {
                     counter + " is not in the vectors: write it in CommandVectors,"
                             + " and call gradle :javino-protocol:vectors");
         }
+    }
+
+    @Test
+    void statuses_areThoseOfTheTable() {
+        List<String> rows = found("^\\| \\d+ \\| `\\w+", section("4.4 Status")).toList();
+        assertEquals(rows, Arrays.stream(Status.values()).map(each -> "| " + each.ordinal() + " | `" + each).toList());
+    }
+
+    @Test
+    void commands_areThoseOfTheTable() {
+        List<String> rows = found("^\\| `\\w` [^|]+(?= \\|)",
+                section("4.3 Commands").split("(?m)^\\| \\*")[0]).toList();
+        assertEquals(rows.stream().sorted().toList(), found("(?<=^COMMAND\\()\\w+, '\\w', \"[^\"]+",
+                Repository.text("javino-firmware/src/board/Commands.def"))
+                .map(row -> row.replaceAll("\\w+, '(.)', \"(.*)", "| `$1` $2")).sorted().toList());
     }
 
     @Test
