@@ -147,9 +147,12 @@ bool Courier::begin(bool again) {
   return true;
 }
 
-// Takes up a message whose destination has none under way: rather one to a device that had none lately, as those may be
-// absent that had; of these the oldest. The last place is for devices that answer, and for many. What can no longer be sealed
-// ends at once: its key was deleted meanwhile, or no nonce is left.
+// Takes up a message of the outbox (SPEC 7.2, rules 2 and 3):
+// 1. None of a device that has one under way.
+// 2. The last free place is for a device that acknowledged its last message, or for many.
+// 3. The oldest one to a device that was not the last in any place; if there is none, the oldest of all others: a device that
+//    was may be absent.
+// A message that can no longer be sealed ends at once: its key was deleted meanwhile, or no nonce is left.
 template <typename Scope>
 bool Courier::takeUp() {
   Message &message = current();
@@ -176,7 +179,8 @@ bool Courier::takeUp() {
   return begin<Scope>(false);
 }
 
-// When a message to this destination is to be taken up. None to many waits for its turn, since it keeps it.
+// The turn of a message to this destination, if it is the oldest one. A message to many keeps its turn until it has ended, so
+// none of them is under way here.
 Courier::Turn Courier::turnOf(const Address &destination) const {
   Turn turn = FIRST;
   if (config::PARTNERS == 1 || !destination.isDevice()) return turn;
@@ -324,8 +328,10 @@ uint8_t Courier::sends() const {
   return config::BROADCAST_SENDS != 1 && current().sender.isSerial() ? 1 : config::BROADCAST_SENDS;
 }
 
-// No answer came: of a frame in pieces one asks what has arrived, in the end the first one, without which none can be
-// answered; where that was there, the one that has just asked, every other time, as it is likely what is lacking.
+// No answer came. The next attempt sends one piece, which asks which pieces have arrived:
+// 1. The first one: without it the receiver can answer none.
+// 2. If the receiver is known to have the first one, every other attempt sends the one again that asked last, since that is
+//    likely what it lacks.
 template <typename Scope>
 void Courier::attemptFailed() {
   Message &message = current();
@@ -519,8 +525,10 @@ bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
   return false;
 }
 
-// Sends what is lacking, as soon as pieces follow each other: whoever heard the answer or the question leaves the air to
-// them. While a new attempt is already on the air, its own answer is waited for. What waits for its turn goes on waiting.
+// The receiver has told which pieces it has:
+// 1. While an attempt is on the air, its own answer is awaited.
+// 2. A message that waits for its turn goes on waiting, and then sends what is lacking.
+// 3. Otherwise what is lacking follows after one quiet slot, without back-off: all who heard the answer leave the air to it.
 template <typename Scope>
 bool Courier::onPieces(uint8_t have) {
   Message &message = current();

@@ -14,12 +14,13 @@ import diffuser.report.Failure;
 import javino.protocol.Bytes;
 
 /**
- * A move of an agent that leaves.
+ * The sending side of a move: its state, and what it needs to go on (SPEC 9.3). Each step makes another one.
  *
- * @param move  null in NONE.
- * @param parts its texts; null once the agent has gone.
- * @param there how many bytes of each part are there.
- * @param most  the most bytes that were ever there, as far as is known; less than none before an answer.
+ * @param move  the move's record; null in NONE, where no such move is known.
+ * @param parts the agent's texts, as long as they may have to be sent; null once the agent has gone.
+ * @param there how many bytes of each part the receiver has.
+ * @param most  the most bytes of all parts together that the receiver ever had, as far as is known; -1 before its first
+ *              answer.
  */
 record Departure(State state, Move move, Parts parts, List<Integer> there, long most) implements Machine {
 
@@ -97,7 +98,7 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
         return TABLE.step(this, event, moves);
     }
 
-    /** A clone has none: its original never sleeps. */
+    /** {@inheritDoc} A clone has no record: its original never sleeps. */
     @Override
     public Optional<Move> record() {
         return state.recorded == null || move.isClone() ? Optional.empty() : Optional.of(move);
@@ -150,13 +151,14 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
         long sum = offsets.stream().mapToLong(Integer::longValue).sum();
         Departure sending = new Departure(State.SENDING, move, parts, offsets, Math.max(most, sum));
         Consumer<Course> become = sending.become(sending.data().isPresent() ? State.SENDING : State.SENT);
-        // Only what is new there prolongs the patience, or it would never end where nothing long comes.
+        // Only bytes that the receiver never had prolong the patience. Else a receiver that asks for the same bytes again
+        // and again would keep the agent asleep for ever.
         return sum > most ? List.of(become, Course::await) : List.of(become);
     }
 
     private List<Consumer<Course>> notTaken(Event.NotTaken event, Moves moves) {
         String error = event.why().error();
-        // Its own words have the whole message in them, in hexadecimal.
+        // The failure's own text has the whole message in it, in hexadecimal.
         return HOPELESS.contains(error)
                 ? stay(error,
                         move.name() + " has stayed: this board will not send to " + move.key().peer() + ", " + error)

@@ -12,9 +12,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** One machine of a host, by what its host tells of it, says and was handed. */
+/**
+ * A state machine of a host, such as the departure of an agent. The trace tells what its host said and was handed, and
+ * now and then its state; in between it may be in any of some states.
+ */
 final class HostMachine {
-    /** Which one it is. */
+    /** A machine's name in traces. */
     record Key(String machine, String host, String peer, String id) {
         @Override
         public String toString() {
@@ -25,11 +28,12 @@ final class HostMachine {
     final Key key;
     private final MachineModel model;
     /**
-     * Where it was since what was said last: a host may tell of its next state before its board takes what it has said
-     * before. Each time it may have been in any of some states, as nobody tells that a host was killed.
+     * The states in which it may have been, one set for each step since its last message. More than the last set is
+     * kept, since a host may tell its next state before its board takes the message of the state before. A set has
+     * several states, since no trace tells that a host was killed.
      */
     private final List<Set<String>> states = new ArrayList<>();
-    /** Where it may ever have been. */
+    /** All states in which it may ever have been. */
     final Set<String> been = new HashSet<>();
     private final Set<String> came = new HashSet<>();
     /** Whether it may have begun before the trace did. */
@@ -51,7 +55,7 @@ final class HostMachine {
         been.addAll(able);
     }
 
-    /** Where it may be now. */
+    /** The states in which it may be now. */
     Set<String> now() {
         return states.get(states.size() - 1);
     }
