@@ -9,14 +9,6 @@
 
 namespace javinolib {
 
-static const uint8_t MAX_ATTEMPTS = 8;
-static const uint8_t MOST_PASSED = 32;
-static const uint8_t PATIENCE_MILLIS = 150;
-
-// How often this begins anew while a relay carries the message, 3 s in all; and where one may do so, 600 ms.
-static const uint8_t ROUNDS_WITH_RELAY = 19;
-static const uint8_t LATE_ROUNDS = 3;
-static const uint8_t LATE_ATTEMPT = 2;
 static const uint8_t IDS = 64;
 
 // In a packet's symbols, of which each byte takes two; the first two are the count.
@@ -46,7 +38,7 @@ void Courier::run() {
     case IDLE:
     case READY: break;
     case CONTENDING:
-      if (config::PARTNERS > 1 && current().attempt != 0 && isUnicast<Scope>() && passes<Scope>()) break;
+      if (config::PARTNERS > 1 && current().retries.attempts() != 0 && isUnicast<Scope>() && passes<Scope>()) break;
       acknowledger_->noteCarrier(deferred_);
       if (backoff_.isOver(medium_->quietSlots())) send<Scope>();
       break;
@@ -58,19 +50,9 @@ void Courier::run() {
       if (!medium_->isSending()) packetSent<Scope>();
       break;
     case AWAITING:
-      patience_ = static_cast<uint8_t>(patience_ > medium_->quietMillis() ? patience_ - medium_->quietMillis() : 0);
-      if (patience_ != 0) break;
-      patience_ = PATIENCE_MILLIS;
-      if (rounds_-- == 0) attemptFailed<Scope>();
+      if (patience_.isOver(medium_->quietMillis())) attemptFailed<Scope>();
       break;
   }
-}
-
-// Exchanges the first message and another one.
-void Courier::exchange(uint8_t place) {
-  const Message first = messages_[0];
-  messages_[0] = messages_[place];
-  messages_[place] = first;
 }
 
 // Takes up a new message before those that wait or contend for a further attempt, unless one has let many pass. It takes the
@@ -82,7 +64,7 @@ bool Courier::passes() {
   for (uint8_t place = 0; place < config::PARTNERS; place++) {
     const Message &message = messages_[place];
     if (message.phase != IDLE) {
-      if (message.passed == MOST_PASSED) return false;
+      if (message.retries.isFirst()) return false;
       underWay++;
     } else if (free == config::PARTNERS ||
                (messages_[free].slot != KeyStore::NO_SLOT && message.slot == KeyStore::NO_SLOT)) {
@@ -90,20 +72,20 @@ bool Courier::passes() {
     }
   }
   if (free == config::PARTNERS || underWay == outbox_.count()) return false;
-  exchange(free);
+  lookAt(messages_[free]);
   if (!takeUp<Scope>()) {
-    exchange(free);
+    lookAt(messages_[turn_]);
     return false;
   }
-  for (uint8_t place = 1; place < config::PARTNERS; place++) {
-    Message &message = messages_[place];
-    if (message.phase == IDLE) continue;
+  turn_ = free;
+  for (Message &message : messages_) {
+    if (&message == &current() || message.phase == IDLE) continue;
     if (message.phase == CONTENDING) {
       trace::tell(trace::TURN, message.number);
       trace::tell(trace::PASSED);
     }
     message.phase = READY;
-    message.passed++;
+    message.retries.letPass();
   }
   contend();
   return true;
@@ -115,8 +97,8 @@ void Courier::nextTurn() {
   if (config::PARTNERS > 1 && passes<Scope>()) return;
   for (uint8_t left = config::PARTNERS; left != 0; left--) {
     if (config::PARTNERS > 1) {
-      turn_ = static_cast<uint8_t>(turn_ + 1 < config::PARTNERS ? turn_ + 1 : 1);
-      exchange(turn_);
+      turn_ = static_cast<uint8_t>((turn_ + 1) % config::PARTNERS);
+      lookAt(messages_[turn_]);
     }
     if (mayContend<Scope>() || takeUp<Scope>()) {
       contend();
@@ -175,7 +157,7 @@ bool Courier::takeUp() {
   message.slot = KeyStore::NO_SLOT;
   message.refused = false;
   message.resealed = false;
-  if (config::PARTNERS > 1) message.passed = 0;
+  if (config::PARTNERS > 1) message.retries.begin();
   return begin<Scope>(false);
 }
 
@@ -230,14 +212,14 @@ void Courier::restart() {
   }
   message.sent = 0;
   message.arrived = 0;
-  message.attempt = 0;
+  message.retries.restart();
   message.guesses = 0;
   message.trailed = false;
   message.pending = pieces::all(message.count);
 }
 
 void Courier::contend() {
-  backoff_.begin(current().attempt, medium_->quietSlots(), state_->random);
+  backoff_.begin(current().retries.attempts(), medium_->quietSlots(), state_->random);
   current().phase = CONTENDING;
   deferred_ = false;
   tell(trace::CONTEND, backoff_.left());
@@ -311,9 +293,9 @@ void Courier::packetSent() {
     message.phase = PAUSING;
     tell(trace::PART_SENT);
   } else if (isUnicast<Scope>()) {
-    await(message.count == 1 && message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
-    tell(trace::AWAIT, rounds_);
-  } else if (++message.attempt != sends<Scope>()) {
+    await(message.retries.rounds(message.count == 1));
+    tell(trace::AWAIT, patience_.rounds());
+  } else if (!message.retries.sent(Scope::MANY && message.destination.isMulticast(), message.sender.isSerial())) {
     message.pending = pieces::all(message.count);
     contend();
   } else {
@@ -321,26 +303,15 @@ void Courier::packetSent() {
   }
 }
 
-// What is relayed is sent once: if it asks for an answer, its sender asks again.
-template <typename Scope>
-uint8_t Courier::sends() const {
-  if (Scope::MANY && current().destination.isMulticast()) return config::MULTICAST_SENDS;
-  return config::BROADCAST_SENDS != 1 && current().sender.isSerial() ? 1 : config::BROADCAST_SENDS;
-}
-
-// No answer came. The next attempt sends one piece, which asks which pieces have arrived:
-// 1. The first one: without it the receiver can answer none.
-// 2. If the receiver is known to have the first one, every other attempt sends the one again that asked last, since that is
-//    likely what it lacks.
 template <typename Scope>
 void Courier::attemptFailed() {
   Message &message = current();
-  message.attempt++;
-  tell(trace::ATTEMPT_FAILED, message.attempt);
-  if (message.attempt == MAX_ATTEMPTS) {
+  const bool isLast = message.retries.failed();
+  tell(trace::ATTEMPT_FAILED, message.retries.attempts());
+  if (isLast) {
     finish<Scope>(Outcome::UNDELIVERED);
   } else {
-    message.pending = (message.arrived & message.attempt & 1) != 0 ? onAir_ : 1;
+    message.pending = message.retries.next(message.arrived, onAir_);
     message.phase = READY;
     nextTurn<Scope>();
   }
@@ -361,15 +332,14 @@ void Courier::finish(Outcome outcome) {
 
 template <typename Scope>
 void Courier::keysChanged() {
-  for (uint8_t place = 0; place < config::PARTNERS; place++) {
-    if (config::PARTNERS > 1 && place != 0) exchange(place);
-    Message &message = current();
+  for (Message &message : messages_) {
+    lookAt(message);
     if (message.slot != KeyStore::NO_SLOT && state_->keys.isFree(message.slot)) {
       message.slot = KeyStore::NO_SLOT;
       if (message.phase != IDLE && isUnicast<Scope>()) finish<Scope>(Outcome::UNDELIVERED);
     }
-    if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
+  lookAt(messages_[turn_]);
   for (uint8_t slot = 0; config::LARGE && slot < KeyStore::PLACES; slot++) {
     if (!state_->keys.isFree(slot)) continue;
     for (uint8_t flag = 0; flag < PARTNER_FLAGS; flag++) partners_.set(slot, false, flag);
@@ -381,20 +351,20 @@ void Courier::otherAcknowledged() {
     tell(trace::CONTEND, backoff_.left());
 }
 
-// It may be about one whose turn has passed: that takes the first place meanwhile. Of two with the same bits in their nonces
-// the proof tells which it is about.
+// An acknowledgement may be about a message whose turn has passed. Of two messages with the same bits in their nonces the proof
+// tells which it is about.
 template <typename Scope>
 bool Courier::acknowledged(const Frame &frame) {
   bool concerned = false;
   bool accepted = false;
   for (uint8_t place = 0; place < config::PARTNERS && !accepted; place++) {
-    if (config::PARTNERS > 1 && place != 0) exchange(place);
+    lookAt(messages_[place]);
     if (concerns<Scope>(frame)) {
       concerned = true;
       accepted = accept<Scope>(frame);
     }
-    if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
+  lookAt(messages_[turn_]);
   if (concerned && !accepted) state_->count(Counter::RADIO_BAD_PROOFS);
   return concerned;
 }
@@ -431,32 +401,30 @@ template <typename Scope>
 void Courier::acknowledged(const RadioPacket &lost) {
   bool borne = false;
   for (uint8_t place = 0; place < config::PARTNERS && !borne; place++) {
-    if (config::PARTNERS > 1 && place != 0) exchange(place);
-    const Message &message = current();
+    Message &message = messages_[place];
+    lookAt(message);
     if (isUnicast<Scope>() && message.sent != 0 && message.slot != KeyStore::NO_SLOT) {
       borne =
           isExpected<Scope>(Proof::DELIVERED, lost) || (message.count > 1 && isExpected<Scope>(Proof::PIECES, lost));
     }
-    if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
+  lookAt(messages_[turn_]);
   if (borne) state_->count(Counter::RADIO_ANSWERS_TOLERATED);
 }
 
-// An attempt that waits for the air is none yet.
 void Courier::copied(const uint8_t *packet, uint8_t length) {
   Message &message = current();
-  const bool contends = message.phase == CONTENDING && message.attempt != 0;
+  const bool contends = message.phase == CONTENDING && message.retries.attempts() != 0;
   if (!contends && message.phase != AWAITING) return;
   const ByteQueue::Record record = frame();
   if (length != record.length || memcmp(packet, record.bytes, Envelope::NONCE_AT + NONCE_LENGTH) != 0) return;
-  if (contends) message.attempt--;
-  await(ROUNDS_WITH_RELAY);
+  if (contends) message.retries.carriedOn();
+  await(Retries::ROUNDS_WITH_RELAY);
   tell(trace::COPIED);
 }
 
 void Courier::await(uint8_t rounds) {
-  patience_ = PATIENCE_MILLIS;
-  rounds_ = rounds;
+  patience_.begin(rounds);
   current().phase = AWAITING;
 }
 
@@ -538,11 +506,11 @@ bool Courier::onPieces(uint8_t have) {
   message.arrived |= have;
   if (have == all || message.phase == PAUSING || message.phase == ON_AIR) return true;
   if (isNews) {
-    message.attempt = 0;
+    message.retries.progressed();
     tell(trace::FRAGMENTS_NEW, have);
   } else {
     tell(trace::FRAGMENTS_KNOWN, have);
-    if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
+    if (message.phase == AWAITING && message.retries.failed()) {
       finish<Scope>(Outcome::UNDELIVERED);
       return true;
     }

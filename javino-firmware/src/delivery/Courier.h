@@ -15,6 +15,7 @@
 #include "KeyFlags.h"
 #include "MediumAccess.h"
 #include "Outbox.h"
+#include "Retries.h"
 #include "../support/Zeroed.h"
 #include "../support/Part.h"
 
@@ -28,7 +29,9 @@ namespace javinolib {
 class Courier {
  public:
   Courier(MediumAccess &medium, Acknowledger &acknowledger, BoardState &state)
-      : medium_(medium), acknowledger_(acknowledger), state_(state) {}
+      : medium_(medium), acknowledger_(acknowledger), state_(state) {
+    lookAt(messages_[0]);
+  }
 
   /// To be called once, after a boot, when the random numbers are seeded.
   void begin() { nextId_ = static_cast<uint8_t>(state_->random->next(0x3F)); }
@@ -81,8 +84,8 @@ class Courier {
   // refusal of it may come when all is sent.
   struct Message {
     Phase phase;
-    uint8_t number;   // of its transmission
-    uint8_t attempt;  // attempts in a row that came to nothing; of a broadcast or multicast, how often it was sent
+    uint8_t number;  // of its transmission
+    Retries retries;
     uint8_t count;    // pieces; 1: it travels whole
     uint8_t id;       // where it is in pieces
     uint8_t pending;  // pieces that this attempt still has to send
@@ -92,7 +95,6 @@ class Courier {
     bool resealed;    // or was
     bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
     uint8_t guesses;  // damaged answers that were not the expected one
-    uint8_t passed;   // new messages that went before its further attempts
     uint32_t sentAt;  // when it was first sent, in ms
     uint8_t slot;     // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
     Address destination;
@@ -105,9 +107,11 @@ class Courier {
   enum PartnerFlag : uint8_t { ASKS_PARITY, KNOWS_PARITY, ANSWERS, PARTNER_FLAGS };
   enum Turn : uint8_t { AFTER_ITS_LAST, AFTER_OTHERS, FIRST };
 
-  Message &current() { return messages_[0]; }
-  const Message &current() const { return messages_[0]; }
-  JAVINO_NOINLINE void exchange(uint8_t place);
+  Message &current() { return config::PARTNERS > 1 ? *current_ : messages_[0]; }
+  const Message &current() const { return config::PARTNERS > 1 ? *current_ : messages_[0]; }
+  void lookAt(Message &message) {
+    if (config::PARTNERS > 1) current_ = &message;
+  }
   template <typename Scope>
   bool passes();
   template <typename Scope>
@@ -126,8 +130,6 @@ class Courier {
   JAVINO_NOINLINE void send();
   template <typename Scope>
   void packetSent();
-  template <typename Scope>
-  uint8_t sends() const;
   void await(uint8_t rounds);
   /// Tells a point of the current message; where several are under way, also of which.
   void tellTurn() const {
@@ -178,8 +180,7 @@ class Courier {
   // Of the message that has its turn.
   Backoff backoff_;
   uint8_t onAir_;                // the piece that is being sent
-  uint8_t patience_;             // quiet milliseconds that are left until its attempt has failed
-  uint8_t rounds_;               // how often they begin anew before
+  Patience patience_;            // until its attempt has failed
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
 
 #if JAVINO_LARGE
@@ -187,9 +188,10 @@ class Courier {
 #endif
   KeyFlags<PARTNER_FLAGS> partners_;
   uint8_t nextId_ JAVINO_ZEROED;
-  uint8_t turn_ JAVINO_ZEROED;  // the place of the message that had the last turn but one
-
-  // The first is the one that has its turn, so that AVR reaches it in one instruction; the others wait.
+  uint8_t turn_ JAVINO_ZEROED;  // the place that has its turn
+  Message
+      *current_;  // the message there, or one that is looked at; not used where there is only one, which AVR reaches
+                  // in one instruction
   Message messages_[config::PARTNERS] JAVINO_ZEROED;
   Outbox outbox_;
 };
