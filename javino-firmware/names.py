@@ -18,12 +18,12 @@ KEYWORDS = set('''alignas alignof asm auto bool break case catch char class cons
     template this thread_local throw true try typedef typeid typename undef union unsigned using virtual void volatile wchar_t
     while'''.split()) - {'error', 'define', 'include', 'final'}
 
-# What the headers use as a macro of Arduino's core or of avr-libc, or what is one on some cores.
+# Names that the headers use as a macro of Arduino's core or of avr-libc, or that are one on some cores.
 USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END EEPROM F F_CPU GPIOR0 GPIOR1 GPIOR2 ISR ISR_ALIASOF MAPPED_EEPROM_SIZE OCIE0B
     OCR0B OCR3BL OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMER1_COMPC_vect TIMSK0 WGM00 WGM01
     clockCyclesPerMicrosecond pgm_read_byte pgm_read_word'''.split())
 
-# What AskRadio.h knows other libraries by.
+# Macros by which AskRadio.h knows other libraries.
 USED |= set('Servo_h TimerOne_h_ IR_USE_AVR_TIMER1 IR_USE_AVR_TIMER3 IR_USE_AVR_TIMER4 IR_USE_AVR_TIMER5'.split())
 
 

@@ -43,7 +43,7 @@ class Javino {
 
   Actions act;
 
-  // What run() is made of, for a sketch that does without it.
+  // The parts of run(), for a sketch that does without it.
 
   // Reads and answers what the line brings.
   void readSerial();
@@ -52,7 +52,7 @@ class Javino {
   // Opens the line if start() has not: sketches for the first Javino call Serial.begin() themselves.
   bool availableMsg();
 
-  // What the last message was: of an action its whole text, as it came.
+  // The last message: of an action its whole text, as it came.
   bool requestPercepts() const;
   bool requestAction(const String &action) const { return message_ == action; }
   String getMsg() const { return message_; }

@@ -10,7 +10,7 @@ namespace {
 
 const uint8_t MAX_FIRMWARE_NAME = 100;
 
-// What only a board with a radio does.
+// Commands that only a board with a radio performs.
 #define ANY(letter)
 #define RADIO(letter) letter,
 #define COMMAND(name, letter, text, boards, writesEeprom, meaning) boards(letter)

@@ -14,7 +14,7 @@
 
 namespace javinolib {
 
-/// What a board tells of itself in a hello, but for its name, as it is in the reply (SPEC 4.3).
+/// A board's reply to hello, but for its name (SPEC 4.3).
 struct Identity {
   uint8_t version;
   uint8_t id[Address::TEXT_LENGTH];  ///< `++++` where none is set

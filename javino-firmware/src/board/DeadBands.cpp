@@ -6,7 +6,7 @@ namespace javinolib {
 
 namespace {
 
-// Of any two longs, the greatest and the least too.
+// The distance of any two longs, of the greatest and the least too.
 unsigned long distance(long one, long other) {
   const unsigned long difference = static_cast<unsigned long>(one) - static_cast<unsigned long>(other);
   return one < other ? 0 - difference : difference;

@@ -17,7 +17,7 @@ class DeadBands {
   /// @param anew all others too, but events: the host knows no reading, or asks for the values as they are
   void begin(bool anew);
 
-  /// What to tell of a percept: the value last told, until the new one differs from it by the dead band or more, and it has
+  /// The value to tell of a percept: the one last told, until the new one differs from it by the dead band or more, and it has
   /// been told for the least time. A percept that is new, or for which no place is left, is told as it is.
   long settle(const FlashText *name, long number, unsigned long deadBand, unsigned long leastMillis);
 
@@ -27,7 +27,7 @@ class DeadBands {
   /// The reading goes to the host.
   void told() { move(READING_TOLD); }
 
-  /// What the host says of the last reading: it has not had it, it has, or it may still come. Then it has had the one before.
+  /// The host's word about the last reading: it has not had it, it has, or it may still come. Then it has had the one before.
   void confirm(bool lost, bool coming) { move(lost ? READING_LOST : coming ? READING_COMING : READING_HAD); }
 
   /// Whether there are events, which may happen between two readings that may be told.

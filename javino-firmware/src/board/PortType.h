@@ -18,7 +18,7 @@ class PortRoom {
   bool tells_ = false;
 };
 
-/// What a core's `Stream` cannot do, by the type of a port: `Serial1`, USB, Bluetooth, …
+/// The methods that a core's `Stream` lacks, by the type of a port: `Serial1`, USB, Bluetooth, …
 template <typename Port>
 class PortType {
  public:

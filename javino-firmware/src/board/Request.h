@@ -6,7 +6,7 @@
 
 namespace javinolib {
 
-/// What a host asks of a board: a view on the bytes of its frame (SPEC 4.2). The addresses are only compared with the serial
+/// A request of a host to a board: a view on the bytes of its frame (SPEC 4.2). The addresses are only compared with the serial
 /// line's: a board without a radio needs none.
 struct Request {
   static const char HELLO = 'H';

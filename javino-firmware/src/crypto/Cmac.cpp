@@ -22,7 +22,7 @@ void doubleInField(uint8_t *block) {
   }
 }
 
-// Of one byte at least.
+// The length is one byte at least.
 void xorInto(uint8_t *into, const uint8_t *from, uint8_t length) {
   do {
     *into++ ^= *from++;
@@ -36,7 +36,7 @@ JAVINO_NOINLINE void firstSubkey(const Aes128 &cipher, uint8_t *block) {
   doubleInField(block);
 }
 
-// Where no subkey is given it is computed in the place of the last block: 18 bytes of the stack less than a Cmac.
+// A subkey that is not given is computed in the place of the last block: 18 bytes of the stack less than a Cmac.
 JAVINO_NOINLINE void computeTag(const Aes128 &cipher, const uint8_t *subkey, const uint8_t *message, uint16_t length,
                                 uint8_t *tag) {
   // Becomes the last block: its subkey, its bytes, and what comes from the blocks before, added up.

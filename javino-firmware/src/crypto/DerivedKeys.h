@@ -8,7 +8,7 @@
 
 namespace javinolib {
 
-/// What the board keeps of a shared key, and wipes when done with it (SPEC 5.2). The key itself is not kept: nothing
+/// The part of a shared key that the board keeps, and wipes when done with it (SPEC 5.2). The key itself is not kept: nothing
 /// needs it again, and to derive these anew for each packet would cost six blocks of AES and three key expansions.
 struct DerivedKeys {
   static const uint8_t CHECK_LENGTH = 3;

@@ -11,12 +11,12 @@ static const uint8_t LEAST_WINDOW = 16;
 static const uint8_t MOST_WINDOW = 255;
 static const uint8_t LAST_DOUBLING = 3;  // who retries waits longer, as boards out of range may be in its way
 
-// Of the slots beyond the first ones. Where half of all beginnings come after fewer, one slot in five is taken.
+// Idle slots beyond the first ones. If half of all beginnings come after fewer, one slot in five is taken.
 static const uint8_t FEW_IDLE_SLOTS = 3;
 static const uint16_t PARTS = 256;  // of a slot, that the window is counted in
 static const uint8_t SHARE = 8;     // the window changes by this part of it
 
-// Of a hidden sender. What answers a packet that is heard comes after fewer slots.
+// Slots after which a sender is a hidden one: an answer to a packet that is heard comes after fewer.
 static const uint8_t UNHEARD_SLOTS = 24;
 static const uint8_t KNOWN = 0xFF;  // a bit for each unicast until it is forgotten
 static const uint8_t TURN_MASK = 7;

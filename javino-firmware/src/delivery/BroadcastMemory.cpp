@@ -17,7 +17,8 @@ bool BroadcastMemory::isRepeat(const uint8_t *frame, Length length, uint32_t now
     if (entry.crc == crc.value()) place = &entry;
   }
   if (place) {
-    // What began before the other ended, as pieces may, is in time too; what seems to have begun more than a minute before, not.
+    // A broadcast that began before the other ended, as pieces may, is in time too; one that seems to have begun more than a
+    // minute before is not.
     repeat = (place->repeatsUntil - (now - age)) >> 16 == 0;
   } else {
     place = &entries_[oldest_];

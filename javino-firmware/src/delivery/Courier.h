@@ -80,7 +80,7 @@ class Courier {
     AWAITING     // an answer is awaited
   };
 
-  // What is under way. What a multicast was sealed with stays when it has ended, until another message takes its place: a
+  // A message that is under way. Slot and nonce of a multicast stay when it has ended, until another message takes its place: a
   // refusal of it may come when all is sent.
   struct Message {
     Phase phase;
@@ -102,7 +102,7 @@ class Courier {
     uint8_t nonce[NONCE_LENGTH];
   };
 
-  // Of a key's partner: whether it has asked for parity in its last answer, or in any; whether it has acknowledged the last
+  // Flags of a key's partner: whether it has asked for parity in its last answer, or in any; whether it has acknowledged the last
   // message to it.
   enum PartnerFlag : uint8_t { ASKS_PARITY, KNOWS_PARITY, ANSWERS, PARTNER_FLAGS };
   enum Turn : uint8_t { AFTER_ITS_LAST, AFTER_OTHERS, FIRST };
@@ -177,7 +177,7 @@ class Courier {
   Part<Acknowledger> acknowledger_;
   Part<BoardState> state_;
 
-  // Of the message that has its turn.
+  // These are of the message that has its turn.
   Backoff backoff_;
   uint8_t onAir_;                // the piece that is being sent
   Patience patience_;            // until its attempt has failed

@@ -40,7 +40,8 @@ void Delivery::beginToRelay(const uint8_t *number) {
   receiver_.relay(true);
 }
 
-// What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.
+// Packets that came are handled first, since an acknowledgement may end what would else be sent again; then our own
+// acknowledgements are sent.
 template <typename Scope>
 void Delivery::run() {
   medium_->update();

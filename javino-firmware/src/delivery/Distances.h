@@ -6,7 +6,7 @@
 
 namespace javinolib {
 
-/// What a relay knows of addresses (SPEC 7.5): how far each is, and the score, how far copies are needed by packets to it: 0
+/// A relay's knowledge of addresses (SPEC 7.5): how far each is, and the score, how far copies are needed by packets to it: 0
 /// where they have brought one on, 3 where they have not. Those that were longest unchanged are forgotten. Zeros are none.
 class Distances {
  public:

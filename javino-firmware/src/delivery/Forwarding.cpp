@@ -61,7 +61,7 @@ void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length
   }
 }
 
-// Where a packet comes from, beside a copy of ours.
+// The side from which a packet comes, beside a copy of ours.
 Forwarding::Place Forwarding::placeOf(uint8_t hops, uint8_t own) {
   if (hops == own) return PEER;
   return oneMore(hops) == own ? UPSTREAM : DOWNSTREAM;
@@ -164,7 +164,7 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
   return true;
 }
 
-// Who is in reserve as others are nearer may be needed when the packet comes so late.
+// A relay that is in reserve as others are nearer may be needed when the packet comes so late.
 bool Forwarding::isInReserveForScore(const Entry &entry) const {
   return entry.reserve && memory_->distances.scoreOf(entry.to) == Distances::MOST;
 }

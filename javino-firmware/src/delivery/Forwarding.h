@@ -17,7 +17,7 @@
 
 namespace javinolib {
 
-/// What a relay does (SPEC 7.5): it copies unicasts that nobody seems to answer, and carries their acknowledgements back;
+/// The work of a relay (SPEC 7.5): it copies unicasts that nobody seems to answer, and carries their acknowledgements back;
 /// broadcasts and multicasts it copies once. It has no key, and looks at addresses and nonces only.
 class Forwarding {
  public:
@@ -121,7 +121,7 @@ struct Forwarding::Memory {
   Entry entries[CAPACITY];
 };
 
-/// What stands in for it on a board that cannot be told to relay (Config.h).
+/// The substitute for it on a board that cannot be told to relay (Config.h).
 class NoForwarding {
  public:
   NoForwarding(MediumAccess &, Random &, Counters &) {}

@@ -27,7 +27,7 @@ class Inbox {
     Length length;  ///< of the content
   };
 
-  /// What of a sealed frame waits here.
+  /// The parts of a sealed frame that wait here.
   enum Waiting : uint8_t {
     NOTHING,  ///< neither it nor what was sealed later by the same origin
     THIS,     ///< the very frame

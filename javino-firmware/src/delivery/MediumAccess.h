@@ -71,7 +71,7 @@ class MediumAccess {
   /// @return null where none waits
   uint8_t *receive(Received &with) { return radio_.receive(with); }
 
-  /// What knows how that packet came; null where the radio gives intact ones only.
+  /// The mender that knows how that packet came; null where the radio gives intact ones only.
   Mender *mender() { return radio_.mender(); }
 
   /// Drops that packet, or the one that is lost.

@@ -27,7 +27,7 @@ class NoKeys : public Untold < KeylessFrame, JAVINO_SESSION_KEYS<4 ? 1 : 4> {
 
 #else
 
-/// What stands in for it on a board without session keys (Config.h).
+/// The substitute for it on a board without session keys (Config.h).
 class NoKeys {
  public:
   void add(const Frame &) {}

@@ -8,7 +8,8 @@ namespace javinolib {
 
 const uint8_t Outcomes::MAX_UNREPORTED;
 
-// Of the 256 numbers, between the oldest that has not ended and the newest one: the others keep those apart that have ended.
+// The most of the 256 numbers between the oldest that has not ended and the newest one: the others keep those apart that have
+// ended.
 static const uint8_t MAX_SPAN = 255 - Outcomes::MAX_UNREPORTED;
 
 bool Outbox::fits(Length frameLength) const {

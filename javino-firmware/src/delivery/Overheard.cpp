@@ -21,7 +21,7 @@ void Overheard::add(How how, const uint8_t *payload, uint8_t length) {
   if (into) memcpy(into, payload, length);
 }
 
-// Of one whose count cannot be read nobody knows where it ends: all that came is told.
+// A packet whose count cannot be read has no known end: all that came is told.
 void Overheard::add(const RadioPacket &lost) {
   const uint8_t count = lost.count();
   uint8_t length = static_cast<uint8_t>(lost.symbols / 2);

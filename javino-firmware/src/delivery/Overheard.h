@@ -14,8 +14,8 @@ namespace javinolib {
 
 #if JAVINO_LARGE
 
-/// What the board has heard on the air, whoever it is for, until the host has had it (SPEC 4.3, overhear). No key is needed
-/// for it, and none is used. It is off at first.
+/// All packets that the board has heard on the air, until the host has had them (SPEC 4.3, overhear). No key is needed for it,
+/// and none is used. It is off at first.
 class Overheard {
  public:
   /// How a packet came.
@@ -63,7 +63,7 @@ class Overheard {
 
 #else
 
-/// What stands in for it on a board that overhears nothing (Config.h).
+/// The substitute for it on a board that overhears nothing (Config.h).
 class Overheard {
  public:
   enum How : uint8_t { INTACT, MENDED };

@@ -48,7 +48,7 @@ class PieceReceiver {
   Reassembly reassembly_;
 };
 
-/// What stands in for it on a board that has no room for pieces (Config.h): drops them.
+/// The substitute for it on a board that has no room for pieces (Config.h): drops them.
 class NoPieceReceiver {
  public:
   explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}

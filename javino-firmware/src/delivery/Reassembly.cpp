@@ -133,7 +133,7 @@ bool Reassembly::findRoom(PartialFrame &frame) {
   return frame.bytes() != nullptr;
 }
 
-// What lies in the inbox has to go to make room there: it changes places with a message that goes.
+// A message in the inbox has to go to make room there: it changes places with a message that goes.
 uint8_t *Reassembly::release(PartialFrame &frame) {
   PartialFrame &other = frames_[&frame == frames_ ? 1 : 0];
   uint8_t *bytes = frame.bytes();

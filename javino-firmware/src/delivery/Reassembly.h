@@ -131,7 +131,7 @@ class Reassembly {
  private:
   static const uint8_t PLACES = 2;
 
-  // Of a message, or of a relay.
+  // The memory of a message, or of a relay.
   union Room {
     uint8_t frame[MAX_FRAME_LENGTH];
     BoardsForwarding::Memory relay;

@@ -90,7 +90,7 @@ static bool isWord(const Frame &frame) { return frame.length != 0 && (frame.mess
 // Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said.
 bool Receiver::mayBeDoubtful(const Frame &frame) const { return config::LARGE && isWord(frame); }
 
-// What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
+// A sealed frame is kept before it is opened, so that a damaged repeat of it is known. Nothing tells of a broadcast whether it
 // is right, if there is a doubt.
 template <typename Scope>
 void Receiver::accept(const Frame &frame, uint8_t *packet, const Received &with) {

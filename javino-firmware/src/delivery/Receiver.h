@@ -33,7 +33,7 @@ class Receiver {
   template <typename Scope = WholeScope>
   void run();
 
-  /// What the board does as a relay.
+  /// The board's part as a relay.
   BoardsForwarding &forwarding() { return forwarding_; }
 
   /// Begins to relay, or ends that. Meanwhile the relay's memory is that of one message in pieces.

@@ -8,7 +8,7 @@
 
 namespace javinolib {
 
-/// What base64Value() gives for a byte outside the alphabet.
+/// The value that base64Value() gives for a byte outside the alphabet.
 static const uint8_t NOT_A_DIGIT = 0xFF;
 
 /// @return the value 0…63 of a Base64 digit (RFC 4648 section 4: `A`…`Z`, `a`…`z`, `0`…`9`, `+`, `/`), or NOT_A_DIGIT.

@@ -21,12 +21,12 @@ static const uint8_t PROOF_LENGTH = 8;
 /// addresses and id (SPEC 4.3).
 static const uint16_t MAX_CONTENT_LENGTH = MAX_MESSAGE_LENGTH - (1 + 1 + 3 + 1 + 4 + 4 + 3);
 
-/// What a packet is longer than its message: sequence byte and header before, CRC behind it (SPEC 4.1).
+/// The bytes of a packet beside its message: sequence byte and header before, CRC behind it (SPEC 4.1).
 static const uint8_t PACKET_OVERHEAD = 1 + HEADER_LENGTH + 2;
 static const uint16_t MAX_PACKET_LENGTH = PACKET_OVERHEAD + MAX_MESSAGE_LENGTH;
 static const uint16_t MIN_PACKET_LENGTH = 1 + HEADER_LENGTH + 2;
 
-/// What a sealed message is longer than its content.
+/// The bytes of a sealed message beside its content.
 static const uint8_t SEAL_LENGTH = NONCE_LENGTH + TAG_LENGTH;
 
 static_assert(MAX_MESSAGE_LENGTH != 511 || (MAX_CONTENT_LENGTH == 494 && MAX_PACKET_LENGTH == 524), "SPEC's table");

@@ -8,7 +8,7 @@
 
 namespace javinolib {
 
-/// What a byte from the serial line brought about (SPEC 4.1).
+/// The outcome of a byte from the serial line (SPEC 4.1).
 enum class PacketEvent : uint8_t {
   NONE,       ///< the packet goes on, or was empty
   PACKET,     ///< a whole packet is there, its CRC right

@@ -4,7 +4,7 @@
 
 #include "../Config.h"
 
-// What AskHardwareAvr.cpp needs: the pin-change interrupts of an ATmega.
+// AskHardwareAvr.cpp needs the pin-change interrupts of an ATmega.
 #ifdef PCICR
 #define JAVINO_HAS_ASK_HARDWARE
 #endif
@@ -13,7 +13,7 @@ namespace javinolib {
 
 class AskRadio;
 
-/// What the modem needs of a board: a free-running 16-bit timer with one alarm, an output and an input pin.
+/// The modem's hardware: a free-running 16-bit timer with one alarm, an output and an input pin.
 ///
 /// The one place where the radio meets the hardware. It is bound when linking, AskHardwareAvr.cpp on a board and a
 /// simulated one in the host tests, since a virtual call in each interrupt would cost more cycles than most of these

@@ -47,7 +47,7 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
     packet = decoder_->queue().claim();
     if (packet) stopReceiving();
   }
-  // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
+  // A packet that is sent lies in the free slot of the queue, as nothing is received meanwhile.
   if (!packet) return false;
   encoder_->start(payload, length, follower_, packet->room, path_);
   askhardware::InterruptLock lock;

@@ -31,7 +31,7 @@ static const uint8_t TRAILER_LENGTH = JAVINO_LARGE ? 17 : 0;
 static const uint8_t MIN_COUNT = 1 + PACKET_OVERHEAD;
 static const uint8_t MAX_COUNT = MAX_RADIO_PAYLOAD + PACKET_OVERHEAD;
 
-/// What nibbleOf() gives for the 48 symbols that stand for none.
+/// The value that nibbleOf() gives for the 48 symbols that stand for none.
 static const uint8_t NO_NIBBLE = 0xFF;
 
 /// @param nibble 0…15

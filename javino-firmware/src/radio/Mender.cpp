@@ -34,7 +34,7 @@ namespace {
 // nonce, content and tag take, which is a sixth of the shortest.
 const uint8_t LIKE_PART = 8;
 
-// Of 24 bits. Two copies differ in one or two.
+// The most wrong bits, of 24, of a CRC. Two copies differ in one or two.
 const uint8_t MOST_OF_CRC = 5;
 const uint8_t CRC_SYMBOLS = 4;
 

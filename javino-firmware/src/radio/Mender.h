@@ -50,10 +50,10 @@ class Mender {
   /// The path of the packet that is whole (SPEC 6).
   uint8_t path() const { return path_; }
 
-  /// What came behind the packet that is whole, if it was damaged.
+  /// The trailer behind the packet that is whole, if it was damaged.
   Trailer trailer() const { return trailer_; }
 
-  /// What came behind the last packet of all, as the decoder tells: behind an intact one it is known only later.
+  /// The trailer behind the last packet of all, as the decoder tells: behind an intact one it is known only later.
   Trailer lastTrailer() const { return lastTrailer_; }
   void setLastTrailer(Trailer trailer) { lastTrailer_ = trailer; }
 
@@ -68,7 +68,7 @@ class Mender {
   /// Keeps the packet that is whole, as long as there is room: a damaged copy that comes later is taken for it.
   void keep();
 
-  /// What was kept last is a forgery: genuine copies are not to be taken for it.
+  /// The packet that was kept last is a forgery: genuine copies are not to be taken for it.
   void forget();
 
  private:

@@ -20,14 +20,14 @@ static const uint8_t PATHS = HOPS_MODULUS * (1 + HOPS_MODULUS);
 
 class Mender;
 
-/// What follows a packet (SPEC 6.1).
+/// The trailer that follows a packet (SPEC 6.1).
 enum class Trailer : uint8_t {
   NONE,
   MARK,   ///< a word: the sender understands trailers
   PARITY  ///< another word, and the packet's parity
 };
 
-/// What a radio has seen since it began (SPEC 4.5, counters 5, 6, 7, 17, 28, 41).
+/// The counts of a radio since it began (SPEC 4.5, counters 5, 6, 7, 17, 28, 41).
 struct RadioCounters {
   config::Count received;    ///< packets with a right CRC, mended ones too
   config::Count damaged;     ///< packets with a wrong symbol, count or CRC
@@ -37,7 +37,7 @@ struct RadioCounters {
   config::Count lateMicros;  ///< how late its interrupt began at most, 0 where it has none
 };
 
-/// What came with a payload.
+/// The facts that come with a payload.
 struct Received {
   uint8_t length;  ///< of the payload, 1…longestPayload()
   uint8_t path;    ///< of the packet (SPEC 6), less than PATHS; 0 where the driver cannot tell that

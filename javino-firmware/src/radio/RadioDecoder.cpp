@@ -107,7 +107,7 @@ void RadioDecoder::store() {
   }
 }
 
-// Of a count with a wrong symbol only the most is known that it can be.
+// A count with a wrong symbol is known only by the most that it can be.
 void RadioDecoder::startBody() {
   const uint8_t high = linecode::nibbleOf(static_cast<uint8_t>(bits_ & 0x3F));
   const uint8_t low = linecode::nibbleOf(static_cast<uint8_t>(bits_ >> linecode::BITS_PER_SYMBOL));

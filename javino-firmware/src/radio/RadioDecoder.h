@@ -33,7 +33,7 @@ class RadioDecoder {
   /// Forgets all bits; a packet under way counts as missed, since it is the receiver that leaves it.
   void abandon();
 
-  /// What came behind the last packet.
+  /// The trailer behind the last packet.
   Trailer trailer() const { return trailer_; }
 
   CarrierSense &carrier() { return carrier_; }

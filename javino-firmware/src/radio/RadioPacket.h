@@ -14,7 +14,7 @@ namespace javinolib {
 /// Its symbols are kept as they came, right or wrong: a wrong one still tells most of its bits, and with another copy of the
 /// packet, or with parity, they all come right (Mender.h). Bytes are made of them outside of interrupts.
 struct RadioPacket {
-  /// Of count, payload, CRC and trailer.
+  /// The symbols of count, payload, CRC and trailer.
   static const uint8_t MAX_BYTES = MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH;
   static const uint8_t MAX_SYMBOLS = 2 * MAX_BYTES;
   static const uint8_t NO_COUNT = 0;
@@ -24,7 +24,8 @@ struct RadioPacket {
 
   static const uint8_t NO_PATH = PATHS;
 
-  /// What the CRC in a packet of this path is XORed with: the CRC of the whole packet then differs by the path from that above.
+  /// The value with which the CRC in a packet of this path is XORed: the CRC of the whole packet then differs by the path from
+  /// that above.
   static uint16_t crcOf(uint8_t path) { return static_cast<uint16_t>(path ^ path << 4 ^ path << 11); }
 
   /// The path of a packet where this is the CRC of all its bytes; NO_PATH or more where that is wrong.

@@ -27,7 +27,7 @@ const uint8_t POWERS[256] JAVINO_FLASH = {
     0x3D, 0x7A, 0xF4, 0xF5, 0xF7, 0xF3, 0xFB, 0xEB, 0xCB, 0x8B, 0x0B, 0x16, 0x2C, 0x58, 0xB0, 0x7D, 0xFA, 0xE9, 0xCF,
     0x83, 0x1B, 0x36, 0x6C, 0xD8, 0xAD, 0x47, 0x8E, 0x01};
 
-// Of what power of alpha a byte is; 0 is none.
+// The logarithms of bytes to base alpha; 0 has none.
 const uint8_t LOGARITHMS[256] JAVINO_FLASH = {
     0x00, 0x00, 0x01, 0x19, 0x02, 0x32, 0x1A, 0xC6, 0x03, 0xDF, 0x33, 0xEE, 0x1B, 0x68, 0xC7, 0x4B, 0x04, 0x64, 0xE0,
     0x0E, 0x34, 0x8D, 0xEF, 0x81, 0x1C, 0xC1, 0x69, 0xF8, 0xC8, 0x08, 0x4C, 0x71, 0x05, 0x8A, 0x65, 0x2F, 0xE1, 0x24,
@@ -50,7 +50,7 @@ const uint8_t GENERATOR[PARITY_LENGTH] JAVINO_FLASH = {121, 106, 110, 113, 107, 
 
 const uint8_t ORDER = 255;  // alpha^255 = 1
 
-// What a step does of each phase, so that none takes more than 40 000 cycles.
+// The share of each phase that one step does, so that none takes more than 40 000 cycles.
 const uint8_t SYNDROMES_A_STEP = 4;
 const uint8_t ROUNDS_A_STEP = 4;
 const uint8_t POSITIONS_A_STEP = 32;
@@ -59,7 +59,7 @@ uint8_t power(uint8_t exponent) { return flashByte(POWERS + exponent); }
 
 uint8_t logarithm(uint8_t value) { return flashByte(LOGARITHMS + value); }
 
-// Of exponents 0...255, modulo 255; the result may be 255 too, which POWERS has.
+// A sum of exponents 0...255, modulo 255; the result may be 255 too, which POWERS has.
 uint8_t addExponents(uint8_t a, uint8_t b) {
 #ifdef __AVR__
   __asm__("add %0, %1\n\tadc %0, __zero_reg__" : "+r"(a) : "r"(b));  // a tenth fewer cycles

@@ -9,7 +9,7 @@
 
 namespace javinolib {
 
-/// What air and transmissions bring to a poll, as records (SPEC 4.3): outcomes, received messages, frames without a key,
+/// News from air and transmissions for a poll, as records (SPEC 4.3): outcomes, received messages, frames without a key,
 /// packets that were overheard.
 class News {
  public:

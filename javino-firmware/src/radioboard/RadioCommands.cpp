@@ -13,7 +13,7 @@ const uint8_t FLAGS_AT = 1 + HEADER_LENGTH + 1;  // of a poll's reply, in its pa
 
 }  // namespace
 
-// Of a board without ASK hardware; else that is linked in place of it.
+// This is for a board without ASK hardware; otherwise the linker takes that hardware's in its place.
 __attribute__((weak)) uint8_t askhardware::takenTimer() { return 0; }
 
 template <typename Scope>
@@ -138,7 +138,7 @@ void RadioCommands::polled(const Request &request) {
   if (request.length > 1 + Request::POLL_LENGTH) delivery_->inbox().taken<Scope>(body[Request::POLL_LENGTH]);
 }
 
-// What was sealed with a key that is gone must not be opened, acknowledged or sealed anew with the next one in its place.
+// A message sealed with a key that is gone must not be opened, acknowledged or sealed anew with the next one in its place.
 template <typename Scope>
 Status RadioCommands::keysChanged(Status status) {
   delivery_->keysChanged<Scope>();

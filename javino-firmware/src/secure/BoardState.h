@@ -12,7 +12,7 @@
 
 namespace javinolib {
 
-/// What many parts of a board need: who it is, its keys and nonces, random numbers and counters.
+/// The state that many parts of a board need: who it is, its keys and nonces, random numbers and counters.
 ///
 /// Each part has one reference to all of it: with one to each that it needs, a board took 40 bytes more of RAM and 250 of
 /// flash on an AVR.

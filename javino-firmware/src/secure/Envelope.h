@@ -15,10 +15,10 @@ class Envelope {
   /// The fewest bytes of a sealed frame: it holds an empty content.
   static const uint8_t MIN_FRAME_LENGTH = HEADER_LENGTH + SEAL_LENGTH;
 
-  /// Where the nonce begins in a sealed frame.
+  /// The place of the nonce in a sealed frame.
   static const uint8_t NONCE_AT = HEADER_LENGTH;
 
-  /// Where the content begins in a sealed frame, once opened.
+  /// The place of the content in a sealed frame, once opened.
   static const uint8_t CONTENT_AT = NONCE_AT + NONCE_LENGTH;
 
   /// Each step expands the key that it needs, one after the other, as an Uno's stack has no room for both.

@@ -13,7 +13,7 @@ class Proof {
  public:
   static const uint8_t LENGTH = 8;
 
-  /// What an acknowledgement says.
+  /// The kinds of acknowledgements.
   enum Type : uint8_t {
     DELIVERED = 0x06,  ///< nothing comes before the proof
     PIECES = 0x07,     ///< one byte comes before it: the pieces that are here
@@ -28,7 +28,7 @@ class Proof {
   /// How many bytes come before the proof.
   static uint8_t bodyLength(Type type) { return type == STALE ? MAX_BODY_LENGTH : type == PIECES ? 1 : 0; }
 
-  /// What a proof covers.
+  /// The data that a proof covers.
   struct Claim {
     Type type;
     const uint8_t *nonce;   ///< 6 bytes, of the frame that is answered

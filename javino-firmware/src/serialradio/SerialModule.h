@@ -6,7 +6,7 @@
 
 namespace javinolib {
 
-/// What a SerialRadio has to know of a module that carries bytes from UART to UART (SPEC 6.2). It lies in flash. All modules in
+/// The data sheet of a module that carries bytes from UART to UART (SPEC 6.2). It lies in flash. All modules in
 /// range have the same settings. The times are measured with two of them.
 struct SerialModule {
   uint16_t baud;           ///< of its UART, up to 57 600

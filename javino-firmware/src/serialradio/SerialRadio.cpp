@@ -18,7 +18,7 @@ const uint8_t OVERHEAD = 6;
 // A packet whose next byte does not come within this time has lost its end.
 const uint16_t GAP_MILLIS = 40;
 
-// Of the core's buffer for a UART, which has room for one byte less.
+// The bytes that fit into the core's buffer for a UART: one less than its size.
 #ifdef SERIAL_RX_BUFFER_SIZE
 const int PORT_ROOM = SERIAL_RX_BUFFER_SIZE - 1;
 #else

@@ -14,7 +14,7 @@
 
 namespace javinolib {
 
-/// What is ours lies at the end of the EEPROM, so that the low addresses are the sketch's: RF id, ring of boot epochs, keys,
+/// The library's part lies at the end of the EEPROM, so that the low addresses are the sketch's: RF id, ring of boot epochs, keys,
 /// ring of nonces' floors, whether the board relays, the other half of the ring of boot epochs. No byte has a meaning but in a
 /// record with a seal: whatever stands there, nobody writes to the sketch's part.
 

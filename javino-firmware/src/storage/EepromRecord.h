@@ -19,7 +19,7 @@ namespace javinolib {
 /// the weak cell reads.
 class EepromRecord {
  public:
-  /// What a record takes beyond its data.
+  /// The bytes that a record takes beyond its data.
   static const uint8_t CHECK_LENGTH = 3;
 
   /// @param at the first byte in EEPROM

@@ -142,7 +142,7 @@ Status KeyStore::store(const Address &address, const uint8_t *key, bool renewing
   added.keys.derive(key);
   if (sessions_.had(added.keys.check)) return Status::BAD_ARGUMENT;
   const uint8_t current = this->current(address);
-  // Where no key is renewed, another one is what could not be erased: the next boot tries again.
+  // If no key is renewed, another one is a key that could not be erased: the next boot tries again.
   const uint8_t other = Scope::RENEWS ? this->other(address) : NO_SLOT;
   const uint8_t next = Scope::RENEWS ? this->next(address) : NO_SLOT;
   const uint8_t stored = isSession(current) ? NO_SLOT : current;

@@ -16,7 +16,7 @@ struct OriginNonce {
   uint8_t nonce[NONCE_LENGTH];
 };
 
-/// What ReplayMemory knows of one origin under one key.
+/// The knowledge of one origin under one key.
 struct TakenNonce {
   OriginNonce taken;
   uint8_t state;  ///< of ReplayMemory

@@ -58,7 +58,7 @@ class SessionKeys {
 
 #else
 
-/// What stands in for it on a board without session keys (Config.h).
+/// The substitute for it on a board without session keys (Config.h).
 class SessionKeys {
  public:
   static const uint8_t PLACES = 0;

@@ -26,8 +26,8 @@ inline void countUp(Count &counter) {
   if (static_cast<Count>(~counter) != 0) counter++;
 }
 
-/// What was done and dropped on the serial line since the boot, damage since hello, and percepts that were left out: all that a
-/// board without a radio counts.
+/// Counts of what was done and dropped on the serial line since the boot, of damage since hello, and of percepts that were left
+/// out: all that a board without a radio counts.
 class SerialCounters {
  public:
   static bool has(Counter counter) { return indexOf(counter) < COUNT; }

@@ -4,7 +4,7 @@
 
 namespace javinolib {
 
-/// What a board with a radio has beside sealed unicasts (SPEC 4.3, capabilities): its sketch chooses by the class that it
+/// The parts that a board with a radio has beside sealed unicasts (SPEC 4.3, capabilities): its sketch chooses by the class that it
 /// names. The functions that differ are made for each scope, and the linker leaves out those of the other: an `if` on what
 /// only the linker knows would come too late, as the compiler has by then chosen what it inlines.
 struct WholeScope {

@@ -10,7 +10,7 @@ POINT(QUIET, , )                       // run() looks at the air and finds it qu
 POINT(BUSY, , )                        // or a carrier, of others or its own. When that is over, quiet slots count from the next QUIET
 POINT(COUNT, counter, )                // a counter of SPEC 4.5 grows: why a packet is dropped, a relay refuses, …
 
-// What is stored.
+// Keys and epochs that are stored.
 POINT(MEMORY, kept, )                  // a boot: 1 where RAM still has the nonces that were taken, 0 where only the floors count
 POINT(EPOCH_STORED, low, )             // of the boot epoch, whose last byte is this, both copies are in EEPROM
 POINT(KEY_STORED, key, )               // a key is in EEPROM, or a session key in RAM

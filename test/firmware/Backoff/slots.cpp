@@ -44,7 +44,7 @@ int further(Backoff backoff, uint8_t from = 6) {
   return slots;
 }
 
-// Of all waits that begin at so many quiet slots, the slots beyond these, or the first 6.
+// The slots of all waits that begin at so many quiet slots beyond these, or the first 6.
 std::set<int> all(Backoff backoff, uint8_t attempt = 0, uint8_t quietSlots = 0) {
   Random random;
   random.seed(1, 1);

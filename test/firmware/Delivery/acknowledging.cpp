@@ -19,7 +19,7 @@ class Acknowledging : public testing::Test {
     board.setKey("//SU", KEY);
   }
 
-  // What the board has sent since it was last asked, and sends within half a second.
+  // The packets that the board has sent since it was last asked, and sends within half a second.
   std::vector<Bytes> answers() {
     board.passSending(500);
     std::vector<Bytes> sent;

@@ -1,4 +1,4 @@
-// What a board does with packets that came damaged, and what it says of that to their senders.
+// A board and packets that came damaged, and what it says of them to their senders.
 
 #include <gtest/gtest.h>
 

@@ -44,7 +44,7 @@ struct Field {
       unicasts.push_back({stations[from].get(), stations[to].get(), text});
   }
 
-  // What holds whatever happens: at the right one, at most once, and there if it was reported so.
+  // The invariant, whatever happens: a message comes at the right one, at most once, and there if it was reported so.
   void check() {
     for (const Unicast &unicast : unicasts) {
       for (const auto &station : stations) {
@@ -57,7 +57,7 @@ struct Field {
     }
   }
 
-  // What reached a station from another one did so in the order in which it was sent, and so did each sender learn of it.
+  // Messages reached a station from another one in the order in which they were sent, and each sender learnt of them in that order.
   void checkOrder() {
     for (const auto &from : stations) {
       for (const auto &to : stations) {

@@ -224,7 +224,7 @@ TEST(Relays, carry_broadcasts_and_multicasts_one_hop_and_to_nobody_twice) {
   }
 }
 
-// Who hears both the sender and a relay, or two relays, has it once; what is said again later, twice.
+// A board that hears both the sender and a relay, or two relays, has it once; what is said again later, twice.
 TEST(Relays, that_all_hear_each_other_copy_a_broadcast_once_and_have_it_delivered_once) {
   for (uint32_t seed = 1; seed <= 20; seed++) {
     Line line(3, seed);

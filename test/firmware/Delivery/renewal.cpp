@@ -80,7 +80,7 @@ class Renewal : public testing::Test {
     }
   }
 
-  // What arrived, and how often. Of multicasts those may be missing of which all copies collided with others.
+  // The messages that arrived, and how often. Multicasts may be missing of which all copies collided with others.
   void expectAllArrived() {
     ASSERT_TRUE(air->settle(200000));
     std::map<std::pair<int, int>, long> missing;

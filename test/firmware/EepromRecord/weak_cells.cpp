@@ -16,7 +16,7 @@ const int READINGS = 20;
 
 StoredRecord record() { return StoredRecord(FIRST_CELL, DATA_LENGTH); }
 
-// What a boot finds; all later readings must be like it.
+// The bytes that a boot finds; all later readings must be like it.
 Bytes bootRecord() {
   const Bytes found = record().begin();
   for (int i = 0; i < READINGS; i++) EXPECT_EQ(found, record().read());

@@ -71,7 +71,7 @@ const Bytes TO_SUPO = bytesOf("SUPO");
 
 }  // namespace
 
-// Of invented origins of a group there may be as many as it likes.
+// Invented origins of a group there may be as many as it likes.
 TEST_F(KeyCommandsTest, refuse_one_more_pair_for_which_the_replay_memory_has_no_place) {
   const Bytes group = bytesOf("//SU");
   ASSERT_EQ(Status::OK, set(group + KEY));

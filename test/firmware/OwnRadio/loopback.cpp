@@ -53,7 +53,7 @@ class LoopbackRadioTest : public testing::Test {
     return roma.transmit(to, "ROMA", content).status;
   }
 
-  // What SUPO's host gets, and hands on.
+  // The messages that SUPO's host gets, and hands on.
   std::vector<std::string> contents() {
     supo.use();
     std::vector<std::string> contents;

@@ -37,7 +37,7 @@ class DeadBands : public testing::Test {
     board.takeReply();
   }
 
-  // What is told after some milliseconds; nothing where nothing has changed.
+  // The percepts told after some milliseconds; nothing if nothing has changed.
   Texts told(uint16_t afterMillis = 1) {
     board.hold(PERCEPTS, afterMillis);
     board.pass(afterMillis);

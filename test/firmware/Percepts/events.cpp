@@ -40,7 +40,7 @@ class Events : public testing::Test {
     return reply.reading ? reply.texts('P') : UNCHANGED;
   }
 
-  // What a poll brings that is held for a while.
+  // The reply to a poll that is held for a while.
   Texts polled(uint8_t flags = PERCEPTS) {
     board.hold(flags, 5);
     board.pass(5);

@@ -9,11 +9,11 @@ using javinolib::Status;
 
 namespace {
 
-// What the sensors show, and how often they were read.
+// The readings of the sensors, and how often they were read.
 int shown;
 int readings;
 
-// What the hardware says, in bits of a reply's flags.
+// The hardware's word, in bits of a reply's flags.
 uint8_t takenTimer;
 
 void readLevel(javinolib::Percepts &percepts) {

@@ -155,7 +155,7 @@ TEST_F(BoardSessionKeys, give_way_to_keys_in_eeprom_and_never_take_their_place) 
   EXPECT_TRUE(accepts("SUPO", keyOf(1), 1));
 }
 
-// What is refused must not cost the session key.
+// A refused key must not cost the session key.
 TEST_F(BoardSessionKeys, stay_where_the_key_store_is_full) {
   for (int i = 0; i < javinolib::config::KEYS; i++) {
     ASSERT_EQ(Status::OK, board.setKey(std::string("ROA") + static_cast<char>('A' + i), KEY).status);
@@ -246,7 +246,7 @@ TEST_F(BoardSessionKeys, that_made_room_leave_their_messages_undelivered) {
   for (const std::string &end : ends) EXPECT_EQ(2, end[1]);
 }
 
-// What was sealed under one key must not be acknowledged under the next one in its place.
+// A message sealed under one key must not be acknowledged under the next one in its place.
 TEST_F(BoardSessionKeys, that_are_replaced_acknowledge_no_more) {
   ASSERT_EQ(Status::OK, set("SUPP", KEY));
   board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 200), "tell;x"));

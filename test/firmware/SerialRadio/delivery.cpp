@@ -70,7 +70,7 @@ class SerialRadioDelivery : public testing::TestWithParam<Module> {
     from.given.erase(from.given.begin(), from.given.begin() + next);
   }
 
-  // What SUPO's host gets, who polls every 20 ms.
+  // The messages that SUPO's host gets, which polls every 20 ms.
   std::vector<std::string> received() {
     std::vector<std::string> received;
     for (int polls = 0; polls < 500 && received.empty(); polls++) {

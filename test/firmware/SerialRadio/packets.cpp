@@ -12,7 +12,7 @@ class SerialRadioPackets : public testing::Test {
  protected:
   SerialRadioPackets() { radio.begin(); }
 
-  // What the radio gives to its module, however slowly that takes it.
+  // The bytes that the radio gives to its module, however slowly that takes it.
   Bytes sent(const Bytes &payload, size_t bytesAtOnce) {
     EXPECT_TRUE(radio.send(payload.data(), static_cast<uint8_t>(payload.size())));
     Bytes all;

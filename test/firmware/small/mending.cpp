@@ -1,4 +1,4 @@
-// What a small chip mends: one wrong bit of a packet, wherever it is behind the count.
+// A small chip mends one wrong bit of a packet, wherever it is behind the count.
 
 #include <gtest/gtest.h>
 

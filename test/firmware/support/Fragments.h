@@ -7,7 +7,7 @@
 
 #include "Bytes.h"
 
-/// Of a message of another board.
+/// The fragments of a message of another board.
 const Bytes NONCE = {0, 0, 5, 0, 1, 2};
 
 /// The pieces of a whole frame, all without a wish for an answer.
@@ -18,7 +18,7 @@ std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javinol
 /// A fragment whose sender wants an answer.
 Bytes wantingAnswer(Bytes fragment);
 
-/// What another board would send to acknowledge a frame with this nonce.
+/// The packet by which another board would acknowledge a frame with this nonce.
 /// @param type 6, 7 or 8, or 0x16 or 0x17 (SPEC 7.3)
 /// @param body what comes before the proof
 Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::string &acknowledger, const Bytes &nonce,

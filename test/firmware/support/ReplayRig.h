@@ -29,7 +29,7 @@ class ReplayRig {
     return memory->reserve(key, origin, nonce.data());
   }
 
-  /// What a board does with a message: judge, reserve, and remember when the host takes it.
+  /// The steps of a board with a message: judge, reserve, and remember when the host takes it.
   /// @return whether it was accepted
   bool take(uint8_t key, const javinolib::Address &origin, const Bytes &nonce);
 

@@ -9,7 +9,7 @@ class StoredRecord {
  public:
   StoredRecord(uint16_t at, uint8_t length) : record_(at, length), length_(length) {}
 
-  /// What is there, or nothing.
+  /// The record that is there, or nothing.
   Bytes begin() const {
     Bytes data = room();
     return found(record_.begin(data.data(), 0), data);

@@ -25,7 +25,7 @@ std::vector<bool> levels(const AirLine &line, double step) {
   return levels;
 }
 
-// What all of these together make of the line, each begun so many bits after the first.
+// The line as all of these together make it, each begun so many bits after the first.
 AirLine allOf(const std::vector<std::pair<Bits, double>> &packets) {
   const double step = Modem::BIT / 50;
   std::vector<bool> line;

@@ -5,7 +5,7 @@
 
 namespace {
 
-// What the transmitter has put on the air so far.
+// The bits that the transmitter has put on the air so far.
 AirLine recorded(const SimulatedAsk &hardware) {
   AirLine line;
   const std::vector<SimulatedAsk::Change> &changes = hardware.carrierChanges();

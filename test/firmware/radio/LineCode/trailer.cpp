@@ -92,7 +92,7 @@ TEST(Trailer, neverHoldsTheStartAtAnyOffset) {
   }
 }
 
-// What follows: silence of any length, and the training of the next packet.
+// Then follows silence of any length, and the training of the next packet.
 TEST(Trailer, doesNotMakeAStartWithWhatFollows) {
   for (uint8_t a = 0; a < 16; a++) {
     for (uint8_t b = 0; b < 16; b++) {

@@ -1,4 +1,4 @@
-// What boards with VirtualWire make of trailers: nothing.
+// Boards with VirtualWire ignore trailers.
 #include <gtest/gtest.h>
 
 #include "radio/LineCode.h"

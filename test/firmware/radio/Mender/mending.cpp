@@ -39,7 +39,7 @@ TEST(Mender, doubtsWhatItMendsInTwoSymbols) {
   EXPECT_GT(whole, 1950);
 }
 
-// Of 2^16 CRCs twenty are right, one for each path, for each of the up to four candidates: 24 packets of 20 000 are mended into
+// Among 2^16 CRCs twenty are right, one for each path, for each of the up to four candidates: 24 packets of 20 000 are mended into
 // wrong ones.
 TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
   std::mt19937 random(52);

@@ -7,7 +7,7 @@
 
 namespace {
 
-// What was refused is counted, is not queued, and does not cost the packet behind it.
+// A refused packet is counted, is not queued, and does not cost the packet behind it.
 void expectRefused(const Bits &bits, const std::string &what) {
   Decoder decoder;
   decoder.add(bits);

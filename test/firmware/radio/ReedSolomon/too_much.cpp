@@ -43,7 +43,7 @@ TEST(ReedSolomon, failsWithoutAChangeOrFindsAnotherCodewordNearby) {
   }
 }
 
-// Of all words, one in 8! lies within 8 bytes of a codeword (McEliece and Swanson, 1986).
+// Among all words, one in 8! lies within 8 bytes of a codeword (McEliece and Swanson, 1986).
 TEST(ReedSolomon, failsWithoutErasuresOnRandomBytes) {
   std::mt19937 random(11);
   for (int i = 0; i < 3000; i++) {

@@ -6,7 +6,7 @@
 
 #include "ReferencePacket.h"
 
-// What a receiver's data pin does over time: levels, each held for some ticks.
+// A receiver's data pin over time: levels, each held for some ticks.
 class AirLine {
  public:
   struct Run {

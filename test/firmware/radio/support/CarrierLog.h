@@ -14,7 +14,7 @@ class CarrierLog {
   explicit CarrierLog(Modem &modem);
   ~CarrierLog();
 
-  // What was heard so far; a carrier that is heard still ends now.
+  // The carriers heard so far; a carrier that is heard still ends now.
   std::vector<Span> spans() const;
 
   // The share of the time during which one was heard.

@@ -28,7 +28,7 @@ class MendingDecoder {
     decoder_.endOfSignal();
   }
 
-  // What becomes of the oldest packet that waits; LOST where none does.
+  // The fate of the oldest packet that waits; LOST if none does.
   javinolib::Mender::Progress take() {
     payload = Bytes();
     javinolib::RadioQueue &queue = decoder_.queue();
@@ -60,7 +60,7 @@ class MendingDecoder {
   javinolib::RadioDecoder decoder_;
 };
 
-// What becomes of packets with random bit errors: they come intact, or mended without a doubt, or are lost, or - never - come
+// The fates of packets with random bit errors: they come intact, or mended without a doubt, or are lost, or - never - come
 // wrong without a doubt.
 struct Damage {
   unsigned packets = 0, untouched = 0, intact = 0, mended = 0, doubtful = 0, wrong = 0;

@@ -41,7 +41,7 @@ class SimulatedAsk {
   bool carrier() const { return carrier_; }
   const std::vector<Change> &carrierChanges() const { return carrierChanges_; }
 
-  // What askhardware does here.
+  // The functions of askhardware here.
   bool begin(uint8_t rxPin, uint8_t txPin, javinolib::AskRadio &radio);
   uint16_t now() const { return static_cast<uint16_t>(time_); }
   void setAlarm(uint16_t at);

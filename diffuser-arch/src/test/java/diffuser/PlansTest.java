@@ -2,7 +2,6 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-
 import javino.fake.FakeBoard;
 
 import org.junit.jupiter.api.Test;

@@ -4,7 +4,6 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Term;
 import jason.asSyntax.parser.ParseException;
 
-
 /** Terms of tests. */
 final class Literals {
 

@@ -105,12 +105,12 @@ class TimerNeighboursTest {
                 : name + " takes the radio's timer: write #define JAVINO_RADIO_TIMER 0 before"), first);
         if (option == null || name == null) {
             String second = refusal(board, timer, header, option, false);
-            // Where both interrupts are in one file the compiler finds them.
+            // If both interrupts are in one file, the compiler finds them.
             assertTrue(second.contains(linked) || second.matches("(?s).*redefinition of .void __vector_.*"), second);
         }
     }
 
-    /** What no build can see. Columns as above; a pin of PWM, or servos. */
+    /** Clashes that no build can see. Columns as above; a pin of PWM, or servos. */
     @ParameterizedTest
     @CsvSource({"uno, 0, Arduino.h, -DPWM=5", "uno, 1, Arduino.h, -DPWM=9", "uno, 1, Arduino.h, -DPWM=10",
             "mega, 0, Arduino.h, -DPWM=13", "mega, 1, Arduino.h, -DPWM=11", "mega, 3, Arduino.h, -DPWM=5",

@@ -8,7 +8,7 @@ public final class RadioTimer {
     private RadioTimer() {
     }
 
-    /** What to do about it. */
+    /** The line that says what to do about it. */
     static String ofTaken(int timer) {
         return OTHER_PART + timer + ", by analogWrite() or a library: write #define JAVINO_RADIO_TIMER "
                 + (timer == 0 ? 1 : 0) + " before you include JavinoBDI.h";

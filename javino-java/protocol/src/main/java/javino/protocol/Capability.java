@@ -10,7 +10,7 @@ public enum Capability {
     RADIO(1),
     /** A memory: address, keys and boot epoch outlive a boot. */
     MEMORY(2),
-    /** Of what needs a radio, it has sealed unicasts only: nothing to many, no renewal of keys. */
+    /** The board has sealed unicasts only: nothing to many, no renewal of keys. */
     UNICASTS_ONLY(4),
     /** It says when it has taken a request; all boards do but those of an earlier library. */
     SAYS_TAKEN(0);

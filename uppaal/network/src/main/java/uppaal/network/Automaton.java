@@ -25,7 +25,7 @@ public record Automaton(String name, int slot, List<Location> locations, List<Te
         transitions = List.copyOf(transitions);
     }
 
-    /** Where it is in a state. */
+    /** The automaton's location in a state. */
     public Location at(int[] state) {
         return locations.get(state[slot]);
     }

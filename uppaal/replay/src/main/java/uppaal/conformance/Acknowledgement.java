@@ -59,7 +59,7 @@ record Acknowledgement(Payload payload, String kind) {
         return is(FRAGMENTS) ? FRAGMENTS + payload.message().at(0) : kind;
     }
 
-    /** What a board of ours says must be so. */
+    /** Refuses an acknowledgement of a board of ours that says what is not so. */
     void check(BoardFrames board, double now, List<Frame> proved) throws RefusedException {
         if (is(FRAGMENTS)) {
             checkFragments(board, proved);
@@ -91,7 +91,7 @@ record Acknowledgement(Payload payload, String kind) {
                 String.format(Locale.ROOT, "%.1f to %.1f s", least, most));
     }
 
-    /** What a stale one says of how long its board is up, in seconds. */
+    /** The uptime of its board that a stale one tells, in seconds. */
     double uptime() {
         return UNIT * payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
     }

@@ -10,7 +10,7 @@ import trace.TraceEvent;
 final class Air {
     /** Without training, a board hears a packet from this bit on (SPEC 6). */
     static final int UNTRAINED_BITS = 30;
-    /** What makes more or less heard than the trace tells. */
+    /** Settings by which more or less is heard than the trace tells. */
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture", "loss", "module");
     private static final Set<String> BREAKS = Set.of("reset", "fault", "command", "crash");

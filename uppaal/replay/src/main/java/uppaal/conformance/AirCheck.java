@@ -23,7 +23,7 @@ final class AirCheck implements Check {
     private static final int SILENT_BITS = 10;
     /** Hosts have given up a board by then, also one whose loop() takes long. */
     private static final double HANGS_SECONDS = 10;
-    /** What a reset may take of a packet's end (emulator/README.md, rf-tx). */
+    /** The part of a packet's end that a reset may take (emulator/README.md, rf-tx). */
     private static final int LOST_BITS = 12;
 
     /** A board's side of the air. */
@@ -87,7 +87,7 @@ final class AirCheck implements Check {
         station.air.changes(point);
     }
 
-    /** Who hears nothing declares that at its next run(). */
+    /** A board that hears nothing declares that at its next run(). */
     private void checkRun(double now) throws RefusedException {
         double since = now - HANGS_SECONDS;
         if (air.isKnownSince(since) && air.isSilent(since, now)) {
@@ -223,7 +223,7 @@ final class AirCheck implements Check {
                 packet.payload().hex() + " of path " + packet.path());
     }
 
-    /** What a board that a packet reached has heard of it, and when. */
+    /** The part of a packet that a board has heard, and when. */
     private void checkHeard(TraceEvent event, Transmission packet) throws RefusedException {
         BoardAir board = station(event.board()).air;
         double from = event.real("start") + HEARD_BITS * bit;

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import trace.TraceEvent;
 
-/** What has come to each board, and what of it a point may be about. */
+/** The packets that have come to each board, and those that a point may be about. */
 final class Arrivals {
     /** By board and number, what it may not have read yet, and the last. Of two at once either may end first. */
     private final Map<String, TreeMap<Integer, Reception>> all = new HashMap<>();

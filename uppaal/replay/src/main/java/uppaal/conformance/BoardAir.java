@@ -77,7 +77,7 @@ final class BoardAir {
                 .orElse(Double.NEGATIVE_INFINITY);
     }
 
-    /** What comes after so many quiet slots in a row, and so many drawn ones. */
+    /** A wait of so many quiet slots in a row, and so many drawn ones. */
     Timer slots(Point point, int first, int drawn, String what) {
         return isTimed() ? new Timer(this, point.run(), slot, first, drawn, 1, what) : Timer.NONE;
     }

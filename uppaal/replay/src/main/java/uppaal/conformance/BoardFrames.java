@@ -20,7 +20,7 @@ final class BoardFrames {
     private static final int NO_KEY = 255;
     private static final int COUNTER_BITS = 24;
 
-    /** What its host wants to be sent. */
+    /** The messages that its host wants to be sent. */
     static final class Outgoing {
         /** Null where its host was not told the number. */
         final String destination;
@@ -48,7 +48,7 @@ final class BoardFrames {
     }
 
     final String name;
-    /** Of its clock, in seconds. */
+    /** A second of its clock, in seconds. */
     final double second;
     final Set<String> ids = new HashSet<>();
     final Eeprom eeprom = new Eeprom();

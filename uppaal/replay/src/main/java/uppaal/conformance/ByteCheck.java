@@ -25,7 +25,7 @@ final class ByteCheck implements Check {
     private final Map<String, Frame> frames = new BoundedMap<>();
     /** By origin and id, of what others have sent fragments: nothing proves those of a broadcast. */
     private final Set<String> touched = new HashSet<>();
-    /** Who has sent something with a trailer, and to whom; and whose partner has asked for parity. */
+    /** The senders of packets with a trailer, with their receivers, and those whose partner has asked for parity. */
     private final Set<String> trailed = new HashSet<>();
     private final Set<String> askedForParity = new HashSet<>();
     private final Header header;
@@ -50,7 +50,7 @@ final class ByteCheck implements Check {
         return boards.values().stream().filter(board -> board.ids.contains(address));
     }
 
-    /** What the device with this address was ever called. */
+    /** All names that the device with this address ever had. */
     private Set<String> names(String address) {
         return called(address).map(board -> board.ids).findFirst().orElse(Set.of(address));
     }
@@ -229,7 +229,7 @@ final class ByteCheck implements Check {
         }
     }
 
-    /** What the event says was said; null where it does not say that, and without keys it need not. */
+    /** The content that the event tells; null where it does not say that, and without keys it need not. */
     private Bytes content(TraceEvent event) {
         Optional<byte[]> said = event.said();
         if (said.isEmpty() && keys.areKnown()) {

@@ -23,7 +23,7 @@ interface Check {
     /** The trace has ended, perhaps in the middle of anything. */
     default void end() throws RefusedException {}
 
-    /** What it has checked, for the verdict: {@code 7 messages opened}, or nothing. */
+    /** The count of what it has checked, for the verdict: {@code 7 messages opened}, or nothing. */
     default String checked() {
         return "";
     }

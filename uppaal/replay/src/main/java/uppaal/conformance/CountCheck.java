@@ -23,7 +23,7 @@ final class CountCheck implements Check {
     /** After that without a new fragment a message is forgotten (SPEC 7.1). */
     static final double FORGOTTEN_SECONDS = 5;
 
-    /** What a board has declared since its last reset. */
+    /** The points that a board has declared since its last reset. */
     private static final class Declared {
         String last = "";
         /** The counters that the next point must be, or be for; nothing where it may be any. */
@@ -61,7 +61,7 @@ final class CountCheck implements Check {
         board.last = told;
 
         point.require(board.due == null || counter.filter(board.due::equals).isPresent(), "COUNT of " + board.due);
-        // What a relay has no memory for it refuses at once.
+        // A relay refuses at once a packet for which it has no memory.
         boolean isAlone = board.due == null && counter.filter(BEHIND::containsValue)
                 .filter(one -> one != Counter.RELAY_REFUSED).isPresent();
         point.require(!isAlone, "what it counts so before");
@@ -75,7 +75,7 @@ final class CountCheck implements Check {
         board.before = counter.filter(BEFORE::containsValue).orElse(null);
     }
 
-    /** What waits for its slots and hears a carrier is put off: it counts that once, in that run(). */
+    /** A packet that waits for its slots is put off by a carrier: its board counts that once, in that run(). */
     private static void defers(Declared board, Point point, Optional<Counter> counter) throws RefusedException {
         boolean counts = counter.equals(Optional.of(Counter.RADIO_DEFERRED));
         if (WAITS.contains(point.name())) {

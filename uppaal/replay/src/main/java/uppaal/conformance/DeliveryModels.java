@@ -21,7 +21,7 @@ final class DeliveryModels {
     /** A round is 150 ms: alone, where a relay may be there, and where one has copied the message. */
     private static final Map<String, Integer> ROUNDS =
             Map.of("PATIENCE", 1, "LATE_PATIENCE", 4, "RELAY_PATIENCE", 20);
-    /** What is set from outside: all that a guard asks of the channel and of how long a location lasts. */
+    /** The inputs of a model: all that a guard asks of the channel and of how long a location lasts. */
     private static final Map<String, Integer> OUTSIDE = Map.of("quiet", WIDEST, "to", ME, "from", PEER, "nonce",
             1, "genuine", 1);
 
@@ -49,7 +49,7 @@ final class DeliveryModels {
                 added -> new Model(FILE, template, ROUNDS, arguments)).instance(name);
     }
 
-    /** What a point's guard is to see, beside more. */
+    /** The values that a point's guard is to see. */
     static Map<String, Integer> outside(Map<String, Integer> more) {
         Map<String, Integer> all = new HashMap<>(OUTSIDE);
         all.putAll(more);

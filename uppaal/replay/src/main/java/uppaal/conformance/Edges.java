@@ -34,7 +34,7 @@ public final class Edges {
         for (Path run : runs) {
             taken.addAll(Files.readAllLines(run));
         }
-        // What becomes of a move or a handshake chance decides: what is not taken is told, and no fault.
+        // Chance decides the end of a move or a handshake: an edge that is not taken is told, and is no fault.
         count(runs.size() + " runs have taken", Replay.transitions(), taken, "of hosts");
         int count = count(runs.size() + " runs have taken", Replay.edges(), taken, "of the models");
         return count * ALL >= enough * Replay.edges().size() ? 0 : 1;

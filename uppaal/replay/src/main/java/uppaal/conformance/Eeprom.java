@@ -21,7 +21,7 @@ final class Eeprom {
     private static final int BYTE = 0x100;
 
     private final Map<Integer, Integer> bytes = new HashMap<>();
-    /** Where bytes were written since the last point. */
+    /** The addresses that were written since the last point. */
     private final Set<Integer> written = new HashSet<>();
     private long highest = -1;
     private long epoch;
@@ -79,7 +79,7 @@ final class Eeprom {
                 .map(record -> record.number(0, EPOCH)).filter(copy -> copy > highest).toList();
     }
 
-    /** Where something so long may begin of which a byte was written since the last point. */
+    /** The addresses at which a record so long may begin of which a byte was written since the last point. */
     IntStream begins(int length) {
         return written.stream().flatMapToInt(at -> IntStream.rangeClosed(at - length + 1, at)).distinct();
     }

@@ -42,7 +42,7 @@ final class FateCheck implements Check {
         boolean isRunning;
         /** Whether it counts packets: not where a sketch is a bare relay. */
         boolean isCounting;
-        /** What it has not told of; nothing where it may have missed it. */
+        /** The packet of which it has not told; null where it may have missed that. */
         Reception waits;
         /** The number of the last packet that it has told of. */
         int told;
@@ -106,8 +106,8 @@ final class FateCheck implements Check {
 
     private final Map<String, Receiver> receivers = new HashMap<>();
     /**
-     * Of boards that have lost no memory since their first epoch, when each packet began that they heard first; also
-     * the origins of damaged ones, which may have been mended.
+     * The times at which packets began that a board heard first, for boards that have lost no memory since their first
+     * epoch; also the origins of damaged ones, which may have been mended.
      */
     private final Map<String, Map<String, Double>> histories = new HashMap<>();
     private final Header header;
@@ -144,7 +144,7 @@ final class FateCheck implements Check {
                 "OWE_DELIVERED, as what its host has taken has come again");
         receiver.owes = receiver.isTakenAgain(counter) || receiver.owes && point.is("COUNT");
         boolean isCounted = counter.filter(COUNTED::contains).isPresent();
-        // What is whole by a fragment is queued, or counted as wrong, behind that.
+        // A message that a fragment completes is queued, or counted as wrong, behind that.
         boolean isOne = READ.contains(point.name()) || isCounted && !BESIDE.contains(counter.get());
         boolean isRead = isOne && receiver.fragmentAt != point.run();
         receiver.isCounting |= isCounted || !receiver.id.isEmpty();
@@ -162,7 +162,7 @@ final class FateCheck implements Check {
                 }
     }
 
-    /** What it tells is of the first packet that it can be of: those before it has missed, or ignored. */
+    /** A fate is of the first packet that it can be of: the board has missed or ignored those before. */
     private void read(Receiver receiver, Point point, Optional<Counter> counter) throws RefusedException {
         String told = counter.map(Counter::toString).orElse(point.name());
         String who = point.board() + (counter.isEmpty() ? " tells " : " counts ") + told + " of ";
@@ -182,7 +182,7 @@ final class FateCheck implements Check {
         }
     }
 
-    /** What a packet must be that is told so, if it is something else; else nothing. */
+    /** The kind of packet that has such a fate, if this one is of another kind; else nothing. */
     private String wrong(Receiver receiver, Point point, String told, Transmission packet) {
         Payload payload = packet.payload();
         boolean isForUs = payload.destination().equals(receiver.id) || payload.kind() == Payload.Kind.BROADCAST;

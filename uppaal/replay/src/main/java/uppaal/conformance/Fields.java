@@ -7,7 +7,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import trace.TraceEvent;
 
-/** What a line says of a packet beside its bytes must be what the bytes say. */
+/** A line's fields about a packet must be those that its bytes tell. */
 final class Fields {
     private static final int MOST_SHOWN = 40;
 

@@ -9,7 +9,7 @@ import javino.protocol.Payload;
 /** A frame of which the first packet was on the air: what is known of its bytes. */
 final class Frame {
     static final int HEADER = javino.protocol.Frame.HEADER_LENGTH;
-    /** Where a sealed content begins. */
+    /** The place of a sealed content. */
     static final int CONTENT_AT = HEADER + Payload.NONCE_LENGTH;
     static final String ALL = "////";
 
@@ -22,9 +22,9 @@ final class Frame {
     final int length;
     /** The id of its fragments; negative if it is in one packet. */
     final int fragmentId;
-    /** What it says; null where that is not known. */
+    /** The content; null where that is not known. */
     Bytes content;
-    /** What it is sealed with; null where that is not known. */
+    /** The key that seals it; null where that is not known. */
     SharedKey key;
     /** Whether it is under a board's address, and not of that board: nobody may hand it to a host. */
     boolean isForged;
@@ -32,7 +32,7 @@ final class Frame {
     int sent;
     /** The same by board: what has reached it, perhaps damaged. */
     final Map<String, Integer> reached = new HashMap<>();
-    /** What its packets have of it; null where that is not known. */
+    /** The bytes in its packets; null where they are not known. */
     private final Bytes[] parts;
 
     /** @param packet its first one */
@@ -52,12 +52,12 @@ final class Frame {
         return packet.isFragment() ? packet.fragmentId() : -1;
     }
 
-    /** What its first packet has: all, or the first fragment. */
+    /** The payload of its first packet: all, or the first fragment. */
     Bytes first() {
         return whole.bytes();
     }
 
-    /** What comes before its content. */
+    /** The bytes before its content. */
     Bytes head() {
         return first().slice(0, isSealed() ? CONTENT_AT : HEADER);
     }
@@ -81,7 +81,7 @@ final class Frame {
         return fragmentId >= 0;
     }
 
-    /** Who may ask for parity of whom. */
+    /** The pair of which one may ask the other for parity. */
     String pair() {
         return origin + destination;
     }
@@ -95,7 +95,7 @@ final class Frame {
         return nonce.number(0, Payload.NONCE_LENGTH);
     }
 
-    /** What a host is told of its nonce: the last byte of the epoch, and the last two of the counter (SPEC 4.3). */
+    /** The part of its nonce that a host is told: the epoch's last byte, and the counter's last two (SPEC 4.3). */
     String id() {
         return nonce.length() == 0 ? "000000" : Bytes.join(nonce.slice(2, 3), nonce.from(4)).hex();
     }

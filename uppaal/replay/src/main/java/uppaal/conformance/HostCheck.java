@@ -12,8 +12,8 @@ import java.util.stream.Stream;
 import trace.TraceEvent;
 
 /**
- * What passes between hosts and boards, beside what {@link ModelReplay} sees of a message: delivered means taken; each
- * id comes once, in order; outcomes are told, for one device in order; hosts take only what they were handed.
+ * The rules between hosts and boards, beside those that {@link ModelReplay} checks of a message: delivered means taken;
+ * each id comes once, in order; outcomes are told, for one device in order; hosts take only what they were handed.
  */
 final class HostCheck implements Check {
     private static final int NUMBERS = 256;
@@ -21,7 +21,7 @@ final class HostCheck implements Check {
 
     /** A message as a board hands it over: its origin and destination, and its id. */
     private record Identity(String board, String link, String id) {
-        /** Of two epochs only the last byte is known. */
+        /** The last byte is all that is known of two epochs. */
         boolean isAfter(Identity before) {
             int further = Math.floorMod(number() - before.number(), COUNTERS);
             return !board.equals(before.board) || !link.equals(before.link)
@@ -50,7 +50,7 @@ final class HostCheck implements Check {
         int next = -1;
         /** The number of the first in the inbox. */
         int first;
-        /** What its host has taken, and was not told yet to have. */
+        /** The messages that its host has taken, and was not told yet to have. */
         final List<Identity> unconfirmed = new ArrayList<>();
         /** The outcomes that its host was not told yet. */
         final List<String> outcomes = new ArrayList<>();
@@ -74,7 +74,7 @@ final class HostCheck implements Check {
     private final Map<String, Side> sides = new HashMap<>();
     /** By board with a host, empty until it said hello: another's sketch sends what it likes. */
     private final Map<String, String> addresses = new HashMap<>();
-    /** What hosts have taken, and whether they know that their boards remember it over resets, too. */
+    /** The messages that hosts have taken, and whether they know that their boards remember it over resets, too. */
     private final Map<Identity, Boolean> taken = new BoundedMap<>();
 
     HostCheck(Header header) {}

@@ -38,7 +38,7 @@ final class HostMachine {
     private final Set<String> came = new HashSet<>();
     /** Whether it may have begun before the trace did. */
     boolean mayBeOld;
-    /** What its agent is called here, as the host has said since it was started. */
+    /** The name of its agent here, as the host has told since it was started. */
     Optional<String> name = Optional.empty();
     /** The agent that moves; nothing where that is not known. */
     Optional<AgentParts> agent = Optional.empty();
@@ -117,7 +117,7 @@ final class HostMachine {
         return false;
     }
 
-    /** What its host may say. */
+    /** The messages that its host may send. */
     Stream<String> words() {
         return states.stream().flatMap(Set::stream).flatMap(this::says);
     }

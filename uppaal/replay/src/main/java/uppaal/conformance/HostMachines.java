@@ -30,7 +30,7 @@ final class HostMachines implements Check {
     private static final Map<String, String> OTHERS = Map.of("departure", "arrival", "arrival", "departure",
             "initiator", "responder", "responder", "initiator");
     private static final Set<String> OF_MOVES = Set.of("departure", "arrival");
-    /** What hosts tell apart, and the models do not. */
+    /** The states that hosts tell apart, and the models do not. */
     private static final Map<String, String> REFINED = Map.ofEntries(entry("sending", "offered"),
             entry("sent", "offered"), entry("cloned", "gone"), entry("asked", "none"), entry("coming", "coming none"),
             entry("repeating", "coming none"), entry("waking", "here"), entry("waiting", "idle"),
@@ -42,7 +42,7 @@ final class HostMachines implements Check {
     static final Set<String> TRANSITIONS = MODELS.keySet().stream().flatMap(machine -> MODELS.get(machine).transitions()
             .map(step -> machine + ": " + step)).collect(Collectors.toCollection(TreeSet::new));
     private static final String AWAY = "";
-    /** Of the id of a move in a body; that of a handshake comes behind as many bytes. */
+    /** The length of a move's id in a body; that of a handshake comes behind as many bytes. */
     private static final int ID = 4;
 
     private final Map<HostMachine.Key, HostMachine> machines = new BoundedMap<>();
@@ -51,7 +51,7 @@ final class HostMachines implements Check {
     private final Set<String> telling = new HashSet<>();
     /** By a host that has told nothing, what it has said first. */
     private final Map<String, String> untold = new HashMap<>();
-    /** Of {@link AgentParts}. */
+    /** The count of {@link AgentParts}. */
     private final Map<String, Integer> kept = new BoundedMap<>();
     /** By agent, the host where it is awake. */
     private final Map<String, String> awake = new BoundedMap<>();
@@ -107,7 +107,7 @@ final class HostMachines implements Check {
                 && machine.key.peer().equals(peer));
     }
 
-    // What a host tells of itself
+    // The states that a host tells
 
     private void tell(TraceEvent event) throws RefusedException {
         HostMachine.Key key = new HostMachine.Key(event.text("machine"), event.text("host"), event.text("peer"),
@@ -143,7 +143,7 @@ final class HostMachines implements Check {
         }
     }
 
-    /** What is sealed nobody else can have said; a message 1 anybody can. */
+    /** A sealed message can be of its sender only; a message 1 of anybody. */
     private boolean mayHaveSaid(HostMachine.Key key, String word) {
         return word.equals("first") || !telling.contains(key.host())
                 || machines.containsKey(key) && machines.get(key).maySay(word);
@@ -164,7 +164,7 @@ final class HostMachines implements Check {
         }
     }
 
-    // What hosts say to each other
+    // The messages of hosts to each other
 
     /** A host wants a message to be sent, or is handed one. */
     private void message(String host, TraceEvent event) throws RefusedException {
@@ -194,7 +194,7 @@ final class HostMachines implements Check {
         return message.kind().use() == Use.MOVE;
     }
 
-    /** What the models call a message; empty where they do not speak of it. */
+    /** The models' name of a message; empty where they do not have it. */
     private static String word(HostMessage message) {
         return switch (message.kind()) {
             case MESSAGE_1, RENEWAL_1 -> "first";
@@ -235,7 +235,7 @@ final class HostMachines implements Check {
         require(right.isEmpty(), whose, right);
     }
 
-    /** What is right in place of the bytes of a message; nothing where they are. */
+    /** The bytes that a message must have, if it has others; else nothing. */
     private String right(HostMachine machine, HostMessage message) {
         Bytes body = message.body();
         if (message.kind() == Kind.MOVE_OFFER && machine.agent.isEmpty()) {

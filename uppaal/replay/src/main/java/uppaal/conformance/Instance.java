@@ -44,7 +44,7 @@ final class Instance {
         return Arrays.asList(locations).contains(location());
     }
 
-    /** What a variable or clock holds. */
+    /** The value of a variable or clock. */
     int get(String variable) {
         return model.term(variable).value(state);
     }

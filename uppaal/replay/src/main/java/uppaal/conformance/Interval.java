@@ -1,6 +1,6 @@
 package uppaal.conformance;
 
-/** What is known only to lie between two numbers. */
+/** A value that is known only to lie between two numbers. */
 record Interval(double least, double most) {
 
     static final Interval ANY = new Interval(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);

@@ -14,7 +14,7 @@ import uppaal.document.Edge;
 import uppaal.document.Template;
 
 /**
- * What a template says of a host's machine. Its states are the template's ordinary locations; a step is an edge between
+ * A host's machine as a template has it. Its states are the template's ordinary locations; a step is an edge between
  * two of them, or several through urgent and committed ones.
  */
 final class MachineModel {
@@ -90,14 +90,14 @@ final class MachineModel {
         return steps.stream().filter(step -> step.from.equals(state));
     }
 
-    /** Where a step leads, behind what came; to {@code over} also before the first and behind the last. */
+    /** The states to which a step leads, behind what came; {@code over} also before the first and behind the last. */
     Set<String> next(String state, Predicate<String> came) {
         boolean mayEnd = state.equals(initial) || from(state).findAny().isEmpty();
         return Stream.concat(from(state).filter(step -> step.isBehind(came)).map(Step::to),
                 Stream.of("over").filter(end -> mayEnd)).collect(Collectors.toSet());
     }
 
-    /** What may be said in a state, behind what came. */
+    /** The messages that may be sent in a state, behind what came. */
     Stream<String> says(String state, Predicate<String> came) {
         return steps.stream().filter(step -> step.to.equals(state) && (!step.isStay() || step.isBehind(came)))
                 .flatMap(step -> step.says.stream());

@@ -36,7 +36,7 @@ final class MemoryCheck implements Check {
     /** A message that the inbox has taken in, and the floors that may cover it. */
     private record Queued(int nonce, int key, Map<Bytes, Bytes> floors) {}
 
-    /** What a board has stored. */
+    /** The records that a board has stored. */
     private static final class Memory {
         final Eeprom eeprom = new Eeprom();
         /** The highest nonce by key's place and origin; and the same since memory was lost, which alone may cover. */
@@ -47,13 +47,13 @@ final class MemoryCheck implements Check {
         /** Whether it has told that since its last reset, and whether its power was cut then. */
         boolean isTold;
         boolean wasOff;
-        /** Where the ring of floors begins; negative while that is not known. */
+        /** The address at which the ring of floors begins; negative while that is not known. */
         int ring = -1;
         /** The beginning of the last key's record that was written, and of that which was stored; empty for none. */
         Bytes writtenKey = Bytes.EMPTY;
         Bytes storedKey = Bytes.EMPTY;
         double keyStoredAt = -1;
-        /** Where that record was written, and where the first key's place is; negative while that is not known. */
+        /** The address of that record, and that of the first key's place; negative while that is not known. */
         int keyAt = -1;
         int keysAt = -1;
         /** By place, the address of each key that was stored since the trace began. */

@@ -96,7 +96,7 @@ final class Model {
         return automaton.locations().get(index);
     }
 
-    /** What a name stands for in the template: a constant, a variable or a clock. */
+    /** The meaning of a name in the template: a constant, a variable or a clock. */
     Term term(String name) {
         return automaton.scope().term(name).orElseThrow(
                 () -> new ModelException(network.file() + ", template " + template, "there is no '" + name + "'"));
@@ -107,7 +107,7 @@ final class Model {
         return term(constant).value(new int[0]);
     }
 
-    /** Where a state holds a variable or a clock. */
+    /** The place of a variable or a clock in a state. */
     int slot(String variable) {
         Term term = term(variable);
         return term instanceof Term.Clock clock ? clock.slot() : ((Term.Variable) term).slot();

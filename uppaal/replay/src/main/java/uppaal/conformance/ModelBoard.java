@@ -14,14 +14,14 @@ import java.util.Optional;
 import java.util.Set;
 import javino.protocol.Counter;
 
-/** What a board declares of its messages, and what its host says of them. */
+/** A board's points about its messages, and its host's word about them. */
 final class ModelBoard {
     private static final int NO_KEY = 255;
     private static final int NUMBERS = 256;
     private static final Set<String> OF_SENDERS = Set.of("TAKE_UP", "RESEAL", "CONTEND", "PASSED", "SEND_PART", "SEND",
             "PART_SENT", "AWAIT", "COPIED", "ATTEMPT_FAILED", "FRAGMENTS_KNOWN", "FRAGMENTS_NEW", "STALE_HEARD", "SENT",
             "DELIVERED", "UNDELIVERED");
-    /** What may be declared between that a host has taken a message and that an acknowledgement is owed. */
+    /** The points between a message's being taken by a host and its acknowledgement's being owed. */
     private static final Set<String> WITHIN_TAKING = Set.of("OWE_DELIVERED", "COUNT", "FLOOR_STORED");
 
     private final DeliveryModels models;
@@ -34,7 +34,7 @@ final class ModelBoard {
     /** In the order in which they came. */
     private final Map<Integer, Receiving> receiving = new LinkedHashMap<>();
     private int nextMessage;
-    /** Of each key's sender the last that the host has taken: its repeats are acknowledged again. */
+    /** The last message of each key's sender that the host has taken: its repeats are acknowledged again. */
     private final Map<Integer, Receiving> taken = new HashMap<>();
     private final Deque<Receiving> unacknowledged = new ArrayDeque<>();
     private final Set<Integer> goneKeys = new HashSet<>();

@@ -1,6 +1,6 @@
 package uppaal.conformance;
 
-/** What boards and emulator cannot tell more exactly: all tolerances of the replay. */
+/** All tolerances of the replay: boards and emulator tell nothing more exactly. */
 final class PhysicalLimits {
     /** The emulator's decoder of the air may tell an edge later by so many bits ({@code sniffer.c}). */
     static final int ARRIVAL_BITS = 8;

@@ -47,7 +47,7 @@ record Point(TraceEvent event, String name, int number, List<Reception> packets)
         return event.number(operand);
     }
 
-    /** What it counts, if it is a COUNT. */
+    /** The counter, if it is a COUNT. */
     Optional<Counter> counter() {
         return is("COUNT") ? Counter.of(operand("counter")) : Optional.empty();
     }

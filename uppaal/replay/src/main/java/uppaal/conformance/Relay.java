@@ -21,11 +21,11 @@ final class Relay {
     private static final int MOST_SLOTS = 256;
     private static final int ADDRESSES = 32;
     private static final int FIRST_SCORE = 1;
-    /** Of time on the air, in milliseconds, and as a share of all time. */
+    /** The limits of time on the air, in milliseconds, and as a share of all time. */
     private static final double MOST_CREDIT = 4000;
     private static final double SHARE = 0.1;
     private static final int MILLIS = 1000;
-    /** What it counts of packets that it may have to copy. */
+    /** The counters of packets that it may have to copy. */
     private static final Set<Counter> FOR_OTHERS = Set.of(Counter.RADIO_NOT_FOR_US, Counter.RADIO_BLOCKED);
 
     private final double bit;
@@ -36,7 +36,7 @@ final class Relay {
     private final Map<Integer, Integer> scores = new BoundedMap<>(ADDRESSES);
     /** Likewise, bit h for a packet from there with h hops behind it. */
     private final Map<Integer, Integer> hops = new HashMap<>();
-    /** What it may still spend on packets for many, and on others. */
+    /** The time that it may still spend on packets for many, and on others. */
     private final Map<Boolean, Interval> credits;
     private double filled;
     private final String id;
@@ -189,7 +189,7 @@ final class Relay {
         }
     }
 
-    /** What is told of the distance of a packet's destination, is unknown or one more than some hops. */
+    /** Whether the told distance of a packet's destination is unknown, or one more than some hops. */
     private void checkKnown(String who, Payload packet, int told) throws RefusedException {
         int one = 1 << (told + 2) % TraceEvent.HOPS;
         require(told == 0 || (hops.getOrDefault(number(packet.destination()), 0) & one) != 0,

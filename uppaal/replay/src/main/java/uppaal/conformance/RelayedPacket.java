@@ -4,7 +4,7 @@ import java.util.Map;
 import javino.protocol.Payload;
 import trace.TraceEvent;
 
-/** What a relay knows of one of its packets: a copy of {@code relay.xml}'s automaton, and times. */
+/** One packet of a relay: a copy of {@code relay.xml}'s automaton, and times. */
 final class RelayedPacket {
     static final String RULE = "rule[1]";
 
@@ -70,7 +70,7 @@ final class RelayedPacket {
         };
     }
 
-    /** What RELAY_NEW tells of it. */
+    /** The packet as RELAY_NEW tells of it. */
     static int mark(Payload packet) {
         return packet.bytes().length() > MARK_AT ? packet.bytes().at(MARK_AT) : 0;
     }

@@ -20,12 +20,12 @@ public final class Replay {
             RelayCheck::new, FateCheck::new, ByteCheck::new, HostCheck::new, HostMachines::new, MemoryCheck::new,
             CountCheck::new);
 
-    /** What may be refused. */
+    /** A step that may be refused. */
     private interface Refusable {
         void run() throws RefusedException;
     }
 
-    /** What a check is told. */
+    /** A call that tells a check something. */
     private interface Told {
         void to(Check check) throws RefusedException;
     }

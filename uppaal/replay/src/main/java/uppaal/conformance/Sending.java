@@ -6,7 +6,7 @@ import java.util.Map;
 final class Sending {
     private static final int FIRST_SLOTS = 6;
     private static final int MOST_SLOTS_OF_TURN = 7;
-    /** What the automaton's sender hears, as the model has it. */
+    /** The packets that the automaton's sender hears, as the model has it. */
     private static final Map<String, Integer> KINDS = Map.of("DELIVERED", 2, "FRAGMENTS_KNOWN", 3, "FRAGMENTS_NEW", 3,
             "STALE_HEARD", 4, "COPIED", 7);
 
@@ -59,7 +59,7 @@ final class Sending {
             instance.take(point, "QUIET", Map.of()); // its patience was over as its board began to send
         }
         if (point.is("CONTEND") && instance.isAt("Contending", "Deferred")) {
-            // What it draws anew, once another device is acknowledged, changes when it sends, and nothing else.
+            // A wait that is drawn anew, once another device is acknowledged, changes only when the board sends.
             point.require(point.operand("slots") <= MOST_SLOTS_OF_TURN, "at most " + MOST_SLOTS_OF_TURN + " slots");
         } else if (isOfNoUse(point)) {
             return;

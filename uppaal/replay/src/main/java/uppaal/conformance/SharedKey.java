@@ -7,7 +7,7 @@ import javino.vectors.Crypto;
 
 /** A key that devices share, as two that come from it: what they seal and prove with it (SPEC 5 and 7.3). */
 record SharedKey(Bytes encryption, Bytes authentication) {
-    /** What a proof's type differs by where its maker asks for parity. */
+    /** The bit of a proof's type that is set where its maker asks for parity. */
     static final int ASKS_PARITY = 0x10;
 
     /** @param key 16 bytes */
@@ -16,7 +16,7 @@ record SharedKey(Bytes encryption, Bytes authentication) {
                 Bytes.copyOf(Crypto.kdf(key.toArray(), "JavinoMac")));
     }
 
-    /** What a frame is with this content, as it crosses the air; its header and its nonce are given. */
+    /** The frame with this content as it crosses the air; its header and its nonce are given. */
     Bytes seal(Bytes head, Bytes content) {
         Bytes destination = head.slice(0, Address.LENGTH);
         Bytes origin = head.slice(Address.LENGTH, 2 * Address.LENGTH);

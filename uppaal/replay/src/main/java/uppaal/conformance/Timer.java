@@ -2,7 +2,7 @@ package uppaal.conformance;
 
 import java.util.Locale;
 
-/** What a board does after some quiet slots or milliseconds in a row, and others that count on after each carrier. */
+/** A wait of a board for some quiet slots or milliseconds in a row, and others that count on after each carrier. */
 final class Timer {
     /** None, or one of which the trace does not tell enough. */
     static final Timer NONE = new Timer(null, 0, 0, 0, 0, 0, "");

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What boards must not put on the air, by scripts of {@link TestTrace}: the last step is the one that is refused. */
+/** Packets that boards must not put on the air, by scripts of {@link TestTrace}: the last step is refused. */
 class ByteCheckTest {
     private static final String ASKED = "police asks SUPP help; police seals 0; ";
     private static final String SENT = ASKED + "police sends 0 s:SUPP:0:help; ";
@@ -58,7 +58,7 @@ class ByteCheckTest {
             "police does reset why=power; police does host-id id=SUPO epoch=000000 | 0, 0",
             "ASKED; police asks //SU help; police seals 1 1; police sends 1 s://SU:1:help; "
                     + "police sends 0 s:SUPP:0:help | 2, 0",
-            // What is stale is sealed anew above the floor.
+            // A stale message is sealed anew above the floor.
             "LATE; support answers STALE a:0:00000100001f0029; police STALE_HEARD number=0; "
                     + "police RESEAL number=0 key=0; police sends 0 s:SUPP:20:help | 2, 1",
             "STALE; support answers STALE a:0:00000100001f0015; police sends 0 s:SUPP:0:help; "
@@ -177,7 +177,7 @@ class ByteCheckTest {
             // Trailers.
             "ASKED; police sends 0 s:SUPP:0:help + mark | one only behind a packet that is sent again",
             "SENT; police sends 0 s:SUPP:0:help + parity | expected that its partner asks for parity first *",
-            // What a host is handed.
+            // Messages that a host is handed.
             "SENT; support hands 0 SUPP 010000 halp | support hands its host 'halp' from SUPO; expected 'help'",
             "SENT; support hands 0 SUPP 010001 help | support hands its host 'help' from SUPO; "
                     + "expected a message that it",

@@ -4,7 +4,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What passes between hosts and boards, by scripts of {@link TestTrace}. */
+/** The rules between hosts and boards, by scripts of {@link TestTrace}. */
 class HostCheckTest {
     private static final String SENT = "police asks SUPP help; police seals 0; police sends 0 s:SUPP:0:help; ";
     private static final String HANDED = SENT + "support queues 0; support hands 0 SUPP 010000 help; ";
@@ -32,7 +32,7 @@ class HostCheckTest {
             "TAKEN; support does host-taking number=0; support does host-nothing; support does host-nothing",
             "TAKEN; support queues 1; support queues 2; support hands 1 SUPP 010001 a; support hands 2 SUPP 010002 b; "
                     + "support does host-taking number=2; support TAKEN message=2; support does host-taken number=2",
-            // What was not taken comes again after a reset.
+            // A message that was not taken comes again after a reset.
             "HANDED; support does reset why=power; support queues 0; support hands 0 SUPP 010000 help",
             "HANDED; support does host-taking number=0; support TAKEN message=0; support boots 000002; "
                     + "support queues 0; support hands 0 SUPP 010000 help",

@@ -21,7 +21,7 @@ import trace.TraceEvent;
 import trace.TraceReader;
 
 /**
- * What hosts must not tell, and not say. {@code hosts/walker.jsonl} is what two boards did of which {@code home} sent
+ * States that hosts must not tell, and messages that they must not send. In {@code hosts/walker.jsonl} {@code home} sent
  * an agent to {@code away}, from where it came back ({@code test/system}'s {@code MovesTest}); in
  * {@code hosts/handshake.jsonl} {@code bus} begins a handshake with {@code police}. They are changed by hand here, by
  *
@@ -160,7 +160,7 @@ class HostMachinesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            // Where a state is not told.
+            // A state is not told.
             "drop home tells departure offered 1 | home's host says 'offer' to SUBB; expected that it tells first",
             "drop home tells departure gone 1 | 'go' to SUBB of departure 929240ac with SUBB; expected one of [data, ",
             "drop away tells arrival coming 1 | says 'want' to SUSS; expected that it tells first of a machine",
@@ -168,7 +168,7 @@ class HostMachinesTest {
             "drop away tells arrival here 1 | says 'awake' to SUSS of arrival 929240ac with SUSS; expected one of [rea",
             "drop away tells departure offered 2 | away's host says 'offer'",
             "drop home tells arrival coming 2 | home's host says 'want'",
-            // Where one is told too early, too late, or that is none.
+            // A state is told too early, too late, or is none.
             "after home tells departure offered 1; home tells departure gone 1 | is 'gone'; expected 'offered', or",
             "after home says G 1; home tells departure away 1 | is 'away'; expected 'gone', or from there 'away' ",
             "after home says O 1; home tells departure away 1 | is 'away'",
@@ -183,7 +183,7 @@ class HostMachinesTest {
             "after home says O 1; home tells departure sending 1; home tells departure cloned 1 | is 'cloned'",
             "after home says O 1; home tells session proven 1 | expected a handshake with it that was 'setting'",
             "after home says O 1; home tells courier gone 1 | courier 929240ac with SUBB is 'gone'; expected one of [",
-            // Where a message is missing, or the other side cannot have said it.
+            // A message is missing, or the other side cannot have sent it.
             "drop away hears O 1 | away's host says 'want'",
             "drop home hears W 1 | home's host says 'data'",
             "drop away hears D 1 | is 'ready'",
@@ -191,7 +191,7 @@ class HostMachinesTest {
             "drop away hears G 1 | SUBB tells that its arrival 929240ac with SUSS is 'here'",
             "drop home hears A 1 | is 'away'",
             "after away says O 2; away hears R 2; away tells departure gone 2 | departure 1061c445 with SUSS is 'gone'",
-            // Of one agent one is awake.
+            // One of an agent's bodies is awake.
             "after away says A 1; away tells departure offered 3; home hears O 3; home tells arrival ready 3; "
                     + "away hears R 3; away tells departure gone 3; home hears G 3; home tells arrival here 3 "
                     + "| expected 'SUSSwalker' nowhere else; it is awake at SUBB",
@@ -270,7 +270,7 @@ class HostMachinesTest {
             "after home tells departure gone 1; home says O 1",
             "after away tells arrival here 1; away says R 1",
             "after home says G 1; home hears R 1; home hears R 1; home says G 1",
-            // What was said is said again.
+            // A message is sent again.
             "after home says O 1; home says O 1",
             "after away says R 1; away says R 1",
             "after away says A 1; away hears G 1; away says A 1; away hears O 1; away says A 1",

@@ -4,7 +4,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What boards say of their EEPROM, by scripts of {@link TestTrace}. */
+/** Boards' points about their EEPROM, by scripts of {@link TestTrace}. */
 class MemoryCheckTest {
     private static final String STORE = "support stores 300 F F; support FLOOR_STORED key=0 place=0; ";
     private static final String KEY =

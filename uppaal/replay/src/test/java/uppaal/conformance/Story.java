@@ -12,10 +12,9 @@ import java.util.function.Function;
 import javino.protocol.Airtime;
 
 /**
- * What boards a, b and c send, hear and declare, as {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}, or a line
- * each: words in capital letters are points, whose run() came 1 ms behind the one before, or a
- * {@code gap}. All is of b unless a board
- * is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c). A point names the packet that has
+ * A story of boards a, b and c, by what they send, hear and declare, as
+ * {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}, or a line each: words in capital letters are points, whose run()
+ * came 1 ms behind the one before, or a {@code gap}. All is of b unless a board is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c). A point names the packet that has
  * come last, if it names none.
  */
 final class Story {

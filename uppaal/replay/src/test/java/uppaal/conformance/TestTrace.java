@@ -140,7 +140,7 @@ final class TestTrace {
         }
     }
 
-    /** Of a number it also tells the turn. */
+    /** A point of a number, with its turn. */
     private void point(String board, String name, String... operands) {
         if (operands.length != 0 && operands[0].startsWith("number=") && !name.equals("TURN")
                 && !operands[0].equals(turns.put(board, operands[0]))) {
