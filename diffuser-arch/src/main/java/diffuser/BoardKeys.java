@@ -70,6 +70,11 @@ final class BoardKeys implements KeyService.Host {
     }
 
     @Override
+    public boolean hasBroadcasts() {
+        return !device.hasUnicastsOnly();
+    }
+
+    @Override
     public Transmission transmitAsIs(Address to, Message message) {
         Transmission begun = session.join().transmit(to, message);
         return new Transmission(begun.taken(), begun.end().thenApply(device::ended));

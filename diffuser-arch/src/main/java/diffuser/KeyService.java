@@ -22,6 +22,9 @@ public interface KeyService extends HostService {
     /** The board, and the agent behind it. For any thread; no method waits, and futures fail as a board's. */
     interface Host {
 
+        /** Whether the board has broadcasts, by which devices agree on keys. */
+        boolean hasBroadcasts();
+
         /** Has the board transmit a message as it is. */
         Transmission transmitAsIs(Address to, Message message);
 

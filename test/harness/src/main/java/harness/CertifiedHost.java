@@ -111,6 +111,11 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     }
 
     @Override
+    public boolean hasBroadcasts() {
+        return true;
+    }
+
+    @Override
     public Transmission transmitAsIs(Address to, Message message) {
         Transmission begun = board.join().transmit(to, message);
         latest.add(begun.end());
