@@ -15,6 +15,10 @@
 #define RECORD_HEADER_LENGTH 3
 // The place of the epoch in the reply to hello, behind version and RF id.
 #define EPOCH_AT 5
+// The capabilities stand behind it; where a board of an earlier library has its name is a byte of NAME_FROM or more.
+#define CAPABILITIES_AT 8
+#define NAME_FROM 0x20
+#define UNICASTS_ONLY 0x04
 // Places in a message record, behind the number.
 #define DESTINATION_AT 1
 #define ORIGIN_AT 5
@@ -101,6 +105,7 @@ static void write_id(serial_sniffer *s, cycles_t at) {
   begin(s, at, "host-id");
   trace_utf8(s->out, "id", s->id, ADDRESS_LENGTH);
   trace_hex(s->out, "epoch", s->epoch, SERIAL_EPOCH_LENGTH);
+  if (s->unicasts_only) trace_flag(s->out, "unicastsOnly", true);
   trace_end(s->out);
 }
 
@@ -283,6 +288,8 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
       if (length < EPOCH_AT + SERIAL_EPOCH_LENGTH) break;
       memcpy(s->id, body + 1, ADDRESS_LENGTH);
       memcpy(s->epoch, body + EPOCH_AT, SERIAL_EPOCH_LENGTH);
+      s->unicasts_only =
+          length > CAPABILITIES_AT && body[CAPABILITIES_AT] < NAME_FROM && body[CAPABILITIES_AT] & UNICASTS_ONLY;
       write_id(s, at);
       break;
     case 'I':

@@ -46,6 +46,7 @@ typedef struct {
   const char *board;
   uint8_t id[4];  // the RF id, `++++` as long as it was not told
   uint8_t epoch[SERIAL_EPOCH_LENGTH];
+  bool unicasts_only;  // it has sealed unicasts only, as it said at hello
   serial_line from_host, from_board;
   serial_request request;  // the last one
   bool waiting;            // it has no reply yet

@@ -173,6 +173,22 @@ TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given) {
   EXPECT_EQ(ids[1].text("epoch"), "000001");
 }
 
+TEST(SerialSniffer, tells_of_a_board_with_sealed_unicasts_only_and_not_of_an_earlier_one_whose_name_looks_so) {
+  Line line;
+  const Bytes hello = {0, 1, 'R', 'O', 'M', 'A', 0, 0, 1};
+  uint8_t sequence = 1;
+  for (uint8_t capabilities : Bytes{7, 3, 'l'}) {
+    line.host(sequence, TO_BOARD, {'H', 1});
+    line.board(sequence++, joined({hello, {capabilities}, bytes("amp")}));
+    line.host(sequence, TO_BOARD, joined({bytes("ISUPO")}));
+    line.board(sequence++, {0});
+  }
+  auto ids = line.events("host-id");
+  ASSERT_EQ(ids.size(), 6u);
+  for (size_t i = 0; i < ids.size(); i++)
+    EXPECT_EQ(json_is_true(json_object_get(ids[i].fields, "unicastsOnly")), i < 2) << i;
+}
+
 TEST(SerialSniffer, tells_the_epoch_that_a_board_is_raised_to_and_no_lower_one) {
   Line line;
   line.greet();

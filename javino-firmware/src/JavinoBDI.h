@@ -39,10 +39,8 @@ using JavinoRadio = javinolib::Radio;
 using JavinoReceived = javinolib::Received;
 using JavinoRadioCounters = javinolib::RadioCounters;
 
-#ifndef __AVR__
 // And of another memory.
 using JavinoEeprom = javinolib::Eeprom;
-#endif
 
 JAVINO_EACH_NAME(JAVINO_BRING_BACK)
 #undef JAVINO_MACROS_ARE_ASIDE

@@ -107,14 +107,17 @@ class ArduinoRadioBoard : public ArduinoBoard<Board> {
 #endif
   }
 
-#ifndef __AVR__
-  // One whose keys are in another memory than the core's `EEPROM`, which outlives the board.
+  // One whose keys are in another memory than the core's `EEPROM`, which outlives the board. An AVR needs none.
   template <typename Port>
   ArduinoRadioBoard(Port &port, const char *firmwareName, Radio &radio, Eeprom &memory)
       : ArduinoBoard<Board>(hostPort(port), firmwareName, radio) {
+#ifdef __AVR__
+    static_assert(sizeof(Port) == 0, "an AVR has its own EEPROM for keys: leave out the board's fourth argument");
+    (void)memory;
+#else
     eeprom::use(memory);
-  }
 #endif
+  }
 };
 
 }  // namespace javinolib

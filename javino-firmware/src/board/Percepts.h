@@ -60,7 +60,7 @@ class Percepts {
   // A name without F("…") would lie in RAM: the compiler says what to write.
   template <typename... Rest>
   void add(const char *, Rest...) {
-    static_assert(sizeof...(Rest) > 3, "write the name as in percepts.add(F(\"light\"), 5)");
+    static_assert(sizeof...(Rest) + 1 == 0, "write the name as in percepts.add(F(\"light\"), 5)");
   }
   template <typename Happens>
   void event(const char *, Happens) {

@@ -10,8 +10,8 @@ namespace javinolib {
 /// The AES-128 block cipher, forward direction only (FIPS 197); CFB and CMAC need no other.
 ///
 /// No branch and no loop depends on key or data. The S-box is read from flash, whose access takes the same time at
-/// every address of an AVR, which has no cache. The round keys take 176 bytes, or 32 where JAVINO_ROUND_KEYS (Config.h) is
-/// 0; they are wiped at the end of life.
+/// every address of an AVR, which has no cache. The round keys take 176 bytes, or 32 on a small board;
+/// they are wiped at the end of life.
 class Aes128 {
  public:
   static const uint8_t BLOCK_LENGTH = 16;

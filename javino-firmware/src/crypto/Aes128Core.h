@@ -17,6 +17,9 @@
 #define JAVINO_ROUND_KEYS_LENGTH 176
 #else
 #define JAVINO_ROUND_KEYS_LENGTH 32
+// Names of their own: a program whose files were compiled with different profiles does not link.
+#define javino_aes128_expand javino_aes128_expand_small
+#define javino_aes128_encrypt javino_aes128_encrypt_small
 #endif
 
 #ifndef __ASSEMBLER__

@@ -25,11 +25,10 @@ uint8_t *ByteQueue::lend(Length length) {
 
 void ByteQueue::remove(uint8_t *bytes) {
   uint8_t *const head = bytes - HEAD_LENGTH;
-  const uint8_t *const behind = bytes + recordAt(head).length;
-  const uint8_t *const end = block_ + used_;
-  memmove(head, behind, static_cast<Length>(end - behind));
-  used_ = static_cast<Length>(used_ - (behind - head));
+  const Length length = static_cast<Length>(HEAD_LENGTH + recordAt(head).length);
+  used_ = static_cast<Length>(used_ - length);
   count_--;
+  memmove(head, head + length, static_cast<Length>(block_ + used_ - head));
 }
 
 ByteQueue::Record ByteQueue::recordAt(uint8_t *head) const {

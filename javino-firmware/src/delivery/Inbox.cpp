@@ -13,18 +13,21 @@ const uint8_t Inbox::NONCE_AT;
 const uint8_t Inbox::HEAD_LENGTH;
 
 void Inbox::add(uint8_t slot, const uint8_t *frame, Length length) {
-  trace::tell(trace::QUEUED, frame[HEADER_LENGTH + NONCE_LENGTH - 1], slot);
   uint8_t *const record = records_.append(static_cast<Length>(HEAD_LENGTH + length));
   uint8_t *into = record + NONCE_AT;
   record[0] = slot;
   memcpy(record + DESTINATION_AT, frame, 2 * Address::TEXT_LENGTH);
+  frame += HEADER_LENGTH;
+  uint8_t nonce = 0;
   if (slot == KeyStore::NO_SLOT) {
     memset(into, 0, NONCE_LENGTH);
     into += NONCE_LENGTH;
   } else {
     length = static_cast<Length>(NONCE_LENGTH + length);
+    nonce = frame[NONCE_LENGTH - 1];
   }
-  memmove(into, frame + HEADER_LENGTH, length);
+  trace::tell(trace::QUEUED, nonce, slot);
+  memmove(into, frame, length);
 }
 
 Inbox::Waiting Inbox::waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const {

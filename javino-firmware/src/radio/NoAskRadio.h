@@ -9,7 +9,8 @@ class AskRadio {
  public:
   template <typename... Pins>
   explicit AskRadio(Pins...) {
-    static_assert(sizeof...(Pins) > 3, "JavinoAskRadio: this chip has no timer and pins for it; take another radio");
+    static_assert(sizeof...(Pins) + 1 == 0,
+                  "JavinoAskRadio: this chip has no timer and pins for it; take another radio");
   }
   operator Radio &();
 };

@@ -4,7 +4,6 @@
 
 namespace javinolib {
 
-#ifndef __AVR__
 /// A driver of a memory for RF id, keys and nonces on a chip whose core has no `EEPROM`, or one that is too small: an EEPROM or
 /// FRAM at a bus. It has 4096 bytes, 1024 with JAVINO_SMALL, of any value at first.
 class Eeprom {
@@ -21,7 +20,6 @@ class Eeprom {
  protected:
   ~Eeprom() = default;
 };
-#endif
 
 /// Bytes that survive a loss of power. The seam for the EEPROM; bound when linking, to ArduinoSeams.cpp on a board and
 /// to a simulated one in the host tests, torn writes and all. A chip has one EEPROM, so there is no object to pass.

@@ -37,7 +37,7 @@ POINT(UNDELIVERED, , )
 
 // A message and its receiver (Receiver).
 POINT(FRAGMENT, , )                    // one was put to the others of this id (SPEC 7.1)
-POINT(QUEUED, nonce, key)              // the inbox takes it in, under the next number; without a key, any nonce
+POINT(QUEUED, nonce, key)              // the inbox takes it in, under the next number; without a key, nonce 0
 POINT(HANDED, message, )               // the host is told it (number as in `host-handed`, which begins with 0 at a boot)
 POINT(TAKEN, message, )                // the host has taken it, and all before it
 

@@ -3,14 +3,16 @@
 
 #include <avr/io.h>
 
-  .macro measured_call function
-  .global measured_\function
-measured_\function:
+#include "crypto/Aes128Core.h"
+
+  .macro measured_call name, function
+  .global measured_\name
+measured_\name:
   sts _SFR_MEM_ADDR(TWBR), r24
   call \function
   sts _SFR_MEM_ADDR(TWBR), r1
   ret
   .endm
 
-  measured_call javino_aes128_expand
-  measured_call javino_aes128_encrypt
+  measured_call expand, javino_aes128_expand
+  measured_call encrypt, javino_aes128_encrypt

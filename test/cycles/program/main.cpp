@@ -13,8 +13,8 @@
 #include "radio/ReedSolomon.h"
 #include "secure/Envelope.h"
 
-extern "C" void measured_javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
-extern "C" void measured_javino_aes128_encrypt(uint8_t *roundKeys, const uint8_t *in, uint8_t *out);
+extern "C" void measured_expand(uint8_t *roundKeys, const uint8_t *key);
+extern "C" void measured_encrypt(uint8_t *roundKeys, const uint8_t *in, uint8_t *out);
 
 namespace {
 
@@ -46,12 +46,12 @@ DerivedKeys mailboxKeys() {
 void encryptBlock() {
   uint8_t roundKeys[176];
   javino_aes128_expand(roundKeys, mailbox.key);
-  measured_javino_aes128_encrypt(roundKeys, mailbox.bytes, mailbox.bytes);
+  measured_encrypt(roundKeys, mailbox.bytes, mailbox.bytes);
 }
 
 void expandKey() {
   uint8_t roundKeys[176];
-  measured_javino_aes128_expand(roundKeys, mailbox.key);
+  measured_expand(roundKeys, mailbox.key);
 }
 
 void deriveKeys() {

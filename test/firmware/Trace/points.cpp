@@ -86,6 +86,14 @@ TEST_F(Points, of_a_message_received_tell_its_way_to_the_host_and_the_answer) {
   EXPECT_EQ((Names{"OWE_DELIVERED", "ANSWER"}), told());
 }
 
+TEST_F(Points, of_a_broadcast_tell_no_byte_of_it_for_a_nonce) {
+  for (const char *content : {"x", "tell;longer_than_a_nonce"}) {
+    board.receive(plain("////", "SUHO", content));
+    EXPECT_EQ(0, last(trace::QUEUED).first) << content;
+    EXPECT_EQ(javinolib::KeyStore::NO_SLOT, last(trace::QUEUED).second);
+  }
+}
+
 TEST_F(Points, tell_why_a_packet_is_dropped) {
   board.receive(sealed(OTHER_KEY, "SUPP", "SUHO", NONCE, "tell;x"));
   EXPECT_EQ(static_cast<uint8_t>(javinolib::Counter::RADIO_BAD_TAG), last(trace::COUNT).first);

@@ -43,6 +43,7 @@ SKETCHES = [
     (STATION, ODD, ['#include <EEPROM.h>', 'JavinoEeprom', 'OwnEeprom']),
     ('#include <EEPROM.h>\n' + STATION, [*WITH_EEPROM, '-DE2END=255'], ['no room for keys']),
     ('#include <JavinoBDI.h>\nJavinoAskRadio radio;\n', ODD, ['this chip has no timer and pins for it']),
+    ('#include <JavinoBDI.h>\nJavinoAskRadio radio(11, 12, 2000, 1);\n', ODD, ['this chip has no timer and pins for it']),
 ]
 
 failed = 0

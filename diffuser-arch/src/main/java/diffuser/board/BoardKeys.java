@@ -64,6 +64,11 @@ final class BoardKeys implements KeyService.Host {
     }
 
     @Override
+    public boolean hasBroadcasts() {
+        return !device.hasUnicastsOnly();
+    }
+
+    @Override
     public Transmission send(Address to, Message message) {
         return device.sender().send(to, message);
     }

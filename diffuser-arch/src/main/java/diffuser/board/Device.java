@@ -112,6 +112,11 @@ public final class Device implements BoardListener {
         return info.map(BoardInfo::hasRadio).orElse(true);
     }
 
+    /** Whether the board has sealed unicasts only, as far as is known. */
+    boolean hasUnicastsOnly() {
+        return info.map(BoardInfo::hasUnicastsOnly).orElse(false);
+    }
+
     /** Whether an action of that name is the board's; one that speaks the older protocol cannot say, so any may be. */
     public boolean performs(String action) {
         return isLegacy() || hasAction(action);

@@ -23,6 +23,9 @@ public interface KeyService extends HostService {
     /** The board, and the agent behind it. For any thread; no method waits, and futures fail as a board's. */
     interface Host {
 
+        /** Whether the board has broadcasts, by which devices agree on keys. */
+        boolean hasBroadcasts();
+
         /** Sends a message under the key that the board has, as {@link Sender#send}. */
         Transmission send(Address to, Message message);
 

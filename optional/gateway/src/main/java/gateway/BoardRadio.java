@@ -13,6 +13,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
+import javino.protocol.Status;
 
 /** The radio of a board that overhears. */
 final class BoardRadio implements Radio {
@@ -23,7 +24,7 @@ final class BoardRadio implements Radio {
         this.board = board;
     }
 
-    /** Finds a board. */
+    /** Finds a board. @throws JavinoException if it is not there, or cannot do what a gateway needs. */
     static Radio open(LinkOpener link, Listener listener) throws JavinoException, InterruptedException {
         BoardRadio radio = new BoardRadio(Board.open(link, BoardConfig.create(), new BoardListener() {
 
@@ -47,7 +48,9 @@ final class BoardRadio implements Radio {
             }
         }));
         try {
-            Await.result(radio.board.greeted());
+            if (Await.result(radio.board.greeted()).hasUnicastsOnly()) {
+                throw new JavinoException(link.name() + ": " + Status.UNICASTS_ONLY.explanation());
+            }
             Overhearing.begin(radio.board, link.name());
             return radio;
         } catch (JavinoException | InterruptedException e) {

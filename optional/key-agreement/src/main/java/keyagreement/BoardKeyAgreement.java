@@ -25,11 +25,12 @@ import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
+import javino.protocol.Status;
 import javino.protocol.HostMessage;
 
 /**
  * Key agreement for one agent's board: it carries out the decisions of {@link KeyAgreement}. Without a certificate for
- * the board's address, or if the agent refuses it, it does nothing.
+ * the board's address, if the board has no broadcasts, or if the agent refuses it, it does nothing.
  */
 public final class BoardKeyAgreement implements BoardService, KeyService {
 
@@ -89,9 +90,9 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
                 open();
             }
             if (certified && open.isEmpty() && host != null) {
-                done.completeExceptionally(new Failure("no_certificate",
+                done.completeExceptionally((host.hasBroadcasts() ? new Failure("no_certificate",
                         "there is no certificate for " + self + " in " + folder + "; javino enroll --id " + self)
-                        .toException());
+                        : new Failure("unicasts_only", Status.UNICASTS_ONLY.explanation())).toException());
             } else {
                 done.complete(null);
             }
@@ -142,7 +143,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
         clock.execute(() -> {
             boolean same = board == host && address.equals(self);
             boolean booted = epoch != bootEpoch;
-            if (!same) {
+            if (!same || !board.hasBroadcasts()) {
                 close();
             }
             host = board;
@@ -172,7 +173,9 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
                         + identity.get().certificate().address());
             }
             sharesGroup = identity.isPresent();
-            if (identity.isPresent() && !refuses) {
+            if (identity.isPresent() && !refuses && !host.hasBroadcasts()) {
+                host.warn("keys are agreed on with nobody: " + Status.UNICASTS_ONLY.explanation());
+            } else if (identity.isPresent() && !refuses) {
                 open = Optional.of(new OpenAgreement(host, identity.get(), stored, clock));
             }
         } catch (IOException | IllegalArgumentException e) {

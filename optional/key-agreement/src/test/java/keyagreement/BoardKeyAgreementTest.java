@@ -6,28 +6,36 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 
+import diffuser.AgentHost;
 import diffuser.board.HostClock;
 import diffuser.board.KeyService;
 import diffuser.board.Sender;
+import diffuser.report.Failure;
 
+import javino.fake.FakeBoard;
+import javino.keyring.BoundedClock;
 import javino.keyring.DeviceNotes;
 import javino.board.BoardOfflineException;
 import javino.board.Transmission;
 import javino.protocol.Address;
+import javino.protocol.Capability;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Message;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
+import javino.protocol.Status;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -88,8 +96,15 @@ class BoardKeyAgreementTest {
 
         private final Sender sender = new Sender(this::begin);
         private boolean off;
+        private boolean hasUnicastsOnly;
+        private final List<String> warnings = new ArrayList<>();
         private Supplier<CompletableFuture<?>> groupKeys = CompletableFuture::new;
         private final List<Address> asked = new ArrayList<>();
+
+        @Override
+        public boolean hasBroadcasts() {
+            return !hasUnicastsOnly;
+        }
 
         private Transmission begin(Address to, Message message) {
             asked.add(to);
@@ -130,7 +145,7 @@ class BoardKeyAgreementTest {
 
         @Override
         public void warn(String what) {
-            // Nobody reads.
+            warnings.add(what);
         }
     }
 
@@ -213,6 +228,67 @@ class BoardKeyAgreementTest {
         assertFalse(said.end().isDone());
         time.run(MINUTE / 2);
         assertEquals(Outcome.UNDELIVERED, said.end().join());
+    }
+
+    /** One that was here before has met nobody in vain since another sketch was flashed. */
+    @Test
+    void board_thatIsFlashedAnewForUnicastsOnly_agreesWithNobody(@TempDir Path servers) throws Exception {
+        new TestAuthority(servers).groupKeyServer("BUSB");
+        board.groupKeys = () -> {
+            board.asked.add(GROUP);
+            return CompletableFuture.failedFuture(new AssertionError("it takes no key of a group"));
+        };
+        agreement = new BoardKeyAgreement(servers, time);
+        agreement.online(board, Address.parse("BUSB"), 1, List.of());
+        List<Transmission> before = send(BUSA, 1);
+        board.hasUnicastsOnly = true;
+        board.asked.clear();
+        board.warnings.clear();
+        agreement.online(board, Address.parse("BUSB"), 2, List.of());
+        time.run(1);
+        assertTrue(before.get(0).end().isCompletedExceptionally());
+        send(BUSA, 1);
+        agreement.noKey(new PollReply.NoKey(Address.parse("BUSB"), BUSA));
+        time.run(24 * 60L * MINUTE);
+        assertEquals(List.of(BUSA), board.asked, "only the message, which the board refuses");
+        assertEquals(List.of("keys are agreed on with nobody: " + Status.UNICASTS_ONLY.explanation()),
+                board.warnings);
+        assertTrue(agreement.sharesGroup());
+    }
+
+    @Test
+    void welcome_boardWithUnicastsOnly_failsAsItSays() {
+        board.hasUnicastsOnly = true;
+        agreement.online(board, Address.parse("BUSB"), 2, List.of());
+        time.run(1);
+        CompletableFuture<Void> refused = agreement.welcome(true);
+        time.run(1);
+        assertTrue(refused.isDone());
+        Failure failure = refused.handle((done, thrown) -> Failure.of(thrown)).join();
+        assertEquals("unicasts_only", failure.error());
+        assertEquals(Status.UNICASTS_ONLY.explanation(), failure.message());
+    }
+
+    @Test
+    void agentsMessages_boardWithUnicastsOnly_failAtOnceAsTheBoardSays() {
+        FakeBoard fake = new FakeBoard("unicasts").setCapabilities(Capability.RADIO, Capability.MEMORY,
+                Capability.UNICASTS_ONLY, Capability.SAYS_TAKEN);
+        fake.refuse("BUSA", Status.NO_KEY);
+        VirtualClock clock = new VirtualClock();
+        BoardKeyAgreement own = new BoardKeyAgreement(folder, clock.ofHost());
+        try (AgentHost agent = new AgentHost(fake.port, Address.parse("BUSB"),
+                BoundedClock.at(BoundedClock.RELEASED.atStartOfDay().toInstant(ZoneOffset.UTC)), own)) {
+            assertTrue(agent.isOnline());
+            agent.awaitBoard();
+            clock.runDue();
+            Map.of(BUSA, "no_key", GROUP, "unicasts_only").forEach((to, error) -> {
+                CompletableFuture<Outcome> end = agent.transmit(to, CONTENT).end();
+                clock.runDue();
+                agent.awaitBoard();
+                assertTrue(end.isDone(), to.toString());
+                assertEquals(error, Failure.of(end.handle((how, thrown) -> thrown).join()).error());
+            });
+        }
     }
 
     /** As long as anything else comes, too. */

@@ -115,6 +115,11 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
         agreement.noKey(frame);
     }
 
+    @Override
+    public boolean hasBroadcasts() {
+        return true;
+    }
+
     private Transmission begin(Address to, Message message) {
         Transmission begun = board.join().transmit(to, message);
         latest.add(begun.end());

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import javino.protocol.Address;
+import javino.protocol.Counter;
 import javino.protocol.Key;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -50,14 +51,23 @@ class UnicastBoardTest {
     }
 
     @Test
-    void messageToMany_isRefusedAndNotReceived() throws Exception {
+    void messageToMany_isRefused() {
         for (String to : List.of("//LA", "////")) {
             AssertionError refused = assertThrows(AssertionError.class, () -> uno.send(to, "tell;x"));
             assertTrue(refused.getMessage().contains(LINE), refused.getMessage());
         }
-        mega.send("//LA", "tell;x");
-        mega.send("LAMP", "tell;last");
-        assertEquals("tell;last", uno.message().content().toString());
+    }
+
+    @Test
+    void messageToMany_onTheAir_isCountedAndNotReceived() throws Exception {
+        for (String to : List.of("////", "//LA")) {
+            long counted = uno.counter(Counter.RADIO_NOT_FOR_US);
+            mega.send(to, "tell;x");
+            mega.send("LAMP", "tell;last");
+            assertEquals("tell;last", uno.message().content().toString());
+            assertTrue(uno.counter(Counter.RADIO_NOT_FOR_US) > counted, to);
+        }
+        assertEquals(List.of(), uno.messages());
     }
 
     @Test

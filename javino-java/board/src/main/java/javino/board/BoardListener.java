@@ -82,4 +82,15 @@ public interface BoardListener {
      */
     default void warning(String what) {
     }
+
+    /**
+     * Another part of the board's sketch uses the radio's timer too (SPEC 4.3). Called once for each boot of the board;
+     * if not overridden, a {@link #warning}.
+     *
+     * @param timer the number of the timer, 0…5.
+     * @param what  one line that says what to do.
+     */
+    default void timerTaken(int timer, String what) {
+        warning(what);
+    }
 }

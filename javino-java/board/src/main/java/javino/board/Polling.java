@@ -174,7 +174,8 @@ final class Polling {
         }
         if (reply.takenTimer().isPresent() && !toldTimer) {
             toldTimer = true;
-            context.listener().warn(RadioTimer.ofTaken(reply.takenTimer().getAsInt()));
+            int timer = reply.takenTimer().getAsInt();
+            context.listener().tell(listener -> listener.timerTaken(timer, RadioTimer.ofTaken(timer)));
         }
         if (reply.reading()) {
             perception.take(literals, reply.leftOut(), late);

@@ -409,6 +409,7 @@ class LostStateTest extends BoardFixture {
         open(listener);
         listener.until("online");
         fake.setTakenTimer(timer);
+        listener.until("timer " + timer);
         String warning = warning();
         assertTrue(warning.contains("uses the radio's timer " + timer + ","), warning);
         assertTrue(warning.contains("write #define JAVINO_RADIO_TIMER " + other + " before"), warning);

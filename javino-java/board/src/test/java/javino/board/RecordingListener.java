@@ -59,6 +59,12 @@ final class RecordingListener implements BoardListener {
         lines.add("warning " + what);
     }
 
+    @Override
+    public void timerTaken(int timer, String what) {
+        lines.add("timer " + timer);
+        BoardListener.super.timerTaken(timer, what);
+    }
+
     /** Adds a line of a test's own. */
     void note(String line) {
         lines.add(line);

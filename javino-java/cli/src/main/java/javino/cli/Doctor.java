@@ -10,7 +10,6 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardListener;
 import javino.board.BoardState;
-import javino.board.RadioTimer;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
@@ -121,10 +120,8 @@ final class Doctor {
         }
 
         @Override
-        public void warning(String what) {
-            if (RadioTimer.isOfTaken(what)) {
-                timer = what;
-            }
+        public void timerTaken(int taken, String what) {
+            timer = what;
         }
     }
 

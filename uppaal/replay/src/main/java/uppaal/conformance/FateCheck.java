@@ -26,6 +26,9 @@ final class FateCheck implements Check {
             Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.RADIO_REPEATS,
             Counter.RADIO_FRAGMENTS_DROPPED, Counter.RADIO_BAD_PROOFS, Counter.RADIO_STALE, Counter.RADIO_BLOCKED,
             Counter.RADIO_DOUBTFUL, Counter.RADIO_ANSWERS_TOLERATED, Counter.MEMORY_DAMAGED);
+    /** What a board with sealed unicasts only may say of a message to many, each of which it drops. */
+    private static final Set<String> TO_MANY =
+            Set.of("radioNotForUs", "radioBadFrames", "radioReserved", "radioBlocked");
 
     private static final int LOW_BYTE = 0xFF;
     private static final int NUMBERS = 256;
@@ -34,6 +37,8 @@ final class FateCheck implements Check {
     private static final class Receiver {
         private final String board;
         private String id = "";
+        /** Whether it has sealed unicasts only, as it says at hello. */
+        private boolean hasUnicastsOnly;
         private boolean isOpen;
         /** Packets that it has counted as blocked since then; of one the host may be told later that it is blocked. */
         private int blocked;
@@ -57,6 +62,33 @@ final class FateCheck implements Check {
 
         Receiver(String board) {
             this.board = board;
+        }
+
+        /** The board after a reset: as far as is known, with the same sketch. */
+        private Receiver again() {
+            Receiver again = new Receiver(board);
+            again.hasUnicastsOnly = hasUnicastsOnly;
+            return again;
+        }
+
+        private void greet(TraceEvent event) {
+            id = event.text("id");
+            hasUnicastsOnly = event.has("unicastsOnly");
+        }
+
+        /** Whether it drops a packet as it is of a message to many, as far as that shows. */
+        private boolean dropsAsToMany(Payload packet) {
+            Payload.Kind kind = packet.whole().kind();
+            return hasUnicastsOnly && (kind == Payload.Kind.MULTICAST || kind == Payload.Kind.BROADCAST);
+        }
+
+        /** Whether a whole message goes to it, its group or all, and it takes such. */
+        private boolean isAddressed(Payload packet) {
+            return !dropsAsToMany(packet) && switch (packet.kind()) {
+                case BROADCAST -> true;
+                case MULTICAST -> id.startsWith(packet.destination().substring(2));
+                default -> packet.destination().equals(id);
+            };
         }
 
         /** Whether what it waits for must have a fate. */
@@ -185,8 +217,11 @@ final class FateCheck implements Check {
     /** The kind of packet that has such a fate, if this one is of another kind; else nothing. */
     private String wrong(Receiver receiver, Point point, String told, Transmission packet) {
         Payload payload = packet.payload();
-        boolean isForUs = payload.destination().equals(receiver.id) || payload.kind() == Payload.Kind.BROADCAST;
         boolean isAnswer = payload.isAcknowledgement();
+        if (receiver.dropsAsToMany(payload)
+                && (payload.isFragment() ? told.equals("FRAGMENT") : !TO_MANY.contains(told))) {
+            return "radioNotForUs, as it has sealed unicasts only";
+        }
         return switch (told) {
             case "QUEUED" -> isAnswer || payload.isFragment() ? "a whole message"
                     : payload.hasNonce() && (payload.lastBits() & LOW_BYTE) != point.operand("nonce") ? "its nonce"
@@ -197,7 +232,7 @@ final class FateCheck implements Check {
             case "radioBlocked" ->
                 isAnswer || receiver.isOpen && receiver.blocked > 0 ? "a radio that its host has not opened" : "";
             case "radioOwn" -> isAnswer || !isOwn(receiver, payload) ? "a packet of its own address" : "";
-            case "radioNotForUs" -> isForUs ? "a packet for another device" : "";
+            case "radioNotForUs" -> receiver.isAddressed(payload) ? "a packet for another device" : "";
             case "radioBadFrames", "radioReserved" ->
                 isGenuine(packet) ? "a packet that is none of our firmware's" : "";
             case "radioReplayed" ->
@@ -222,14 +257,14 @@ final class FateCheck implements Check {
         if (Air.isBoot(event)) {
             reset(event);
         } else if (event.is("host-id")) {
-            receivers.computeIfAbsent(event.board(), Receiver::new).id = event.text("id");
+            receivers.computeIfAbsent(event.board(), Receiver::new).greet(event);
         } else if (event.is("host-radio")) {
             open(event);
         }
     }
 
     private void reset(TraceEvent event) {
-        receivers.replace(event.board(), new Receiver(event.board()));
+        receivers.computeIfPresent(event.board(), (board, before) -> before.again());
         if (!event.textOrEmpty("why").equals("port opened")) {
             histories.remove(event.board());
         }

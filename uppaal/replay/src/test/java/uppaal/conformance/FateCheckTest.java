@@ -16,6 +16,11 @@ class FateCheckTest {
     private static final String SENT = "COUNT counter=17; ";
     private static final String REPEATS = "COUNT counter=19; ";
     private static final String QUEUED = "QUEUED nonce=0 key=1; ";
+    private static final String TO_ALL = "1 a>b BROADCAST; 1.2405 ";
+    private static final String TO_GROUP = "1 a>b MULTICAST; 1.2405 ";
+    private static final String OF_ALL = "1 a>b FIRST_TO_ALL; 1.1625 ";
+    private static final String UNICASTS_ONLY = "0.7 b host-id id=SUPP unicastsOnly=true; ";
+    private static final String END = "2 QUIET | ";
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
@@ -78,6 +83,34 @@ class FateCheckTest {
             "acknowledged again | " + HEARD + "1.2405 " + REPEATS + "1.2405 OWE_DELIVERED nonce=0 key=1; 2 QUIET "
                     + "| accepted",
             "not acknowledged   | " + HEARD + "1.2405 " + REPEATS + "2 QUIET | expected OWE_DELIVERED",
+            "to all             | " + TO_ALL + QUEUED + END + "accepted",
+            "to all, dropped    | " + TO_ALL + NOT_FOR_US + END + "expected a packet for another device",
+            "to group           | " + TO_GROUP + QUEUED + END + "accepted",
+            "to group, dropped  | " + TO_GROUP + NOT_FOR_US + END + "expected a packet for another device",
+            "to other group     | 0.7 b host-id id=ROMA; " + TO_GROUP + NOT_FOR_US + END + "accepted",
+            "part of broadcast  | " + OF_ALL + "FRAGMENT; " + END + "accepted",
+            "only: to all       | " + UNICASTS_ONLY + TO_ALL + NOT_FOR_US + END + "accepted",
+            "only: all, blocked | " + UNICASTS_ONLY + TO_ALL + BLOCKED + END + "accepted",
+            "only: takes all's  | " + UNICASTS_ONLY + TO_ALL + QUEUED + END
+                    + "b tells QUEUED of a broadcast of ROMA; expected radioNotForUs, as it has sealed unicasts only",
+            "only: not told     | " + UNICASTS_ONLY + "1 a>b BROADCAST; " + END
+                    + "b has not told what became of a broadcast",
+            "only: to group     | " + UNICASTS_ONLY + TO_GROUP + NOT_FOR_US + END + "accepted",
+            "only: takes group's| " + UNICASTS_ONLY + TO_GROUP + QUEUED + END + "expected radioNotForUs, as it",
+            "only: without key  | " + UNICASTS_ONLY + TO_GROUP + "COUNT counter=12; " + END
+                    + "expected radioNotForUs, as it",
+            "only: its own      | 0.7 b host-id id=ROMA unicastsOnly=true; " + TO_ALL + "COUNT counter=11; " + END
+                    + "expected radioNotForUs, as it",
+            "only: part to all  | " + UNICASTS_ONLY + OF_ALL + NOT_FOR_US + END + "accepted",
+            "only: takes part   | " + UNICASTS_ONLY + OF_ALL + "FRAGMENT; " + END + "expected radioNotForUs, as it",
+            "only: part dropped | " + UNICASTS_ONLY + OF_ALL + DROPPED + END + "accepted",
+            "only: unicast      | " + UNICASTS_ONLY + HEARD + "1.2405 " + QUEUED + END + "accepted",
+            "only: its unicast  | 0.7 b host-id id=SUPO unicastsOnly=true; " + HEARD + "1.2405 " + NOT_FOR_US + END
+                    + "expected a packet for another device",
+            "only: on after it  | " + UNICASTS_ONLY + "0.8 b fault do=unplug; 0.9 QUIET; " + TO_ALL + NOT_FOR_US + END
+                    + "accepted",
+            "other sketch       | " + UNICASTS_ONLY + "0.71 b reset why=power; 0.72 b host-id id=SUPP; 0.73 QUIET; "
+                    + TO_ALL + QUEUED + END + "accepted",
             "not taken yet      | " + HEARD + "1.2405 " + QUEUED + "2 a>b UNICAST; 2.2405 " + REPEATS
                     + "3 QUIET | accepted"})
     void fate_isJudged(String what, String story, String verdict) {

@@ -21,11 +21,17 @@ final class Story {
     private static final double BIT = 1 / 2000.0;
     private static final double RUN = 0.001;
     private static final String UNICAST = "5355504f524f4d414334000002000000552be5c4a36b0c4bb15816f6f87da014f7";
-    /** A unicast of ROMA to SUPO, and SUPO's acknowledgement; of another unicast two fragments. */
+    private static final String TO_ALL = "2f2f2f2f";
+    private static final String FIRST = "2b4658415355504f4251535550505355504f546f";
+    /**
+     * A unicast of ROMA to SUPO, the same to the group and to all, and SUPO's acknowledgement; of another unicast two
+     * fragments, of a broadcast one.
+     */
     private static final Map<String, String> PACKETS =
             Map.of("UNICAST", UNICAST, "OTHER", UNICAST.replace("2be5", "2be4"), "ACK",
-                    "2b4b41415355504f4241" + "0102030405060708", "FIRST", "2b4658415355504f4251535550505355504f546f",
-                    "LATER", "2b4658425355504f4149aa");
+                    "2b4b41415355504f4241" + "0102030405060708", "FIRST", FIRST, "LATER", "2b4658425355504f4149aa",
+                    "MULTICAST", UNICAST.replaceFirst("5355504f", "2f2f5355"), "BROADCAST",
+                    UNICAST.replaceFirst("5355504f", TO_ALL), "FIRST_TO_ALL", FIRST.replace("53555050", TO_ALL));
 
     private final Replay replay;
     /** By sender, the number of its last packet; by receiver, those that have come to it by when they ended. */
