@@ -4,20 +4,24 @@ import static uppaal.conformance.RefusedException.require;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import trace.TraceEvent;
 
 /**
  * The rules between hosts and boards, beside those that {@link ModelReplay} checks of a message: delivered means taken;
- * each id comes once, in order; outcomes are told, for one device in order; hosts take only what they were handed.
+ * each id comes once, in order; outcomes are told, for one device in order; hosts take only what they were handed. A
+ * board that has said that it has sealed unicasts only accepts and hands over nothing else.
  */
 final class HostCheck implements Check {
     private static final int NUMBERS = 256;
     private static final int COUNTERS = 0x10000;
+    private static final String TO_MANY = "//";
 
     /** A message as a board hands it over: its origin and destination, and its id. */
     private record Identity(String board, String link, String id) {
@@ -74,6 +78,7 @@ final class HostCheck implements Check {
     private final Map<String, Side> sides = new HashMap<>();
     /** By board with a host, empty until it said hello: another's sketch sends what it likes. */
     private final Map<String, String> addresses = new HashMap<>();
+    private final Set<String> unicastBoards = new HashSet<>();
     /** The messages that hosts have taken, and whether they know that their boards remember it over resets, too. */
     private final Map<Identity, Boolean> taken = new BoundedMap<>();
 
@@ -143,9 +148,11 @@ final class HostCheck implements Check {
         if (event.name().startsWith("host-")) {
             addresses.putIfAbsent(event.board(), "");
         }
+        require(!unicastBoards.contains(event.board()) || !needsWholeRadio(event),
+                event.board() + " does what '" + event.name() + "' tells", "UNICASTS_ONLY, as it has said");
         switch (event.name()) {
             case "reset" -> sides.remove(event.board());
-            case "host-id" -> addresses.put(event.board(), event.text("id"));
+            case "host-id" -> greet(event);
             case "host-transmit", "host-relay" -> transmit(side, event);
             case "host-handed" -> hand(side, event);
             case "host-taking" -> taking(side, event);
@@ -156,13 +163,32 @@ final class HostCheck implements Check {
         }
     }
 
+    private void greet(TraceEvent event) {
+        addresses.put(event.board(), event.text("id"));
+        if (event.has("unicastsOnly")) {
+            unicastBoards.add(event.board());
+        } else {
+            unicastBoards.remove(event.board());
+        }
+    }
+
+    private static boolean needsWholeRadio(TraceEvent event) {
+        return switch (event.name()) {
+            case "host-relay" -> true;
+            case "host-transmit", "host-handed" -> event.textOrEmpty("destination").startsWith(TO_MANY);
+            case "host-key" -> Set.of("renew", "use", "finish").contains(event.textOrEmpty("step"))
+                    || event.textOrEmpty("step").equals("set") && event.textOrEmpty("address").startsWith(TO_MANY);
+            default -> false;
+        };
+    }
+
     private static void transmit(Side side, TraceEvent event) throws RefusedException {
         int number = event.number("number");
         String destination = event.textOrEmpty("destination");
         require(side.next < 0 || side.next == number, event.board() + " gives a message the number " + number,
                 "" + side.next);
         side.next = (number + 1) % NUMBERS;
-        side.devices.put(number, destination.startsWith("//") ? "" : destination);
+        side.devices.put(number, destination.startsWith(TO_MANY) ? "" : destination);
     }
 
     private void hand(Side side, TraceEvent event) throws RefusedException {

@@ -12,9 +12,11 @@ class HostCheckTest {
             + "support does host-taken number=0; ";
     private static final String TWO = "police asks SUPP one; police asks SUPP two; ";
 
+    private static final String UNICASTS = "police does host-id id=SUPO epoch=000001 unicastsOnly=true; ";
+
     private static String verdict(String script) {
         return new TestTrace(script.replace("SENT; ", SENT).replace("HANDED; ", HANDED).replace("TAKEN; ", TAKEN)
-                .replace("TWO; ", TWO)).verdict(HostCheck::new);
+                .replace("TWO; ", TWO).replace("UNICASTS; ", UNICASTS)).verdict(HostCheck::new);
     }
 
     @ParameterizedTest
@@ -41,6 +43,10 @@ class HostCheckTest {
                     + "support hands 1 //// 000000 help",
             "TWO; police asks //SU three; police SENT number=2; police UNDELIVERED number=0; "
                     + "police UNDELIVERED number=1",
+            "UNICASTS; police asks SUPP help; police does host-key step=set address=SUPP; "
+                    + "police does host-key step=delete address=//SU; police does host-key step=session address=ROMA; "
+                    + "support asks //SU help; support does host-key step=renew address=SUPO",
+            "UNICASTS; police does host-id id=SUPO epoch=000002; police asks //SU help", // another sketch
             "TWO; police UNDELIVERED number=0; police boots 000002; police asks SUPP one; police UNDELIVERED number=0",
     })
     void genuine_isAccepted(String script) {
@@ -93,5 +99,18 @@ class HostCheckTest {
     })
     void wrong_isRefusedByName(String script, String why) {
         TestTrace.assertRefused(verdict(script), why);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+            "police asks //SU help", "police asks //// help", "police does host-relay number=0 asked=3.5",
+            "police does host-key step=set address=//SU", "police does host-key step=renew address=SUPP",
+            "police does host-key step=use address=SUPP", "police does host-key step=finish address=SUPP",
+            "police queues 0 255; police hands 0 //// 000000 help",
+            "police queues 0; police hands 0 //SU 010000 help",
+            "police does reset why=power; police asks //SU help"})
+    void moreThanUnicasts_ofABoardThatHasNone_isRefused(String script) {
+        TestTrace.assertRefused(verdict("UNICASTS; " + script), "expected UNICASTS_ONLY, as it has said");
+        TestTrace.assertAccepted(verdict(script));
     }
 }
