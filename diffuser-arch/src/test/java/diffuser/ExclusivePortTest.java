@@ -65,6 +65,9 @@ class ExclusivePortTest {
         first.open().close();
         CompletableFuture<Link> opened = opening(third);
         looks.acquire();
+        while (first.left.getNumberOfDependents() == 0) {
+            Thread.onSpinWait();
+        }
         // As if the second had come first to the port that the first leaves.
         ExclusivePort.HOLDERS.remove(PORT, first);
         second.open().close();
