@@ -50,7 +50,7 @@ typedef JAVINO_BY_PROFILE(uint16_t, uint8_t) Length;
 namespace config {
 
 /// Whether the board has all of SPEC 6 and 7: it corrects more than one symbol of a packet, by copies and by parity, receives
-/// messages in pieces, overhears and relays. A small one does none of that, and counts what it drops.
+/// messages in fragments, overhears and relays. A small one does none of that, and counts what it drops.
 static const bool LARGE = JAVINO_LARGE;
 
 static const uint8_t KEYS = JAVINO_KEYS;
@@ -65,7 +65,7 @@ static const uint16_t BOARD_MESSAGE = JAVINO_BY_PROFILE(511, 242);
 static const uint16_t MAX_MESSAGE = JAVINO_BY_PROFILE(511, 84);
 
 /// Bytes for received messages that wait for the host: each takes its content and 17 bytes more. The second of two messages that
-/// come in pieces takes 521 of them while it comes.
+/// come in fragments takes 521 of them while it comes.
 static const uint16_t RECEIVE_BYTES = JAVINO_BY_PROFILE(640, 92);
 
 /// Bytes for messages that wait for the air: each takes its content and 27 bytes more, a broadcast 13.

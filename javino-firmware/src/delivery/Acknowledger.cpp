@@ -111,7 +111,7 @@ bool Acknowledger::prove(uint8_t slot, const Proof::Claim &claim, uint8_t *proof
 }
 
 void Acknowledger::writeBody(const Entry &entry, uint8_t *body) const {
-  if (entry.type == Proof::PIECES) body[0] = entry.have;
+  if (entry.type == Proof::FRAGMENTS) body[0] = entry.have;
   if (entry.type != Proof::STALE) return;
   const uint32_t uptime = clock::millis() / MILLIS_A_UNIT;
   const uint16_t told = uptime > UINT16_MAX ? UINT16_MAX : static_cast<uint16_t>(uptime);

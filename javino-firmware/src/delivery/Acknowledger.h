@@ -32,10 +32,10 @@ class Acknowledger {
     add(Proof::DELIVERED, slot, sender, nonce, 0);
   }
 
-  /// Answers a piece.
-  /// @param have bit k: piece k is here
-  void pieces(uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
-    add(Proof::PIECES, slot, sender, nonce, have);
+  /// Answers a fragment.
+  /// @param have bit k: fragment k is here
+  void fragments(uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
+    add(Proof::FRAGMENTS, slot, sender, nonce, have);
   }
 
   /// A frame was refused since it is not above the floor.

@@ -17,7 +17,7 @@ bool BroadcastMemory::isRepeat(const uint8_t *frame, Length length, uint32_t now
     if (entry.crc == crc.value()) place = &entry;
   }
   if (place) {
-    // A broadcast that began before the other ended, as pieces may, is in time too; one that seems to have begun more than a
+    // A broadcast that began before the other ended, as fragments may, is in time too; one that seems to have begun more than a
     // minute before is not.
     repeat = (place->repeatsUntil - (now - age)) >> 16 == 0;
   } else {

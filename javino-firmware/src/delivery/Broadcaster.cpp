@@ -21,7 +21,7 @@ bool Broadcaster::begin(const char *address) {
 
 bool Broadcaster::send(const char *text) {
   const size_t length = strlen(text);
-  if (isBusy() || length == 0 || length > medium_.pieceLength()) return false;
+  if (isBusy() || length == 0 || length > medium_.fragmentLength()) return false;
   Frame::writeHeader(frame_, Address::broadcast(), address_, static_cast<uint16_t>(length));
   memcpy(frame_ + HEADER_LENGTH, text, length);
   length_ = static_cast<uint8_t>(HEADER_LENGTH + length);

@@ -12,7 +12,7 @@ namespace javinolib {
 /// bytes more than its length.
 ///
 /// Records lie without a gap from the start of the block: what is removed is closed up by moving the rest, 0.4 ms for
-/// 640 bytes on an ATmega. So each record is in one piece, all free room is of use, and a record of any length fits
+/// 640 bytes on an ATmega. So each record is in one fragment, all free room is of use, and a record of any length fits
 /// sooner or later.
 class ByteQueue {
  public:

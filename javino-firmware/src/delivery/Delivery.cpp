@@ -10,7 +10,7 @@ static EepromRecord relaying() { return EepromRecord(RELAYING_AT, RELAYING_LENGT
 
 bool Delivery::begin() {
   seed();
-  courier_->begin();
+  retransmitter_->begin();
   uint8_t number[RELAYING_LENGTH + EepromRecord::CHECK_LENGTH];
   if (config::LARGE && relaying().begin(number, 0) && medium_->canRelay()) beginToRelay(number);
   return medium_->begin();
@@ -48,7 +48,7 @@ void Delivery::run() {
   receiver_.run<Scope>();
   acknowledger_->run();
   receiver_.forwarding().run();
-  courier_->run<Scope>();
+  retransmitter_->run<Scope>();
 }
 
 template void Delivery::run<WholeScope>();
@@ -58,7 +58,7 @@ template <typename Scope>
 void Delivery::keysChanged() {
   inbox_->keysChanged(state_->keys);
   acknowledger_->keysChanged();
-  courier_->keysChanged<Scope>();
+  retransmitter_->keysChanged<Scope>();
 }
 
 template void Delivery::keysChanged<WholeScope>();

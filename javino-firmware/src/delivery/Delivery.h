@@ -6,13 +6,13 @@
 #include "../secure/BoardState.h"
 #include "../support/Inlining.h"
 #include "Acknowledger.h"
-#include "Admission.h"
+#include "FrameAcceptor.h"
 #include "MediumAccess.h"
-#include "Overheard.h"
-#include "Courier.h"
+#include "CapturedPackets.h"
+#include "Retransmitter.h"
 #include "Forwarding.h"
 #include "Inbox.h"
-#include "Pieces.h"
+#include "Fragments.h"
 #include "Receiver.h"
 #include "../support/Part.h"
 
@@ -30,10 +30,10 @@ class Delivery {
         medium_(radio),
         acknowledger_(medium_, state),
         inbox_(state.replays, acknowledger_),
-        admission_(state, inbox_, acknowledger_),
-        courier_(medium_, acknowledger_, state),
-        overheard_(state.counters),
-        receiver_(medium_, admission_, courier_, acknowledger_, overheard_, state) {}
+        acceptor_(state, inbox_, acknowledger_),
+        retransmitter_(medium_, acknowledger_, state),
+        captured_(state.counters),
+        receiver_(medium_, acceptor_, retransmitter_, acknowledger_, captured_, state) {}
 
   /// Starts the radio; to be called once, after a boot, when id and epoch are known.
   /// @return false where it does not start
@@ -59,13 +59,15 @@ class Delivery {
   void open(bool open) { receiver_.open(open); }
 
   /// Whether a message is under way that is sealed with the key in this place.
-  bool isUnderWay(uint8_t slot) const { return courier_->isUnderWay(slot); }
+  bool isUnderWay(uint8_t slot) const { return retransmitter_->isUnderWay(slot); }
 
   /// Whether a frame of this length fits the radio's packets.
-  bool carries(Length frameLength) const { return pieces::count(frameLength, medium_->pieceLength()) <= MAX_FRAGMENTS; }
+  bool carries(Length frameLength) const {
+    return fragments::count(frameLength, medium_->fragmentLength()) <= MAX_FRAGMENTS;
+  }
 
   /// The most bytes of a frame that travels in one packet, beside its header.
-  uint8_t pieceLength() const { return medium_->pieceLength(); }
+  uint8_t fragmentLength() const { return medium_->fragmentLength(); }
 
   /// Whether the board can be a relay.
   bool canRelay() { return config::LARGE && medium_->canRelay(); }
@@ -77,9 +79,9 @@ class Delivery {
 
   bool relays() { return receiver_.forwarding().isOn(); }
 
-  Outbox &outbox() { return courier_->outbox(); }
+  Outbox &outbox() { return retransmitter_->outbox(); }
   Inbox &inbox() { return inbox_; }
-  Overheard &overheard() { return overheard_; }
+  CapturedPackets &overheard() { return captured_; }
 
  private:
   void beginToRelay(const uint8_t *number);
@@ -88,9 +90,9 @@ class Delivery {
   OwnPart<MediumAccess> medium_;
   OwnPart<Acknowledger> acknowledger_;
   OwnPart<Inbox> inbox_;
-  OwnPart<Admission> admission_;
-  OwnPart<Courier> courier_;
-  OwnPart<Overheard> overheard_;
+  OwnPart<FrameAcceptor> acceptor_;
+  OwnPart<Retransmitter> retransmitter_;
+  OwnPart<CapturedPackets> captured_;
   Receiver receiver_;
 };
 

@@ -51,7 +51,7 @@ void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length
   memory_->distances.heard(Distances::numberOf(packet + Address::TEXT_LENGTH), hopsIn(path));
   if (isForUs) return;
   passTime();
-  const Address::Class to = frame.destination.classOf();
+  const Address::Kind to = frame.destination.kind();
   if (to == Address::ACKNOWLEDGEMENT) {
     answerHeard(frame, packet, length, path);
   } else if (to == Address::BROADCAST || to == Address::MULTICAST) {

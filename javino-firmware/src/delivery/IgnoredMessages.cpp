@@ -16,7 +16,7 @@ void IgnoredMessages::add(const Address &origin, uint8_t id, uint16_t now) {
   }
   entry->origin = origin;
   entry->mark = static_cast<uint8_t>(id | USED);
-  entry->lastPiece = now;
+  entry->lastFragment = now;
 }
 
 void IgnoredMessages::remove(const Address &origin, uint8_t id) {
@@ -27,13 +27,13 @@ void IgnoredMessages::remove(const Address &origin, uint8_t id) {
 bool IgnoredMessages::covers(const Address &origin, uint8_t id, uint16_t now) {
   Entry *entry = find(origin, id);
   if (entry == nullptr) return false;
-  entry->lastPiece = now;
+  entry->lastFragment = now;
   return true;
 }
 
 void IgnoredMessages::expire(uint16_t now) {
   for (Entry &entry : entries_) {
-    if (static_cast<uint16_t>(now - entry.lastPiece) >= EXPIRY_MILLIS) entry.mark = FREE;
+    if (static_cast<uint16_t>(now - entry.lastFragment) >= EXPIRY_MILLIS) entry.mark = FREE;
   }
 }
 

@@ -8,14 +8,14 @@
 
 namespace javinolib {
 
-/// Messages in pieces of which no piece is of use: they are for others, or here already. Each is ignored until none of
-/// its pieces has come for 5 s; when more come than there is room for, the oldest goes.
+/// Messages in fragments of which no fragment is of use: they are for others, or here already. Each is ignored until none of
+/// its fragments has come for 5 s; when more come than there is room for, the oldest goes.
 class IgnoredMessages {
  public:
   JAVINO_NOINLINE void add(const Address &origin, uint8_t id, uint16_t now);
   void remove(const Address &origin, uint8_t id);
 
-  /// Whether a piece is of such a message, which is then ignored for longer.
+  /// Whether a fragment is of such a message, which is then ignored for longer.
   bool covers(const Address &origin, uint8_t id, uint16_t now);
 
   /// To be called at least once a minute.
@@ -29,7 +29,7 @@ class IgnoredMessages {
   struct Entry {
     uint8_t mark;  // FREE, or USED and the id
     Address origin;
-    uint16_t lastPiece;
+    uint16_t lastFragment;
   };
 
   JAVINO_NOINLINE Entry *find(const Address &origin, uint8_t id);

@@ -9,7 +9,7 @@
 #include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "ByteQueue.h"
-#include "NoKeys.h"
+#include "UnknownKeyReports.h"
 #include "../support/Zeroed.h"
 #include "../support/Part.h"
 
@@ -46,14 +46,14 @@ class Inbox {
   /// @param length of its content
   JAVINO_NOINLINE void add(uint8_t slot, const uint8_t *frame, Length length);
 
-  /// Lends memory for a frame that comes in pieces, until takeBack(); null where messages are there. What is added next may
+  /// Lends memory for a frame that comes in fragments, until takeBack(); null where messages are there. What is added next may
   /// still lie in it.
   uint8_t *lend() { return records_.lend(MAX_FRAME_LENGTH); }
   void takeBack() { records_.takeBack(MAX_FRAME_LENGTH); }
 
   /// The frames that could not be taken in for want of a key.
-  NoKeys &noKeys() { return noKeys_; }
-  const NoKeys &noKeys() const { return noKeys_; }
+  UnknownKeyReports &unknownKeys() { return unknownKeys_; }
+  const UnknownKeyReports &unknownKeys() const { return unknownKeys_; }
 
   Waiting waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const;
 
@@ -88,7 +88,7 @@ class Inbox {
   Part<Acknowledger> acknowledger_;
   ByteQueue records_;
   uint8_t firstNumber_ JAVINO_ZEROED;
-  NoKeys noKeys_;
+  UnknownKeyReports unknownKeys_;
   uint8_t block_[config::RECEIVE_BYTES];
 };
 

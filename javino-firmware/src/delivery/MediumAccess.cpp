@@ -7,7 +7,7 @@ namespace javinolib {
 
 bool MediumAccess::begin() {
   slotMillis_ = radio_.slotMillis();
-  pieceLength_ = static_cast<uint8_t>(radio_.longestPayload() - HEADER_LENGTH);
+  fragmentLength_ = static_cast<uint8_t>(radio_.longestPayload() - HEADER_LENGTH);
   return radio_.begin();
 }
 

@@ -4,7 +4,7 @@
 
 #include "../radio/Radio.h"
 #include "../support/Inlining.h"
-#include "Pieces.h"
+#include "Fragments.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
@@ -88,14 +88,14 @@ class MediumAccess {
   uint16_t airtimeMillis(uint8_t length) const { return radio_.airtimeMillis(length); }
 
   /// The most bytes that a packet carries beside a header, 16…67.
-  uint8_t pieceLength() const { return pieceLength_; }
+  uint8_t fragmentLength() const { return fragmentLength_; }
 
  private:
   static const uint16_t COPY_SLOTS = 256;
 
   Radio &radio_;
   uint8_t slotMillis_;
-  uint8_t pieceLength_;  // set by begin()
+  uint8_t fragmentLength_;  // set by begin()
   bool sending_;
   bool carrier_ JAVINO_ZEROED;
   uint8_t quietSlots_ JAVINO_ZEROED;

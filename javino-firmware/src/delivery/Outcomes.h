@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 #include "../framing/Limits.h"
-#include "Untold.h"
+#include "PendingReports.h"
 
 namespace javinolib {
 
@@ -21,7 +21,7 @@ struct TransmissionEnd {
 };
 
 /// The outcomes of transmissions.
-class Outcomes : public Untold<TransmissionEnd, 2 + 5 * 32 <= MAX_MESSAGE_LENGTH ? 32 : 8> {
+class Outcomes : public PendingReports<TransmissionEnd, 2 + 5 * 32 <= MAX_MESSAGE_LENGTH ? 32 : 8> {
  public:
   /// Transmissions without a reported outcome, at most: a host that never polls gets QUEUE_FULL instead of losing
   /// outcomes. All of them fit a poll reply, with 5 bytes each.

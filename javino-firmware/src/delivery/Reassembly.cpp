@@ -43,33 +43,36 @@ uint8_t PartialFrame::have() const {
   uint8_t have = 0;
   uint8_t bit = 1;
   for (uint8_t index = 0; index < MAX_FRAGMENTS; index++, bit = static_cast<uint8_t>(bit << 1)) {
-    if ((have_ & bit) != 0 && isPieceOf(whole, index, lengths_[index])) have |= bit;
+    if ((have_ & bit) != 0 && isFragmentOf(whole, index, lengths_[index])) have |= bit;
   }
   return have;
 }
 
-bool PartialFrame::isWhole() const { return hasFirst() && have() == pieces::all(pieces::count(length(), longest_)); }
+bool PartialFrame::isWhole() const {
+  return hasFirst() && have() == fragments::all(fragments::count(length(), longest_));
+}
 
-// Whether a frame of this length, which has to be cut, has this piece.
-bool PartialFrame::isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) const {
+// Whether a frame of this length, which has to be cut, has this fragment.
+bool PartialFrame::isFragmentOf(uint16_t frameLength, uint8_t index, uint8_t fragmentLength) const {
   const uint16_t from = static_cast<uint16_t>(index * longest_);
-  return from < frameLength && pieceLength == pieces::length(frameLength, index, longest_);
+  return from < frameLength && fragmentLength == fragments::length(frameLength, index, longest_);
 }
 
-bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
-  if (pieceLength > longest_ || static_cast<uint16_t>(index * longest_ + pieceLength) > MAX_FRAME_LENGTH) return false;
-  if (index == 0 || !hasFirst() || isPieceOf(length(), index, pieceLength)) return true;
-  return aside_[0].length != 0 && isPieceOf(lengthIn(aside_[0].bytes), index, pieceLength);
+bool PartialFrame::fits(uint8_t index, uint8_t fragmentLength) const {
+  if (fragmentLength > longest_ || static_cast<uint16_t>(index * longest_ + fragmentLength) > MAX_FRAME_LENGTH)
+    return false;
+  if (index == 0 || !hasFirst() || isFragmentOf(length(), index, fragmentLength)) return true;
+  return aside_[0].length != 0 && isFragmentOf(lengthIn(aside_[0].bytes), index, fragmentLength);
 }
 
-bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now) {
-  if (!fits(index, pieceLength)) return false;
-  const uint8_t bit = pieces::bitOf(index);
+bool PartialFrame::add(uint8_t index, const uint8_t *fragment, uint8_t fragmentLength, uint16_t now) {
+  if (!fits(index, fragmentLength)) return false;
+  const uint8_t bit = fragments::bitOf(index);
   uint8_t *place = at(index);
   last_ = index;
   doubted_ = static_cast<uint8_t>(doubted_ & ~bit);
   if ((have_ & bit) != 0) {
-    if (lengths_[index] == pieceLength && memcmp(place, piece, pieceLength) == 0) return true;
+    if (lengths_[index] == fragmentLength && memcmp(place, fragment, fragmentLength) == 0) return true;
     Aside &aside = asideOf(index);
     aside.index = index;
     aside.length = lengths_[index];
@@ -77,8 +80,8 @@ bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength,
   }
   have_ |= bit;
   lastNew = now;
-  lengths_[index] = pieceLength;
-  memcpy(place, piece, pieceLength);
+  lengths_[index] = fragmentLength;
+  memcpy(place, fragment, fragmentLength);
   return true;
 }
 
@@ -104,7 +107,7 @@ void PartialFrame::refuse() {
   }
   refusals_++;
   if (refusals_ == MOST_REFUSALS) have_ = 0;
-  doubted_ = pieces::bitOf(last_);
+  doubted_ = fragments::bitOf(last_);
 }
 
 PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {

@@ -8,23 +8,23 @@
 #include "../support/Inlining.h"
 #include "Forwarding.h"
 #include "Inbox.h"
-#include "Pieces.h"
+#include "Fragments.h"
 #include "../support/Part.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
 
-/// A message of which pieces have come, in any order (SPEC 7.1).
+/// A message of which fragments have come, in any order (SPEC 7.1).
 ///
-/// Nothing in a piece proves that it is genuine, only the tag of the whole does. So a piece that is forged must not shut
+/// Nothing in a fragment proves that it is genuine, only the tag of the whole does. So a fragment that is forged must not shut
 /// out the one that it stands for: where two different ones came, both are kept, and the tag tells which is right. The
-/// length is that which a first piece says, and no other piece's.
+/// length is that which a first fragment says, and no other fragment's.
 class PartialFrame {
  public:
   uint8_t id;  ///< 0…63
   Address origin;
-  uint16_t lastNew;  ///< when the last new piece came, in ms
-  uint16_t begun;    ///< when the piece that came first began, in ms
+  uint16_t lastNew;  ///< when the last new fragment came, in ms
+  uint16_t begun;    ///< when the fragment that came first began, in ms
 
   /// Room for the frame, or null.
   const uint8_t *bytes() const { return bytes_; }
@@ -36,64 +36,64 @@ class PartialFrame {
   void clear() { have_ = 0; }
 
   /// Begins with nothing of a message, where there is room.
-  /// @param longest the most bytes of a piece, 16…67
+  /// @param longest the most bytes of a fragment, 16…67
   void begin(const Address &from, uint8_t number, uint8_t longest);
 
-  /// Whether a first piece is here, and with it a frame's header.
+  /// Whether a first fragment is here, and with it a frame's header.
   bool hasFirst() const { return (have_ & 1) != 0; }
 
-  /// The pieces that are here, and fit the first one: bit k for piece k.
+  /// The fragments that are here, and fit the first one: bit k for fragment k.
   uint8_t have() const;
 
-  /// The same without a piece that is to be sent once more.
+  /// The same without a fragment that is to be sent once more.
   uint8_t undoubted() const { return static_cast<uint8_t>(have() & ~doubted_); }
 
-  /// Whether all pieces are here.
+  /// Whether all fragments are here.
   bool isWhole() const;
 
-  /// The whole frame's length, as the first piece says.
+  /// The whole frame's length, as the first fragment says.
   uint16_t length() const;
 
-  /// Takes in a piece. Of two different ones the newer counts, and the older is kept aside in place of one that was there.
-  /// @param index 0…7; a first piece is one that begins a frame
-  /// @return false, and nothing changes, where it does not fit any first piece that is here, or would not fit a frame.
-  JAVINO_NOINLINE bool add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now);
+  /// Takes in a fragment. Of two different ones the newer counts, and the older is kept aside in place of one that was there.
+  /// @param index 0…7; a first fragment is one that begins a frame
+  /// @return false, and nothing changes, where it does not fit any first fragment that is here, or would not fit a frame.
+  JAVINO_NOINLINE bool add(uint8_t index, const uint8_t *fragment, uint8_t fragmentLength, uint16_t now);
 
-  /// Sets another choice of the pieces of which there are two. After CHOICES calls all choices were there, and the newest
-  /// pieces count again.
+  /// Sets another choice of the fragments of which there are two. After CHOICES calls all choices were there, and the newest
+  /// fragments count again.
   /// @param turn 0…3
   /// @return whether that changed anything
   bool choose(uint8_t turn);
   static const uint8_t CHOICES = 4;
 
-  /// No choice is genuine. The newer of two first pieces is forgotten, or the piece that came last where it has replaced
+  /// No choice is genuine. The newer of two first fragments is forgotten, or the fragment that came last where it has replaced
   /// another, which counts again; else it is to be sent once more, and the fourth time all is forgotten, as another one must be wrong.
   void refuse();
 
  private:
-  // The other one of two pieces.
+  // The other one of two fragments.
   struct Aside {
     uint8_t index;
     uint8_t length;  // 0: none
     uint8_t bytes[FRAGMENT_LENGTH];
   };
 
-  bool isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) const;
-  bool fits(uint8_t index, uint8_t pieceLength) const;
+  bool isFragmentOf(uint16_t frameLength, uint8_t index, uint8_t fragmentLength) const;
+  bool fits(uint8_t index, uint8_t fragmentLength) const;
   uint8_t *at(uint8_t index) { return bytes_ + index * longest_; }
   // No array is indexed, since gcc multiplies to do so: 68 bytes of flash less.
   Aside &asideOf(uint8_t index) { return index == 0 ? aside_[0] : aside_[1]; }
   JAVINO_NOINLINE bool swap(Aside &aside);
 
-  uint8_t have_ JAVINO_ZEROED;  // bit k: piece k is here; 0: this place is free
-  uint8_t last_;                // the piece that came last
+  uint8_t have_ JAVINO_ZEROED;  // bit k: fragment k is here; 0: this place is free
+  uint8_t last_;                // the fragment that came last
   uint8_t refusals_;
   uint8_t longest_;
-  uint8_t doubted_;  // bit k: piece k is here, but is to be sent once more
+  uint8_t doubted_;  // bit k: fragment k is here, but is to be sent once more
   uint8_t lengths_[MAX_FRAGMENTS];
   uint8_t *bytes_ JAVINO_ZEROED;
   // Last: AVR reaches only the first 64 bytes of an object in one instruction.
-  Aside aside_[2];  // of the first piece, and of any other
+  Aside aside_[2];  // of the first fragment, and of any other
 };
 
 /// The messages that are being put together: two, so that senders who never end theirs take no more than that, and for no
@@ -105,9 +105,9 @@ class Reassembly {
   /// @return the message of this origin and id, or null.
   JAVINO_NOINLINE PartialFrame *find(const Address &origin, uint8_t id);
 
-  /// Begins a message. One whose first piece is here takes the place of one without, if no other is free, since that
+  /// Begins a message. One whose first fragment is here takes the place of one without, if no other is free, since that
   /// is perhaps for others.
-  /// @param hasFirst whether its first piece is what came
+  /// @param hasFirst whether its first fragment is what came
   /// @param expired set where another message was forgotten for it
   /// @return null where no place is free
   PartialFrame *begin(const Address &origin, uint8_t id, uint8_t longest, bool hasFirst, bool &expired);
@@ -116,7 +116,7 @@ class Reassembly {
   /// @return where its bytes are until anything else comes
   uint8_t *release(PartialFrame &frame);
 
-  /// Forgets what has got no new piece for 5 s.
+  /// Forgets what has got no new fragment for 5 s.
   /// @return how many messages that were
   uint8_t expire(uint16_t now);
 

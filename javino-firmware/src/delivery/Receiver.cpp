@@ -11,7 +11,8 @@ void Receiver::run() {
   while (uint8_t *packet = medium_->receive(with)) {
     doubtful_ = mender && mender->isDoubtful();
     acknowledger_->heard(KeyStore::NO_SLOT);
-    overheard_->add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, with.length);
+    captured_->add(mender && mender->hasMended() ? CapturedPackets::MENDED : CapturedPackets::INTACT, packet,
+                   with.length);
     accept<Scope>(packet, with);
     if (config::LARGE && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
@@ -24,14 +25,14 @@ void Receiver::run() {
   }
   if (mender && mender->lost()) {
     acknowledger_->heard(KeyStore::NO_SLOT);
-    overheard_->add(*mender->lost());
-    if (config::LARGE) courier_->acknowledged<Scope>(*mender->lost());
+    captured_->add(*mender->lost());
+    if (config::LARGE) retransmitter_->acknowledged<Scope>(*mender->lost());
     medium_->release();
   }
   // The mark of an intact packet comes when that has been handled; it is another's if another waits.
   if (config::LARGE && mender && medium_->isIdle() && mender->lastTrailer() == Trailer::MARK)
     acknowledger_->askForParity();
-  pieces_.run();
+  fragments_.run();
 }
 
 void Receiver::keep() {
@@ -47,39 +48,39 @@ void Receiver::forget() {
 }
 
 void Receiver::relay(bool on) {
-  BoardsForwarding::Memory *memory = on ? pieces_.lend() : nullptr;
+  BoardsForwarding::Memory *memory = on ? fragments_.lend() : nullptr;
   forwarding_.relay(memory);
 #if JAVINO_LARGE
-  courier_->relay(memory ? &memory->distances : nullptr);
+  retransmitter_->relay(memory ? &memory->distances : nullptr);
 #endif
-  if (!on) pieces_.takeBack();
+  if (!on) fragments_.takeBack();
 }
 
 void Receiver::open(bool open) {
   open_ = open;
-  if (!open) pieces_.clear();
+  if (!open) fragments_.clear();
 }
 
 template <typename Scope>
 void Receiver::accept(uint8_t *packet, const Received &with) {
   Frame frame;
   if (Frame::parse(packet, with.length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
-    admission_->drop(Counter::RADIO_BAD_FRAMES);
+    acceptor_->drop(Counter::RADIO_BAD_FRAMES);
     return;
   }
-  if (config::LARGE && !admission_->isOwn(frame)) {
-    forwarding_.heard(frame, packet, with.length, with.path, admission_->isFor(frame.destination));
+  if (config::LARGE && !acceptor_->isOwn(frame)) {
+    forwarding_.heard(frame, packet, with.length, with.path, acceptor_->isFor(frame.destination));
   }
-  const Address::Class to = frame.destination.classOf();
+  const Address::Kind to = frame.destination.kind();
   if (to == Address::ACKNOWLEDGEMENT) {
-    if (courier_->acknowledged<Scope>(frame)) return;
-    admission_->drop(Counter::RADIO_NOT_FOR_US);
-    if (config::LARGE && with.path == 0 && frame.length == PROOF_LENGTH) courier_->otherAcknowledged();
+    if (retransmitter_->acknowledged<Scope>(frame)) return;
+    acceptor_->drop(Counter::RADIO_NOT_FOR_US);
+    if (config::LARGE && with.path == 0 && frame.length == PROOF_LENGTH) retransmitter_->otherAcknowledged();
     return;
   }
-  if (to == Address::DEVICE) courier_->copied(packet, with.length);
+  if (to == Address::DEVICE) retransmitter_->copied(packet, with.length);
   if (!open_) {
-    admission_->drop(Counter::RADIO_BLOCKED);
+    acceptor_->drop(Counter::RADIO_BLOCKED);
   } else {
     accept<Scope>(frame, packet, with);
   }
@@ -95,17 +96,17 @@ bool Receiver::mayBeDoubtful(const Frame &frame) const { return config::LARGE &&
 template <typename Scope>
 void Receiver::accept(const Frame &frame, uint8_t *packet, const Received &with) {
   const uint16_t age = medium_->begunMillis(with);
-  if (frame.destination.classOf() == Address::PIECE) {
-    if (admission_->isOwn(frame)) {
-      admission_->drop(Counter::RADIO_OWN);
+  if (frame.destination.kind() == Address::FRAGMENT) {
+    if (acceptor_->isOwn(frame)) {
+      acceptor_->drop(Counter::RADIO_OWN);
     } else {
-      if (pieces_.accept<Scope>(frame, medium_->pieceLength(), age, doubtful_)) keep();
+      if (fragments_.accept<Scope>(frame, medium_->fragmentLength(), age, doubtful_)) keep();
     }
   } else if (Scope::MANY && doubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
-    admission_->drop(Counter::RADIO_DOUBTFUL);
-  } else if (admission_->isForUs<Scope>(frame)) {
+    acceptor_->drop(Counter::RADIO_DOUBTFUL);
+  } else if (acceptor_->isForUs<Scope>(frame)) {
     if (frame.destination.isDevice()) keep();
-    if (!admission_->accept<Scope>(frame, packet, with.length, age) && frame.destination.isDevice()) forget();
+    if (!acceptor_->accept<Scope>(frame, packet, with.length, age) && frame.destination.isDevice()) forget();
   }
 }
 

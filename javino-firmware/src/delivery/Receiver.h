@@ -4,12 +4,12 @@
 
 #include "../framing/Frame.h"
 #include "../support/Inlining.h"
-#include "Admission.h"
+#include "FrameAcceptor.h"
 #include "MediumAccess.h"
-#include "Courier.h"
+#include "Retransmitter.h"
 #include "Forwarding.h"
-#include "Overheard.h"
-#include "PieceReceiver.h"
+#include "CapturedPackets.h"
+#include "FragmentReceiver.h"
 #include "../support/Zeroed.h"
 #include "../support/Part.h"
 
@@ -19,14 +19,14 @@ namespace javinolib {
 /// blocked only acknowledgements of our own messages are looked at.
 class Receiver {
  public:
-  Receiver(MediumAccess &medium, Admission &admission, Courier &courier, Acknowledger &acknowledger,
-           Overheard &overheard, BoardState &state)
+  Receiver(MediumAccess &medium, FrameAcceptor &acceptor, Retransmitter &retransmitter, Acknowledger &acknowledger,
+           CapturedPackets &overheard, BoardState &state)
       : medium_(medium),
-        admission_(admission),
-        courier_(courier),
+        acceptor_(acceptor),
+        retransmitter_(retransmitter),
         acknowledger_(acknowledger),
-        overheard_(overheard),
-        pieces_(admission),
+        captured_(overheard),
+        fragments_(acceptor),
         forwarding_(medium, state.random, state.counters) {}
 
   /// Takes in all that the radio holds.
@@ -36,7 +36,7 @@ class Receiver {
   /// The board's part as a relay.
   BoardsForwarding &forwarding() { return forwarding_; }
 
-  /// Begins to relay, or ends that. Meanwhile the relay's memory is that of one message in pieces.
+  /// Begins to relay, or ends that. Meanwhile the relay's memory is that of one message in fragments.
   void relay(bool on);
 
   /// Whether the host wants messages; at first it does not.
@@ -52,13 +52,13 @@ class Receiver {
   void forget();
 
   Part<MediumAccess> medium_;
-  Part<Admission> admission_;
-  Part<Courier> courier_;
+  Part<FrameAcceptor> acceptor_;
+  Part<Retransmitter> retransmitter_;
   Part<Acknowledger> acknowledger_;
-  Part<Overheard> overheard_;
+  Part<CapturedPackets> captured_;
   bool open_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;  // whether the packet that is looked at is the one sent
-  PiecesTaken<config::LARGE>::Type pieces_;
+  FragmentsTaken<config::LARGE>::Type fragments_;
   BoardsForwarding forwarding_;
 };
 

@@ -28,19 +28,19 @@ class Retries {
   /// @return whether it was the last time
   bool sent(bool isMulticast, bool isRelayed);
 
-  /// The receiver has told of a piece that it was not known to have.
+  /// The receiver has told of a fragment that it was not known to have.
   void progressed() { attempts_ = 0; }
 
   /// A relay carries the attempt before on: the one that waits for the air is none.
   void carriedOn() { attempts_--; }
 
-  /// The next attempt sends one piece, which asks which pieces have arrived:
+  /// The next attempt sends one fragment, which asks which fragments have arrived:
   /// 1. The first one: without it the receiver can answer none.
   /// 2. If the receiver is known to have the first one, every other attempt sends the one again that asked last, since that is
   ///    likely what it lacks.
-  /// @param arrived a bit for each piece that the receiver is known to have
-  /// @param asked the bit of the piece that asked last
-  /// @return the piece's bit
+  /// @param arrived a bit for each fragment that the receiver is known to have
+  /// @param asked the bit of the fragment that asked last
+  /// @return the fragment's bit
   uint8_t next(uint8_t arrived, uint8_t asked) const;
 
   /// How often the patience begins anew for an attempt's answer: 600 ms in all where a relay may carry the message.

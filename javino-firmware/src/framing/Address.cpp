@@ -21,7 +21,7 @@ uint8_t base64Digit(uint8_t value) {
 const uint8_t Address::TEXT_LENGTH;
 const uint8_t Address::STORED_LENGTH;
 const uint8_t Address::FIRST_PLUS;
-const uint16_t Address::PIECES;
+const uint16_t Address::FRAGMENTS;
 const uint16_t Address::ACKNOWLEDGEMENTS;
 const uint16_t Address::PLUSES;
 const uint16_t Address::SLASHES;
@@ -47,12 +47,12 @@ void Address::write(uint8_t *text) const {
   for (uint8_t *digit = text + TEXT_LENGTH; digit != text; rest >>= 6) *--digit = base64Digit(rest & 0x3F);
 }
 
-Address::Class Address::classOf() const {
+Address::Kind Address::kind() const {
   const Uint24 value = this->value();
   if (bytes_[0] < FIRST_PLUS) return isWord(value) ? RESERVED : DEVICE;
   switch (static_cast<uint16_t>(value >> 8) & 0xFFF0) {
     case SLASHES << 4: return value == 0xFFFFFF ? BROADCAST : MULTICAST;
-    case PIECES << 4: return PIECE;
+    case FRAGMENTS << 4: return FRAGMENT;
     case ACKNOWLEDGEMENTS << 4: return ACKNOWLEDGEMENT;
     default: return value == 0xFBEFBE ? SERIAL_LINE : RESERVED;
   }

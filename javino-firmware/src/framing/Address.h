@@ -23,7 +23,7 @@ class Address {
   static const uint8_t TEXT_LENGTH = 4;
   static const uint8_t STORED_LENGTH = 3;
 
-  enum Class : uint8_t { DEVICE, SERIAL_LINE, BROADCAST, MULTICAST, PIECE, ACKNOWLEDGEMENT, RESERVED };
+  enum Kind : uint8_t { DEVICE, SERIAL_LINE, BROADCAST, MULTICAST, FRAGMENT, ACKNOWLEDGEMENT, RESERVED };
 
   /// Any address, to be assigned before use. No constructor: those of all the addresses that a board holds would cost
   /// 228 bytes of flash.
@@ -35,10 +35,12 @@ class Address {
   /// All in range, `////`.
   static Address broadcast() { return Address(SLASHES, SLASHES); }
 
-  /// A piece's address: `+F` and these two digits (SPEC 7.1).
+  /// A fragment's address: `+F` and these two digits (SPEC 7.1).
   /// @param id 0…63
   /// @param index 0…63
-  static Address piece(uint8_t id, uint8_t index) { return Address(PIECES, static_cast<uint16_t>(id << 6 | index)); }
+  static Address fragment(uint8_t id, uint8_t index) {
+    return Address(FRAGMENTS, static_cast<uint16_t>(id << 6 | index));
+  }
 
   /// An acknowledgement's address: `+K` and these 12 bits as two digits (SPEC 7.3).
   static Address acknowledgement(uint16_t bits) { return Address(ACKNOWLEDGEMENTS, bits); }
@@ -61,11 +63,11 @@ class Address {
   /// Writes the four digits.
   JAVINO_NOINLINE void write(uint8_t *text) const;
 
-  JAVINO_NOINLINE Class classOf() const;
-  bool isDevice() const { return classOf() == DEVICE; }
-  bool isSerial() const { return classOf() == SERIAL_LINE; }
-  bool isBroadcast() const { return classOf() == BROADCAST; }
-  bool isMulticast() const { return classOf() == MULTICAST; }
+  JAVINO_NOINLINE Kind kind() const;
+  bool isDevice() const { return kind() == DEVICE; }
+  bool isSerial() const { return kind() == SERIAL_LINE; }
+  bool isBroadcast() const { return kind() == BROADCAST; }
+  bool isMulticast() const { return kind() == MULTICAST; }
 
   /// All 24 bits.
   Uint24 value() const { return readUint24(bytes_); }
@@ -81,7 +83,7 @@ class Address {
 
  private:
   static const uint8_t FIRST_PLUS = 0xF8;          // `+A`: the first byte that is no device's
-  static const uint16_t PIECES = 0xF85;            // `+F`
+  static const uint16_t FRAGMENTS = 0xF85;         // `+F`
   static const uint16_t ACKNOWLEDGEMENTS = 0xF8A;  // `+K`
   static const uint16_t PLUSES = 0xFBE;            // `++`
   static const uint16_t SLASHES = 0xFFF;           // `//`

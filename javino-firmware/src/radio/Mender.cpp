@@ -38,7 +38,7 @@ const uint8_t LIKE_PART = 8;
 const uint8_t MOST_OF_CRC = 5;
 const uint8_t CRC_SYMBOLS = 4;
 
-// A piece that asks for an answer, and the same one that does not, differ in a digit and in the CRC; the others of their bits
+// A fragment that asks for an answer, and the same one that does not, differ in a digit and in the CRC; the others of their bits
 // tell of each other. As the CRC does not tell then whether they are the same, fewer may differ.
 const uint8_t LIKE_BUT_FOR_CRC_PART = 12;
 const uint8_t DIGIT_SYMBOL = 8;

@@ -109,7 +109,7 @@ class Mender {
   uint8_t at_ JAVINO_ZEROED;          // symbol to decide on, or to write
   uint8_t end_ JAVINO_ZEROED;         // of these
   RadioPacket *like_ JAVINO_ZEROED;   // the copy that is like the packet
-  bool isOther_ JAVINO_ZEROED;        // that copy is another piece, but for its digit and CRC
+  bool isOther_ JAVINO_ZEROED;        // that copy is another fragment, but for its digit and CRC
   uint8_t oldest_ JAVINO_ZEROED;      // copy
   uint8_t distance_ JAVINO_ZEROED;    // of the last undecided symbol from the nearest ones
   uint8_t choices_ JAVINO_ZEROED;     // of the undecided symbols' nibbles, 1…64; 0 for more

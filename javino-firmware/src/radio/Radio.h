@@ -10,7 +10,7 @@ namespace javinolib {
 /// that can carry more gives this number.
 static const uint8_t MAX_RADIO_PAYLOAD = 77;
 
-/// The fewest bytes that a radio must be able to carry: an acknowledgement (SPEC 7.3), or the header of a piece before that of
+/// The fewest bytes that a radio must be able to carry: an acknowledgement (SPEC 7.3), or the header of a fragment before that of
 /// its frame and the nonce.
 static const uint8_t MIN_RADIO_PAYLOAD = 26;
 
@@ -82,7 +82,7 @@ class Radio {
   virtual bool carrier() const = 0;
 
   /// @return the most bytes of a payload, MIN_RADIO_PAYLOAD…MAX_RADIO_PAYLOAD. It must be the same on all boards in
-  /// range, as it sets the length of pieces (SPEC 7.1).
+  /// range, as it sets the length of fragments (SPEC 7.1).
   virtual uint8_t longestPayload() const = 0;
 
   /// @return the time of a packet with this many bytes of payload on the air, in ms.

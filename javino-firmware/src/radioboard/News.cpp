@@ -7,8 +7,8 @@
 namespace javinolib {
 
 bool News::areWaiting() const {
-  return delivery_->outbox().outcomes().areUntold() || inbox_->first().bytes != nullptr ||
-         inbox_->noKeys().areUntold() || overheard_->areUntold();
+  return delivery_->outbox().outcomes().arePending() || inbox_->first().bytes != nullptr ||
+         inbox_->unknownKeys().arePending() || captured_->arePending();
 }
 
 void News::write(Reply &reply) {
@@ -20,19 +20,19 @@ void News::write(Reply &reply) {
 
 void News::tellAgain() {
   delivery_->outbox().outcomes().keepTold();
-  inbox_->noKeys().keepTold();
-  overheard_->keepTold();
+  inbox_->unknownKeys().keepTold();
+  captured_->keepTold();
 }
 
 void News::forgetTold() {
   delivery_->outbox().outcomes().forgetTold();
-  inbox_->noKeys().forgetTold();
-  overheard_->forgetTold();
+  inbox_->unknownKeys().forgetTold();
+  captured_->forgetTold();
 }
 
 // All of them fit: Outcomes::MAX_UNREPORTED sees to that.
 void News::addOutcomes(Reply &reply) {
-  while (delivery_->outbox().outcomes().areUntold()) {
+  while (delivery_->outbox().outcomes().arePending()) {
     const TransmissionEnd &end = delivery_->outbox().outcomes().tell();
     Record record(reply, 'T');
     record.add(end.number);
@@ -52,27 +52,27 @@ bool News::addMessages(Reply &reply) {
 
 // Returns whether all fitted.
 bool News::addNoKeys(Reply &reply) {
-  while (inbox_->noKeys().areUntold()) {
-    const KeylessFrame &frame = inbox_->noKeys().next();
+  while (inbox_->unknownKeys().arePending()) {
+    const KeylessFrame &frame = inbox_->unknownKeys().next();
     uint8_t addresses[2 * Address::TEXT_LENGTH];
     frame.destination.write(addresses);
     frame.origin.write(addresses + Address::TEXT_LENGTH);
     Record record(reply, 'N');
     record.add(addresses, sizeof addresses);
     if (!record.close()) return false;
-    inbox_->noKeys().tell();
+    inbox_->unknownKeys().tell();
   }
   return true;
 }
 
 // Returns whether all packets fitted.
 bool News::addOverheard(Reply &reply) {
-  for (ByteQueue::Record packet = overheard_->firstUntold(); packet.bytes != nullptr;
-       packet = overheard_->after(packet)) {
+  for (ByteQueue::Record packet = captured_->firstPending(); packet.bytes != nullptr;
+       packet = captured_->after(packet)) {
     Record record(reply, 'O');
     record.add(packet.bytes, packet.length);
     if (!record.close()) return false;
-    overheard_->tell();
+    captured_->tell();
   }
   return true;
 }

@@ -13,7 +13,7 @@ namespace javinolib {
 /// packets that were overheard.
 class News {
  public:
-  explicit News(Delivery &delivery) : delivery_(delivery), inbox_(delivery.inbox()), overheard_(delivery.overheard()) {}
+  explicit News(Delivery &delivery) : delivery_(delivery), inbox_(delivery.inbox()), captured_(delivery.overheard()) {}
 
   /// Whether there are any to be told. Safe to call with interrupts off.
   bool areWaiting() const;
@@ -36,7 +36,7 @@ class News {
 
   Part<Delivery> delivery_;
   Part<Inbox> inbox_;
-  Part<Overheard> overheard_;
+  Part<CapturedPackets> captured_;
 };
 
 }  // namespace javinolib

@@ -73,7 +73,7 @@ template <typename Scope>
 Status RadioCommands::checkAddresses(const Frame &frame) const {
   if (!state_->id.isSet()) return Status::NO_RF_ID;
   if (frame.origin != state_->id.address()) return Status::WRONG_ORIGIN;
-  const Address::Class to = frame.destination.classOf();
+  const Address::Kind to = frame.destination.kind();
   const bool isToMany = to == Address::MULTICAST || to == Address::BROADCAST;
   if (!Scope::MANY && isToMany) return Status::UNICASTS_ONLY;
   const bool canBeSentTo = to == Address::DEVICE || isToMany;
@@ -174,9 +174,9 @@ Status RadioCommands::relay(const uint8_t *body, Length length, Reply &reply) {
   Frame frame;
   if (Frame::parse(body, length, frame) != FrameError::NONE || !frame.origin.isDevice()) return Status::BAD_ARGUMENT;
   if (frame.origin == state_->id.address()) return Status::WRONG_ORIGIN;
-  const Address::Class to = frame.destination.classOf();
+  const Address::Kind to = frame.destination.kind();
   if (to == Address::SERIAL_LINE || to == Address::RESERVED) return Status::BAD_DESTINATION;
-  if (frame.length > delivery_->pieceLength()) return Status::TOO_LONG;
+  if (frame.length > delivery_->fragmentLength()) return Status::TOO_LONG;
   Outbox &outbox = delivery_->outbox();
   if (!outbox.fits(static_cast<Length>(HEADER_LENGTH + length))) return Status::QUEUE_FULL;
   reply.add(outbox.addPlain({Address::broadcast(), Address::serialLine(), body, length}));

@@ -16,7 +16,7 @@ class Proof {
   /// The kinds of acknowledgements.
   enum Type : uint8_t {
     DELIVERED = 0x06,  ///< nothing comes before the proof
-    PIECES = 0x07,     ///< one byte comes before it: the pieces that are here
+    FRAGMENTS = 0x07,  ///< one byte comes before it: the fragments that are here
     STALE = 0x08       ///< eight bytes come before it: the floor and the receiver's uptime
   };
 
@@ -26,7 +26,7 @@ class Proof {
   static const uint8_t MAX_BODY_LENGTH = 8;
 
   /// How many bytes come before the proof.
-  static uint8_t bodyLength(Type type) { return type == STALE ? MAX_BODY_LENGTH : type == PIECES ? 1 : 0; }
+  static uint8_t bodyLength(Type type) { return type == STALE ? MAX_BODY_LENGTH : type == FRAGMENTS ? 1 : 0; }
 
   /// The data that a proof covers.
   struct Claim {

@@ -8,13 +8,13 @@ using javinolib::Address;
 
 namespace {
 
-std::string classNameOf(Address::Class addressClass) {
+std::string classNameOf(Address::Kind addressClass) {
   switch (addressClass) {
     case Address::DEVICE: return "device";
     case Address::SERIAL_LINE: return "serial";
     case Address::BROADCAST: return "broadcast";
     case Address::MULTICAST: return "multicast";
-    case Address::PIECE: return "fragment";
+    case Address::FRAGMENT: return "fragment";
     case Address::ACKNOWLEDGEMENT: return "acknowledgement";
     default: return "reserved";
   }
@@ -33,7 +33,7 @@ TEST(Address, reads_all_valid_vectors) {
     Address address;
     ASSERT_TRUE(Address::parse(bytesOf(vector.text("text")).data(), address));
     EXPECT_EQ(std::stoul(vector.text("value"), nullptr, 16), address.value());
-    EXPECT_EQ(vector.text("class"), classNameOf(address.classOf()));
+    EXPECT_EQ(vector.text("class"), classNameOf(address.kind()));
     EXPECT_EQ(half(vector.text("group")), address.group());
     EXPECT_EQ(half(vector.text("member")), address.member());
   }

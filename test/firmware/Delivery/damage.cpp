@@ -16,7 +16,7 @@ using javinolib::Trailer;
 namespace {
 
 const uint8_t TYPE_DELIVERED = 0x06;
-const uint8_t TYPE_PIECES = 0x07;
+const uint8_t TYPE_FRAGMENTS = 0x07;
 const uint8_t ASKS_PARITY = 0x10;
 
 // Bits of an acknowledgement: of its count, of its header, and of its proof.
@@ -155,7 +155,7 @@ TEST_F(DamagedAnswers, fifteen_wrong_bits_of_the_header_are_borne_beside) {
 TEST_F(DamagedAnswers, all_of_one_that_is_another_s_are_refused) {
   const Bytes others[] = {acknowledgement(OTHER_KEY, "SUPP", "SUHO", nonce, TYPE_DELIVERED),
                           acknowledgement(KEY, "SUPP", "SUHA", nonce, TYPE_DELIVERED),
-                          acknowledgement(KEY, "SUHO", "SUHO", nonce, TYPE_DELIVERED), answer(TYPE_PIECES, {1})};
+                          acknowledgement(KEY, "SUHO", "SUHO", nonce, TYPE_DELIVERED), answer(TYPE_FRAGMENTS, {1})};
   for (const Bytes &other : others) hear(other, wrongSymbols(PROOF_AT, 7));
   EXPECT_FALSE(isDelivered());
 }
@@ -178,7 +178,7 @@ TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_fragments_is_borne_too) 
   board.sendNext();
   const Bytes third = board.sendNext();
   EXPECT_EQ(3u, board.radio.sent.size() - 1);
-  hear(answer(TYPE_PIECES, {3}), both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1)));
+  hear(answer(TYPE_FRAGMENTS, {3}), both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1)));
   EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_TOLERATED));
   EXPECT_EQ(third, board.sendNext()) << "the one that is lacking";
 }
@@ -190,7 +190,7 @@ TEST_F(DamagedAnswers, what_is_borne_is_no_guess) {
   board.sendNext();
   board.sendNext();
   const std::set<size_t> wrong = both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1));
-  for (int i = 0; i < 40; i++) hear(answer(TYPE_PIECES, {3}), wrong);
+  for (int i = 0; i < 40; i++) hear(answer(TYPE_FRAGMENTS, {3}), wrong);
   EXPECT_EQ(40u, board.counter(Counter::RADIO_ANSWERS_TOLERATED));
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <delivery/Pieces.h>
+#include <delivery/Fragments.h>
 
 #include "support/Digits.h"
 #include "support/Keys.h"
@@ -41,7 +41,7 @@ class InFragments : public testing::Test {
 
 }  // namespace
 
-TEST(Pieces, are_cut_as_in_the_vectors) {
+TEST(Fragments, are_cut_as_in_the_vectors) {
   for (const Vector &vector : vectors("fragments.json", "valid")) {
     const size_t id = digits().find(vector.text("id"));
     EXPECT_EQ(vector.bytesList("fragments"), cut(vector.bytes("frame"), static_cast<uint8_t>(id))) << vector.toString();

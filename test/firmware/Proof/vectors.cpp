@@ -14,7 +14,7 @@ const size_t HEADER = javinolib::HEADER_LENGTH;
 
 // The type that an acknowledgement's length stands for; throws where it stands for none.
 Proof::Type typeOf(const Bytes &frame) {
-  for (Proof::Type type : {Proof::DELIVERED, Proof::PIECES, Proof::STALE}) {
+  for (Proof::Type type : {Proof::DELIVERED, Proof::FRAGMENTS, Proof::STALE}) {
     if (frame.size() == HEADER + Proof::bodyLength(type) + Proof::LENGTH) return type;
   }
   throw std::invalid_argument("no acknowledgement has this length: " + toHex(frame));

@@ -318,7 +318,7 @@ TEST_F(BoardSessionKeys, without_one_what_was_told_is_told_again_if_the_reply_is
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
 }
 
-TEST_F(BoardSessionKeys, without_one_a_first_piece_is_told_too) {
+TEST_F(BoardSessionKeys, without_one_a_first_fragment_is_told_too) {
   const std::vector<Bytes> fragments = cut(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), std::string(90, 'x')), 5);
   board.receive(fragments[1]);
   EXPECT_EQ(std::vector<std::string>(), withoutKey());

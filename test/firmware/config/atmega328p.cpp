@@ -35,8 +35,8 @@ static_assert(sizeof(TakenNonces) == 80, "retained RAM, beside the board's");
 // The parts of a board lie beside it (support/Part.h).
 const size_t PARTS = sizeof(Actions) + sizeof(Poll);
 const size_t RADIO_PARTS = PARTS + sizeof(Commands) + sizeof(BoardState) + sizeof(Delivery) + sizeof(MediumAccess) +
-                           sizeof(Acknowledger) + sizeof(Inbox) + sizeof(Admission) + sizeof(Courier) +
-                           sizeof(Overheard);
+                           sizeof(Acknowledger) + sizeof(Inbox) + sizeof(FrameAcceptor) + sizeof(Retransmitter) +
+                           sizeof(CapturedPackets);
 static_assert(sizeof(Board) + PARTS <= 420, "static RAM of a board without a radio");
 static_assert(sizeof(RadioBoard) + RADIO_PARTS <= 710, "and of one with a radio, beside the radio's");
 

@@ -1,6 +1,6 @@
 #include "Fragments.h"
 
-#include <delivery/Pieces.h>
+#include <delivery/Fragments.h>
 #include <secure/Proof.h>
 
 #include "Reference.h"
@@ -10,16 +10,16 @@ using namespace javinolib;
 std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest) {
   std::vector<Bytes> all;
   const uint16_t length = static_cast<uint16_t>(frame.size());
-  for (uint8_t index = 0; index < pieces::count(length, longest); index++) {
+  for (uint8_t index = 0; index < fragments::count(length, longest); index++) {
     Bytes fragment(HEADER_LENGTH + longest);
-    fragment.resize(pieces::cut(frame.data(), length, id, index, longest, fragment.data()));
+    fragment.resize(fragments::cut(frame.data(), length, id, index, longest, fragment.data()));
     all.push_back(fragment);
   }
   return all;
 }
 
 Bytes wantingAnswer(Bytes fragment) {
-  fragment.at(3) = static_cast<uint8_t>(fragment.at(3) + pieces::WANTS_ANSWER);  // A…H become I…P
+  fragment.at(3) = static_cast<uint8_t>(fragment.at(3) + fragments::WANTS_ANSWER);  // A…H become I…P
   return fragment;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <delivery/Pieces.h>
+#include <delivery/Fragments.h>
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 /// The fragments of a message of another board.
 const Bytes NONCE = {0, 0, 5, 0, 1, 2};
 
-/// The pieces of a whole frame, all without a wish for an answer.
+/// The fragments of a whole frame, all without a wish for an answer.
 /// @param id 0…63
 /// @param longest the most bytes of a fragment
 std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javinolib::FRAGMENT_LENGTH);

@@ -9,14 +9,14 @@ namespace {
 
 const uint32_t WHOLE = 60000;  // longer than any level here
 
-// The bits of a line whose levels come in pieces: this long at least, and all of the rest where that would be shorter.
-Bits bitsOf(const AirLine &line, uint32_t piece) {
+// The bits of a line whose levels come in fragments: this long at least, and all of the rest where that would be shorter.
+Bits bitsOf(const AirLine &line, uint32_t fragment) {
   BitClock clock(Modem::BIT);
   Bits bits;
   for (const AirLine::Run &run : line.runs()) {
     uint32_t left = static_cast<uint32_t>(run.ticks);
     while (left != 0) {
-      uint16_t ticks = static_cast<uint16_t>(left < 2 * piece ? left : piece);
+      uint16_t ticks = static_cast<uint16_t>(left < 2 * fragment ? left : fragment);
       left -= ticks;
       bool bit;
       while (clock.advance(ticks, run.level, bit)) bits.push_back(bit);
@@ -44,8 +44,8 @@ TEST(BitClock, givesTheSameBitsWhenALevelComesInPieces) {
   AirLine line;
   line.bits(randomBits(300, 2), Modem::BIT * 1.01).jitter(150, random).quantise(1);
   const Bits whole = bitsOf(line, WHOLE);
-  for (uint32_t piece = Modem::BIT / 4; piece <= 3 * Modem::BIT; piece += 13) {
-    EXPECT_EQ(bitsOf(line, piece), whole) << "pieces of " << piece;
+  for (uint32_t fragment = Modem::BIT / 4; fragment <= 3 * Modem::BIT; fragment += 13) {
+    EXPECT_EQ(bitsOf(line, fragment), whole) << "fragments of " << fragment;
   }
 }
 

@@ -4,27 +4,27 @@
 
 #include "../framing/Frame.h"
 #include "../support/Inlining.h"
-#include "Admission.h"
+#include "FrameAcceptor.h"
 #include "IgnoredMessages.h"
 #include "Reassembly.h"
 #include "../support/Part.h"
 
 namespace javinolib {
 
-/// Puts pieces together, answers those that want an answer, and hands whole frames on (SPEC 7.1, 7.3).
-class PieceReceiver {
+/// Puts fragments together, answers those that want an answer, and hands whole frames on (SPEC 7.1, 7.3).
+class FragmentReceiver {
  public:
-  explicit PieceReceiver(Admission &admission) : admission_(admission), reassembly_(admission.inbox()) {}
+  explicit FragmentReceiver(FrameAcceptor &acceptor) : acceptor_(acceptor), reassembly_(acceptor.inbox()) {}
 
-  /// Takes in a frame to a piece's address, from another board.
-  /// @param longest the most bytes of a piece, 16…67
+  /// Takes in a frame to a fragment's address, from another board.
+  /// @param longest the most bytes of a fragment, 16…67
   /// @param age how long ago its packet began, in ms
   /// @param isDoubtful whether only a tag can tell if it is right: then it must be of a sealed frame
   /// @return whether it is of use
   template <typename Scope = WholeScope>
-  JAVINO_NOINLINE bool accept(const Frame &piece, uint8_t longest, uint16_t age, bool isDoubtful);
+  JAVINO_NOINLINE bool accept(const Frame &fragment, uint8_t longest, uint16_t age, bool isDoubtful);
 
-  /// Forgets what has got no new piece for 5 s; to be called often.
+  /// Forgets what has got no new fragment for 5 s; to be called often.
   void run();
 
   /// Forgets all that is half received.
@@ -35,27 +35,27 @@ class PieceReceiver {
   void takeBack() { reassembly_.takeBack(); }
 
  private:
-  static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
+  static bool startsFrame(const Frame &fragment, uint8_t longest, Frame &whole);
   template <typename Scope>
-  bool isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
-  bool isSealed(const Frame &piece, uint8_t id, uint8_t index);
+  bool isWanted(const Frame &fragment, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
+  bool isSealed(const Frame &fragment, uint8_t id, uint8_t index);
   PartialFrame *placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst, uint16_t begun);
   JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
-  static void answer(Admission &admission, const PartialFrame &partial);
+  static void answer(FrameAcceptor &acceptor, const PartialFrame &partial);
 
-  Part<Admission> admission_;
+  Part<FrameAcceptor> acceptor_;
   IgnoredMessages ignored_;
   Reassembly reassembly_;
 };
 
-/// The substitute for it on a board that has no room for pieces (Config.h): drops them.
-class NoPieceReceiver {
+/// The substitute for it on a board that has no room for fragments (Config.h): drops them.
+class NoFragmentReceiver {
  public:
-  explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}
+  explicit NoFragmentReceiver(FrameAcceptor &acceptor) : acceptor_(acceptor) {}
 
   template <typename Scope = WholeScope>
   bool accept(const Frame &, uint8_t, uint32_t, bool) {
-    return admission_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
+    return acceptor_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
   void run() {}
   void clear() {}
@@ -63,17 +63,17 @@ class NoPieceReceiver {
   void takeBack() {}
 
  private:
-  Part<Admission> admission_;
+  Part<FrameAcceptor> acceptor_;
 };
 
 /// Which of the two a board has. (Arduino's compiler brings no <type_traits>.)
 template <bool taken>
-struct PiecesTaken {
-  typedef PieceReceiver Type;
+struct FragmentsTaken {
+  typedef FragmentReceiver Type;
 };
 template <>
-struct PiecesTaken<false> {
-  typedef NoPieceReceiver Type;
+struct FragmentsTaken<false> {
+  typedef NoFragmentReceiver Type;
 };
 
 }  // namespace javinolib

@@ -1,11 +1,11 @@
-#include "Courier.h"
+#include "Retransmitter.h"
 
 #include <string.h>
 
 #include "../Config.h"
 #include "../crypto/Cmac.h"
 #include "../support/Clock.h"
-#include "Pieces.h"
+#include "Fragments.h"
 
 namespace javinolib {
 
@@ -19,11 +19,11 @@ static const uint8_t BODY_AT = HEADER_AT + 2 * HEADER_LENGTH;
 // succeed with 2^-44 (SECURITY.md), and only so many wrong guesses are looked at.
 static const uint8_t MOST_WRONG_PROOF_BITS = 7;
 static const uint8_t MOST_WRONG_HEADER_BITS = 15;
-static const uint8_t MOST_WRONG_PIECES_BITS = 2;
-static const uint8_t MOST_PIECES_GUESSED = 4;
+static const uint8_t MOST_WRONG_FRAGMENTS_BITS = 2;
+static const uint8_t MOST_FRAGMENTS_GUESSED = 4;
 static const uint8_t MOST_GUESSES = 16;
 
-bool Courier::isUnderWay(uint8_t slot) const {
+bool Retransmitter::isUnderWay(uint8_t slot) const {
   for (const Message &message : messages_) {
     if (message.slot == slot && message.phase != IDLE) return true;
   }
@@ -31,7 +31,7 @@ bool Courier::isUnderWay(uint8_t slot) const {
 }
 
 template <typename Scope>
-void Courier::run() {
+void Retransmitter::run() {
   backoff_.listen(medium_->quietSlots());
   if (current().phase <= READY && outbox_.count() != 0) nextTurn<Scope>();
   switch (current().phase) {
@@ -58,7 +58,7 @@ void Courier::run() {
 // Takes up a new message before those that wait or contend for a further attempt, unless one has let many pass. It takes the
 // place of a multicast only where no other is free.
 template <typename Scope>
-bool Courier::passes() {
+bool Retransmitter::passes() {
   uint8_t free = config::PARTNERS;
   uint8_t underWay = 0;
   for (uint8_t place = 0; place < config::PARTNERS; place++) {
@@ -93,7 +93,7 @@ bool Courier::passes() {
 
 // Gives each place its turn, one after the other: to go on with its message, or to take one up.
 template <typename Scope>
-void Courier::nextTurn() {
+void Retransmitter::nextTurn() {
   if (config::PARTNERS > 1 && passes<Scope>()) return;
   for (uint8_t left = config::PARTNERS; left != 0; left--) {
     if (config::PARTNERS > 1) {
@@ -109,7 +109,7 @@ void Courier::nextTurn() {
 
 // Whether the message waits for its turn. One that was refused is sealed anew only here: where that is said, the stack has no room.
 template <typename Scope>
-bool Courier::mayContend() {
+bool Retransmitter::mayContend() {
   Message &message = current();
   if (message.phase != READY || !message.refused) return message.phase == READY;
   message.refused = false;
@@ -118,7 +118,7 @@ bool Courier::mayContend() {
 
 // Seals the frame, unless it is a broadcast's; if that cannot be, its message has ended.
 template <typename Scope>
-bool Courier::begin(bool again) {
+bool Retransmitter::begin(bool again) {
   Message &message = current();
   if ((!Scope::MANY || !message.destination.isBroadcast()) && !seal(again)) {
     finish<Scope>(Outcome::UNDELIVERED);
@@ -136,7 +136,7 @@ bool Courier::begin(bool again) {
 //    was may be absent.
 // A message that can no longer be sealed ends at once: its key was deleted meanwhile, or no nonce is left.
 template <typename Scope>
-bool Courier::takeUp() {
+bool Retransmitter::takeUp() {
   Message &message = current();
   ByteQueue::Record taken = {nullptr, 0};
   Turn best = AFTER_ITS_LAST;
@@ -163,7 +163,7 @@ bool Courier::takeUp() {
 
 // The turn of a message to this destination, if it is the oldest one. A message to many keeps its turn until it has ended, so
 // none of them is under way here.
-Courier::Turn Courier::turnOf(const Address &destination) const {
+Retransmitter::Turn Retransmitter::turnOf(const Address &destination) const {
   Turn turn = FIRST;
   if (config::PARTNERS == 1 || !destination.isDevice()) return turn;
   uint8_t free = 0;
@@ -177,7 +177,7 @@ Courier::Turn Courier::turnOf(const Address &destination) const {
 }
 
 // Seals the frame in its place in the outbox, under a new nonce.
-bool Courier::seal(bool again) {
+bool Retransmitter::seal(bool again) {
   Message &message = current();
   DerivedKeys keys;
   if (!again) message.slot = state_->keys.current(message.destination);
@@ -192,7 +192,7 @@ bool Courier::seal(bool again) {
 }
 
 // As it is to be on the air. One that is relayed waits in the outbox as the message of a broadcast from the serial line.
-ByteQueue::Record Courier::frame() const {
+ByteQueue::Record Retransmitter::frame() const {
   const Message &message = current();
   ByteQueue::Record record = outbox_.find(message.number);
   if (config::LARGE && message.sender.isSerial()) {
@@ -203,9 +203,9 @@ ByteQueue::Record Courier::frame() const {
 }
 
 // Prepares the first attempt of a frame that nobody has seen yet.
-void Courier::restart() {
+void Retransmitter::restart() {
   Message &message = current();
-  message.count = pieces::count(frame().length, medium_->pieceLength());
+  message.count = fragments::count(frame().length, medium_->fragmentLength());
   if (message.count > 1) {
     message.id = nextId_;
     nextId_ = static_cast<uint8_t>(static_cast<uint8_t>(nextId_ + 1) % IDS);
@@ -215,10 +215,10 @@ void Courier::restart() {
   message.retries.restart();
   message.guesses = 0;
   message.trailed = false;
-  message.pending = pieces::all(message.count);
+  message.pending = fragments::all(message.count);
 }
 
-void Courier::contend() {
+void Retransmitter::contend() {
   backoff_.begin(current().retries.attempts(), medium_->quietSlots(), state_->random);
   current().phase = CONTENDING;
   deferred_ = false;
@@ -228,7 +228,7 @@ void Courier::contend() {
 // Parity follows where the partner has asked for it; a packet that is sent again, if the partner is known to understand it. To
 // others such a packet tells that we do.
 template <typename Scope>
-Trailer Courier::trailer() const {
+Trailer Retransmitter::trailer() const {
   const Message &message = current();
   if (!config::LARGE || !isUnicast<Scope>()) return Trailer::NONE;
   const bool again = (message.sent & onAir_) != 0;
@@ -238,13 +238,13 @@ Trailer Courier::trailer() const {
   return again ? Trailer::MARK : Trailer::NONE;
 }
 
-void Courier::noteParity(const Proof::Claim &claim) {
+void Retransmitter::noteParity(const Proof::Claim &claim) {
   if (!config::LARGE || claim.type == Proof::STALE) return;
   partners_.set(current().slot, claim.asksParity, ASKS_PARITY);
   if (claim.asksParity) partners_.set(current().slot, true, KNOWS_PARITY);
 }
 
-inline bool Courier::sendWhole(const ByteQueue::Record &record, Trailer trailer) {
+inline bool Retransmitter::sendWhole(const ByteQueue::Record &record, Trailer trailer) {
   const uint8_t length = static_cast<uint8_t>(record.length);
 #if JAVINO_LARGE
   if (distances_ && current().sent == 0) {
@@ -256,7 +256,7 @@ inline bool Courier::sendWhole(const ByteQueue::Record &record, Trailer trailer)
 }
 
 template <typename Scope>
-void Courier::send() {
+void Retransmitter::send() {
   Message &message = current();
   const ByteQueue::Record record = frame();
   uint8_t index = 0;
@@ -265,14 +265,13 @@ void Courier::send() {
   onAir_ = bit;
   const bool wantsAnswer = message.pending == bit && isUnicast<Scope>();
   const Trailer trailer = this->trailer<Scope>();
-  uint8_t piece[MAX_RADIO_PAYLOAD];
-  const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
-  const bool taken =
-      message.count == 1
-          ? sendWhole(record, trailer)
-          : medium_->send(piece,
-                          pieces::cut(record.bytes, record.length, message.id, digit, medium_->pieceLength(), piece),
-                          trailer);
+  uint8_t fragment[MAX_RADIO_PAYLOAD];
+  const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | fragments::WANTS_ANSWER : index);
+  const bool taken = message.count == 1 ? sendWhole(record, trailer)
+                                        : medium_->send(fragment,
+                                                        fragments::cut(record.bytes, record.length, message.id, digit,
+                                                                       medium_->fragmentLength(), fragment),
+                                                        trailer);
   if (!taken) return;
   message.trailed = message.trailed || trailer != Trailer::NONE;
   if (message.sent == 0) message.sentAt = clock::millis();
@@ -286,7 +285,7 @@ void Courier::send() {
 // A broadcast or multicast keeps its turn until it was sent as often as it is to be: receivers know a broadcast's repeat by
 // the time between the two.
 template <typename Scope>
-void Courier::packetSent() {
+void Retransmitter::packetSent() {
   Message &message = current();
   message.pending = static_cast<uint8_t>(message.pending & ~onAir_);
   if (message.pending != 0) {
@@ -296,7 +295,7 @@ void Courier::packetSent() {
     await(message.retries.rounds(message.count == 1));
     tell(trace::AWAIT, patience_.rounds());
   } else if (!message.retries.sent(Scope::MANY && message.destination.isMulticast(), message.sender.isSerial())) {
-    message.pending = pieces::all(message.count);
+    message.pending = fragments::all(message.count);
     contend();
   } else {
     finish<Scope>(Outcome::SENT);
@@ -304,7 +303,7 @@ void Courier::packetSent() {
 }
 
 template <typename Scope>
-void Courier::attemptFailed() {
+void Retransmitter::attemptFailed() {
   Message &message = current();
   const bool isLast = message.retries.failed();
   tell(trace::ATTEMPT_FAILED, message.retries.attempts());
@@ -318,7 +317,7 @@ void Courier::attemptFailed() {
 }
 
 template <typename Scope>
-void Courier::finish(Outcome outcome) {
+void Retransmitter::finish(Outcome outcome) {
   Message &message = current();
   partners_.set(message.slot, outcome == Outcome::DELIVERED, ANSWERS);
   if (outcome != Outcome::SENT) message.slot = KeyStore::NO_SLOT;
@@ -331,7 +330,7 @@ void Courier::finish(Outcome outcome) {
 }
 
 template <typename Scope>
-void Courier::keysChanged() {
+void Retransmitter::keysChanged() {
   for (Message &message : messages_) {
     lookAt(message);
     if (message.slot != KeyStore::NO_SLOT && state_->keys.isFree(message.slot)) {
@@ -346,7 +345,7 @@ void Courier::keysChanged() {
   }
 }
 
-void Courier::otherAcknowledged() {
+void Retransmitter::otherAcknowledged() {
   if (backoff_.otherAcknowledged(state_->random) && current().phase == CONTENDING)
     tell(trace::CONTEND, backoff_.left());
 }
@@ -354,7 +353,7 @@ void Courier::otherAcknowledged() {
 // An acknowledgement may be about a message whose turn has passed. Of two messages with the same bits in their nonces the proof
 // tells which it is about.
 template <typename Scope>
-bool Courier::acknowledged(const Frame &frame) {
+bool Retransmitter::acknowledged(const Frame &frame) {
   bool concerned = false;
   bool accepted = false;
   for (uint8_t place = 0; place < config::PARTNERS && !accepted; place++) {
@@ -370,7 +369,7 @@ bool Courier::acknowledged(const Frame &frame) {
 }
 
 template <typename Scope>
-bool Courier::concerns(const Frame &acknowledgement) const {
+bool Retransmitter::concerns(const Frame &acknowledgement) const {
   const Message &message = current();
   const uint16_t bits = static_cast<uint16_t>((message.nonce[4] << 8 | message.nonce[5]) & 0xFFF);
   return message.sent != 0 && message.slot != KeyStore::NO_SLOT && acknowledgement.destination.member() == bits &&
@@ -378,10 +377,10 @@ bool Courier::concerns(const Frame &acknowledgement) const {
 }
 
 template <typename Scope>
-bool Courier::accept(const Frame &acknowledgement) {
+bool Retransmitter::accept(const Frame &acknowledgement) {
   const Length bodyLength = static_cast<Length>(acknowledgement.length - PROOF_LENGTH);
   Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
-                        : bodyLength == 1 ? Proof::PIECES
+                        : bodyLength == 1 ? Proof::FRAGMENTS
                                           : Proof::STALE,
                         current().nonce,
                         current().sender,
@@ -398,21 +397,21 @@ bool Courier::accept(const Frame &acknowledgement) {
 }
 
 template <typename Scope>
-void Courier::acknowledged(const RadioPacket &lost) {
+void Retransmitter::acknowledged(const RadioPacket &lost) {
   bool borne = false;
   for (uint8_t place = 0; place < config::PARTNERS && !borne; place++) {
     Message &message = messages_[place];
     lookAt(message);
     if (isUnicast<Scope>() && message.sent != 0 && message.slot != KeyStore::NO_SLOT) {
       borne =
-          isExpected<Scope>(Proof::DELIVERED, lost) || (message.count > 1 && isExpected<Scope>(Proof::PIECES, lost));
+          isExpected<Scope>(Proof::DELIVERED, lost) || (message.count > 1 && isExpected<Scope>(Proof::FRAGMENTS, lost));
     }
   }
   lookAt(messages_[turn_]);
   if (borne) state_->count(Counter::RADIO_ANSWERS_TOLERATED);
 }
 
-void Courier::copied(const uint8_t *packet, uint8_t length) {
+void Retransmitter::copied(const uint8_t *packet, uint8_t length) {
   Message &message = current();
   const bool contends = message.phase == CONTENDING && message.retries.attempts() != 0;
   if (!contends && message.phase != AWAITING) return;
@@ -423,14 +422,14 @@ void Courier::copied(const uint8_t *packet, uint8_t length) {
   tell(trace::COPIED);
 }
 
-void Courier::await(uint8_t rounds) {
+void Retransmitter::await(uint8_t rounds) {
   patience_.begin(rounds);
   current().phase = AWAITING;
 }
 
 // Compares with the answers that the partner can give. All bits but those of the proof only show what it is about.
 template <typename Scope>
-bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
+bool Retransmitter::isExpected(Proof::Type type, const RadioPacket &lost) {
   Message &message = current();
   const uint8_t bodyLength = Proof::bodyLength(type);
   const uint8_t length = static_cast<uint8_t>(bodyLength + PROOF_LENGTH);
@@ -442,10 +441,10 @@ bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
   if (lost.wrongBits(HEADER_AT, header, HEADER_LENGTH) > MOST_WRONG_HEADER_BITS) return false;
   if (message.guesses == MOST_GUESSES) return false;
   message.guesses++;
-  const uint8_t last = bodyLength == 0 ? 0 : pieces::all(message.count);
+  const uint8_t last = bodyLength == 0 ? 0 : fragments::all(message.count);
   uint8_t have = bodyLength == 0 ? 0 : static_cast<uint8_t>(message.arrived | 1);
-  for (uint8_t left = MOST_PIECES_GUESSED; left != 0; have++) {
-    if (bodyLength == 0 || lost.wrongBits(BODY_AT, &have, 1) <= MOST_WRONG_PIECES_BITS) {
+  for (uint8_t left = MOST_FRAGMENTS_GUESSED; left != 0; have++) {
+    if (bodyLength == 0 || lost.wrongBits(BODY_AT, &have, 1) <= MOST_WRONG_FRAGMENTS_BITS) {
       left--;
       Proof::Claim claim = {type, message.nonce, message.sender, message.destination, &have, false};
       bool borne = isBorne(claim, lost);
@@ -464,21 +463,21 @@ bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
   return false;
 }
 
-bool Courier::isBorne(const Proof::Claim &claim, const RadioPacket &lost) const {
+bool Retransmitter::isBorne(const Proof::Claim &claim, const RadioPacket &lost) const {
   uint8_t proof[PROOF_LENGTH];
   const uint8_t at = static_cast<uint8_t>(BODY_AT + 2 * Proof::bodyLength(claim.type));
   return acknowledger_->prove(current().slot, claim, proof) &&
          lost.wrongBits(at, proof, PROOF_LENGTH) <= MOST_WRONG_PROOF_BITS;
 }
 
-bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
+bool Retransmitter::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
   uint8_t expected[PROOF_LENGTH];
   return acknowledger_->prove(current().slot, claim, expected) && equalInConstantTime(expected, proof, PROOF_LENGTH);
 }
 
 // Returns false where what was said, though proved, cannot be.
 template <typename Scope>
-bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
+bool Retransmitter::onAnswer(Proof::Type type, const uint8_t *body) {
   switch (type) {
     case Proof::DELIVERED:
       if (isUnicast<Scope>()) {
@@ -486,21 +485,21 @@ bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
         finish<Scope>(Outcome::DELIVERED);
       }
       return isUnicast<Scope>();
-    case Proof::PIECES: return onPieces<Scope>(body[0]);
+    case Proof::FRAGMENTS: return onFragments<Scope>(body[0]);
     case Proof::STALE:
       return onStale<Scope>(body, static_cast<uint16_t>(body[NONCE_LENGTH] << 8 | body[NONCE_LENGTH + 1]));
   }
   return false;
 }
 
-// The receiver has told which pieces it has:
+// The receiver has told which fragments it has:
 // 1. While an attempt is on the air, its own answer is awaited.
 // 2. A message that waits for its turn goes on waiting, and then sends what is lacking.
 // 3. Otherwise what is lacking follows after one quiet slot, without back-off: all who heard the answer leave the air to it.
 template <typename Scope>
-bool Courier::onPieces(uint8_t have) {
+bool Retransmitter::onFragments(uint8_t have) {
   Message &message = current();
-  const uint8_t all = pieces::all(message.count);
+  const uint8_t all = fragments::all(message.count);
   if (!isUnicast<Scope>() || message.count == 1 || (have & 1) == 0 || (have & ~all) != 0) return false;
   const bool isNews = (have & ~message.arrived) != 0;
   message.arrived |= have;
@@ -521,7 +520,7 @@ bool Courier::onPieces(uint8_t have) {
 }
 
 template <typename Scope>
-bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
+bool Retransmitter::onStale(const uint8_t *floor, uint16_t uptime) {
   Message &message = current();
   if (!state_->nonces.raiseAbove(floor, message.nonce)) return false;
   if (!isUnicast<Scope>() || message.refused) return true;
@@ -538,18 +537,18 @@ bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
 
 // Whether the receiver has been up for longer than this message is on its way, so that it did not have it before it lost
 // its memory: by a sixteenth and 1 s more, since clocks differ.
-bool Courier::cannotHaveHadIt(uint16_t uptime) const {
+bool Retransmitter::cannotHaveHadIt(uint16_t uptime) const {
   const uint32_t onItsWay = clock::millis() - current().sentAt;
   return uptime * 100ul > onItsWay + onItsWay / 16 + 1000;
 }
 
-template void Courier::run<WholeScope>();
-template void Courier::run<UnicastScope>();
-template bool Courier::acknowledged<WholeScope>(const Frame &);
-template bool Courier::acknowledged<UnicastScope>(const Frame &);
-template void Courier::acknowledged<WholeScope>(const RadioPacket &);
-template void Courier::acknowledged<UnicastScope>(const RadioPacket &);
-template void Courier::keysChanged<WholeScope>();
-template void Courier::keysChanged<UnicastScope>();
+template void Retransmitter::run<WholeScope>();
+template void Retransmitter::run<UnicastScope>();
+template bool Retransmitter::acknowledged<WholeScope>(const Frame &);
+template bool Retransmitter::acknowledged<UnicastScope>(const Frame &);
+template void Retransmitter::acknowledged<WholeScope>(const RadioPacket &);
+template void Retransmitter::acknowledged<UnicastScope>(const RadioPacket &);
+template void Retransmitter::keysChanged<WholeScope>();
+template void Retransmitter::keysChanged<UnicastScope>();
 
 }  // namespace javinolib

@@ -1,4 +1,4 @@
-#include "Overheard.h"
+#include "CapturedPackets.h"
 
 #if JAVINO_LARGE
 
@@ -9,20 +9,20 @@
 
 namespace javinolib {
 
-void Overheard::listen(bool on) {
+void CapturedPackets::listen(bool on) {
   listens_ = on;
   told_ = records_.count();
   if (!on) forgetTold();
   told_ = 0;
 }
 
-void Overheard::add(How how, const uint8_t *payload, uint8_t length) {
+void CapturedPackets::add(How how, const uint8_t *payload, uint8_t length) {
   uint8_t *const into = append(how, length);
   if (into) memcpy(into, payload, length);
 }
 
 // A packet whose count cannot be read has no known end: all that came is told.
-void Overheard::add(const RadioPacket &lost) {
+void CapturedPackets::add(const RadioPacket &lost) {
   const uint8_t count = lost.count();
   uint8_t length = static_cast<uint8_t>(lost.symbols / 2);
   if (length != 0) length--;  // the count
@@ -33,17 +33,17 @@ void Overheard::add(const RadioPacket &lost) {
   for (uint8_t i = 0; into && i < length; i++) into[i] = lost.readByte(static_cast<uint8_t>(i + 1));
 }
 
-ByteQueue::Record Overheard::firstUntold() const {
+ByteQueue::Record CapturedPackets::firstPending() const {
   ByteQueue::Record record = records_.first();
   for (uint8_t i = 0; i < told_; i++) record = records_.after(record);
   return record;
 }
 
-void Overheard::forgetTold() {
+void CapturedPackets::forgetTold() {
   for (; told_ != 0; told_--) records_.remove(records_.first().bytes);
 }
 
-uint8_t *Overheard::append(How how, uint8_t length) {
+uint8_t *CapturedPackets::append(How how, uint8_t length) {
   if (!listens_) return nullptr;
   const uint16_t all = static_cast<uint16_t>(HEAD_LENGTH + length);
   if (!records_.fits(all)) {

@@ -15,9 +15,9 @@ namespace javinolib {
 
 /// Decides about whole frames, however they came: drops and counts what is not for this board or not genuine, opens the
 /// rest, puts it into the inbox, and answers repeats (SPEC 1, 5, 7).
-class Admission {
+class FrameAcceptor {
  public:
-  Admission(BoardState &state, Inbox &inbox, Acknowledger &acknowledger)
+  FrameAcceptor(BoardState &state, Inbox &inbox, Acknowledger &acknowledger)
       : state_(state), inbox_(inbox), acknowledger_(acknowledger) {}
 
   Inbox &inbox() { return inbox_; }
@@ -46,15 +46,15 @@ class Admission {
   /// Whether a whole frame that is for us comes from where it says: of a broadcast nobody can tell.
   bool isGenuine(const Frame &frame, const uint8_t *bytes, Length length) const;
 
-  /// Looks at the first piece of a sealed frame for us: without a key, or where its nonce is that of a message that we
-  /// have, no other piece is needed. That is counted, and a repeat of what the host has taken acknowledged again.
-  /// @param nonce in the first piece, 6 bytes
+  /// Looks at the first fragment of a sealed frame for us: without a key, or where its nonce is that of a message that we
+  /// have, no other fragment is needed. That is counted, and a repeat of what the host has taken acknowledged again.
+  /// @param nonce in the first fragment, 6 bytes
   /// @param wantsAnswer whether the sender awaits one now
   JAVINO_NOINLINE bool needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer);
 
-  /// Tells the sender of a unicast which of its pieces are here. While its key is being renewed it may have used either:
+  /// Tells the sender of a unicast which of its fragments are here. While its key is being renewed it may have used either:
   /// then each is answered.
-  void answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have);
+  void answerFragment(const Frame &frame, const uint8_t *nonce, uint8_t have);
 
  private:
   template <typename Scope = WholeScope>

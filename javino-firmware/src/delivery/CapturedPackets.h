@@ -16,12 +16,12 @@ namespace javinolib {
 
 /// All packets that the board has heard on the air, until the host has had them (SPEC 4.3, overhear). No key is needed for it,
 /// and none is used. It is off at first.
-class Overheard {
+class CapturedPackets {
  public:
   /// How a packet came.
   enum How : uint8_t { INTACT = 0, MENDED = 1, DAMAGED = 2 };
 
-  explicit Overheard(Counters &counters) : counters_(counters), records_(block_, sizeof block_) {}
+  explicit CapturedPackets(Counters &counters) : counters_(counters), records_(block_, sizeof block_) {}
 
   /// Begins to keep what is heard, or forgets all of it.
   void listen(bool on);
@@ -34,10 +34,10 @@ class Overheard {
   void add(const RadioPacket &lost);
 
   /// Whether packets are to be told.
-  bool areUntold() const { return told_ != records_.count(); }
+  bool arePending() const { return told_ != records_.count(); }
 
   /// Goes through those that are to be told: no bytes stand for the end. Each record is a value as SPEC 4.3 has it.
-  ByteQueue::Record firstUntold() const;
+  ByteQueue::Record firstPending() const;
   ByteQueue::Record after(ByteQueue::Record record) const { return records_.after(record); }
 
   /// One more is told now.
@@ -64,17 +64,17 @@ class Overheard {
 #else
 
 /// The substitute for it on a board that overhears nothing (Config.h).
-class Overheard {
+class CapturedPackets {
  public:
   enum How : uint8_t { INTACT, MENDED };
 
-  explicit Overheard(Counters &) {}
+  explicit CapturedPackets(Counters &) {}
 
   void listen(bool) {}
   void add(How, const uint8_t *, uint8_t) {}
   void add(const RadioPacket &) {}
-  bool areUntold() const { return false; }
-  ByteQueue::Record firstUntold() const { return {nullptr, 0}; }
+  bool arePending() const { return false; }
+  ByteQueue::Record firstPending() const { return {nullptr, 0}; }
   ByteQueue::Record after(ByteQueue::Record record) const { return record; }
   void tell() {}
   void forgetTold() {}

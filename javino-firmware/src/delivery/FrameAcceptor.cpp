@@ -1,14 +1,14 @@
-#include "Admission.h"
+#include "FrameAcceptor.h"
 
 #include "../support/Clock.h"
 
 namespace javinolib {
 
 template <typename Scope>
-bool Admission::isForUs(const Frame &frame) {
+bool FrameAcceptor::isForUs(const Frame &frame) {
   const Address &to = frame.destination;
   const Address &own = state_->id.address();
-  switch (to.classOf()) {
+  switch (to.kind()) {
     case Address::DEVICE:
       if (to != own) return drop(Counter::RADIO_NOT_FOR_US);
       break;
@@ -23,18 +23,18 @@ bool Admission::isForUs(const Frame &frame) {
   return !isOwn(frame) || drop(Counter::RADIO_OWN);
 }
 
-bool Admission::drop(Counter why) {
+bool FrameAcceptor::drop(Counter why) {
   state_->count(why);
   return false;
 }
 
 template <typename Scope>
-bool Admission::accept(const Frame &frame, uint8_t *bytes, Length length, uint16_t age) {
+bool FrameAcceptor::accept(const Frame &frame, uint8_t *bytes, Length length, uint16_t age) {
   return Scope::MANY && frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, age)
                                                         : acceptSealed<Scope>(frame, bytes, length);
 }
 
-bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length length, uint16_t age) {
+bool FrameAcceptor::acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length length, uint16_t age) {
   if (broadcasts_->isRepeat(bytes, length, clock::millis(), age)) {
     state_->count(Counter::RADIO_REPEATS);
     return true;
@@ -46,7 +46,7 @@ bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, Length
 
 // While a key is being renewed a frame may be sealed with either.
 template <typename Scope>
-bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, Length length) {
+bool FrameAcceptor::acceptSealed(const Frame &frame, uint8_t *bytes, Length length) {
   bool hasKey = false;
   for (uint8_t other = 0; other < (Scope::RENEWS ? KeyStore::KEYS_OF_ADDRESS : 1); other++) {
     DerivedKeys keys;
@@ -60,12 +60,12 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, Length length) 
 }
 
 // Counts a frame that cannot be opened, and has the host told of it.
-bool Admission::dropWithoutKey(const Frame &frame) {
-  inbox_->noKeys().add(frame);
+bool FrameAcceptor::dropWithoutKey(const Frame &frame) {
+  inbox_->unknownKeys().add(frame);
   return drop(Counter::RADIO_NO_KEY);
 }
 
-bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, Length length) const {
+bool FrameAcceptor::isGenuine(const Frame &frame, const uint8_t *bytes, Length length) const {
   if (frame.destination.isBroadcast()) return true;
   for (uint8_t previous = 0; previous < KeyStore::KEYS_OF_ADDRESS; previous++) {
     DerivedKeys keys;
@@ -75,13 +75,14 @@ bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, Length lengt
 }
 
 template <typename Scope>
-uint8_t Admission::slotOf(const Frame &frame, bool other) const {
+uint8_t FrameAcceptor::slotOf(const Frame &frame, bool other) const {
   const Address &with = Scope::MANY && frame.destination.isMulticast() ? frame.destination : frame.origin;
   return Scope::RENEWS && other ? state_->keys.other(with) : state_->keys.current(with);
 }
 
 template <typename Scope>
-bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes, Length length) {
+bool FrameAcceptor::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
+                                Length length) {
   acknowledger_->heard(slot);
   const uint8_t *nonce = bytes + Envelope::NONCE_AT;
   const ReplayMemory::Verdict verdict = state_->replays.judge<Scope>(slot, frame.origin, nonce);
@@ -99,7 +100,7 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
 }
 
 // Returns whether the message is here already.
-bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce) {
+bool FrameAcceptor::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce) {
   switch (verdict) {
     case ReplayMemory::REPEATED:
       state_->count(Counter::RADIO_REPEATS);
@@ -114,7 +115,7 @@ bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame 
   }
 }
 
-bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer) {
+bool FrameAcceptor::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer) {
   bool hasKey = false;
   for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     const uint8_t slot = slotOf(frame, other != 0);
@@ -131,18 +132,18 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
   return hasKey || dropWithoutKey(frame);
 }
 
-void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have) {
+void FrameAcceptor::answerFragment(const Frame &frame, const uint8_t *nonce, uint8_t have) {
   for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     const uint8_t slot = slotOf(frame, other != 0);
     if (slot == KeyStore::NO_SLOT) continue;
     acknowledger_->heard(slot);
-    acknowledger_->pieces(slot, frame.origin, nonce, have);
+    acknowledger_->fragments(slot, frame.origin, nonce, have);
   }
 }
 
-template bool Admission::isForUs<WholeScope>(const Frame &);
-template bool Admission::isForUs<UnicastScope>(const Frame &);
-template bool Admission::accept<WholeScope>(const Frame &, uint8_t *, Length, uint16_t);
-template bool Admission::accept<UnicastScope>(const Frame &, uint8_t *, Length, uint16_t);
+template bool FrameAcceptor::isForUs<WholeScope>(const Frame &);
+template bool FrameAcceptor::isForUs<UnicastScope>(const Frame &);
+template bool FrameAcceptor::accept<WholeScope>(const Frame &, uint8_t *, Length, uint16_t);
+template bool FrameAcceptor::accept<UnicastScope>(const Frame &, uint8_t *, Length, uint16_t);
 
 }  // namespace javinolib

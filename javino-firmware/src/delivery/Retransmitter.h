@@ -26,9 +26,9 @@ namespace javinolib {
 ///
 /// Some are under way at once, each to another device, or one of them to many. They take turns: one is on the air, or has
 /// its answer awaited, until its attempt has come to nothing. New ones go first. So who is absent holds up nobody else.
-class Courier {
+class Retransmitter {
  public:
-  Courier(MediumAccess &medium, Acknowledger &acknowledger, BoardState &state)
+  Retransmitter(MediumAccess &medium, Acknowledger &acknowledger, BoardState &state)
       : medium_(medium), acknowledger_(acknowledger), state_(state) {
     lookAt(messages_[0]);
   }
@@ -61,7 +61,7 @@ class Courier {
   /// Looks at a unicast from the air: if it is what has its turn, a relay has copied that.
   void copied(const uint8_t *packet, uint8_t length);
 
-  /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong
+  /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its fragments: so some wrong
   /// bits can be borne.
   template <typename Scope = WholeScope>
   JAVINO_NOINLINE void acknowledged(const RadioPacket &lost);
@@ -75,7 +75,7 @@ class Courier {
     IDLE,        // nothing is under way
     READY,       // its next attempt waits for its turn
     CONTENDING,  // it has its turn: an attempt waits for the air
-    PAUSING,     // the next piece of an attempt waits for a quiet slot
+    PAUSING,     // the next fragment of an attempt waits for a quiet slot
     ON_AIR,      // a packet is being sent
     AWAITING     // an answer is awaited
   };
@@ -86,11 +86,11 @@ class Courier {
     Phase phase;
     uint8_t number;  // of its transmission
     Retries retries;
-    uint8_t count;    // pieces; 1: it travels whole
-    uint8_t id;       // where it is in pieces
-    uint8_t pending;  // pieces that this attempt still has to send
-    uint8_t sent;     // pieces that have been sent at least once; 0: nothing was ever sent from this place
-    uint8_t arrived;  // pieces that the receiver has ever had
+    uint8_t count;    // fragments; 1: it travels whole
+    uint8_t id;       // where it is in fragments
+    uint8_t pending;  // fragments that this attempt still has to send
+    uint8_t sent;     // fragments that have been sent at least once; 0: nothing was ever sent from this place
+    uint8_t arrived;  // fragments that the receiver has ever had
     bool refused;     // to be sealed anew before its next attempt
     bool resealed;    // or was
     bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
@@ -168,7 +168,7 @@ class Courier {
   template <typename Scope>
   bool onAnswer(Proof::Type type, const uint8_t *body);
   template <typename Scope>
-  bool onPieces(uint8_t have);
+  bool onFragments(uint8_t have);
   template <typename Scope>
   bool onStale(const uint8_t *floor, uint16_t uptime);
   bool cannotHaveHadIt(uint16_t uptime) const;
@@ -179,7 +179,7 @@ class Courier {
 
   // These are of the message that has its turn.
   Backoff backoff_;
-  uint8_t onAir_;                // the piece that is being sent
+  uint8_t onAir_;                // the fragment that is being sent
   Patience patience_;            // until its attempt has failed
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
 

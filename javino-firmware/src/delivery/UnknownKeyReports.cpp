@@ -1,10 +1,10 @@
-#include "NoKeys.h"
+#include "UnknownKeyReports.h"
 
 #if JAVINO_SESSION_KEYS
 
 namespace javinolib {
 
-void NoKeys::add(const Frame &frame) {
+void UnknownKeyReports::add(const Frame &frame) {
   for (uint8_t i = 0; i < count(); i++) {
     if (at(i).origin == frame.origin) return;
   }

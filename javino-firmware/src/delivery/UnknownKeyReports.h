@@ -5,7 +5,7 @@
 #include "../Config.h"
 #include "../framing/Frame.h"
 #include "../support/Inlining.h"
-#include "Untold.h"
+#include "PendingReports.h"
 
 namespace javinolib {
 
@@ -19,7 +19,7 @@ struct KeylessFrame {
 
 /// Sealed frames for us for which there was no key, so that the host can agree on one: the first of each origin, and only a
 /// few, as anybody can send them in anybody's name (SPEC 4.3).
-class NoKeys : public Untold < KeylessFrame, JAVINO_SESSION_KEYS<4 ? 1 : 4> {
+class UnknownKeyReports : public PendingReports < KeylessFrame, JAVINO_SESSION_KEYS<4 ? 1 : 4> {
  public:
   /// One has come; it is not kept while one of its origin is here, or no more fit.
   JAVINO_NOINLINE void add(const Frame &frame);
@@ -28,10 +28,10 @@ class NoKeys : public Untold < KeylessFrame, JAVINO_SESSION_KEYS<4 ? 1 : 4> {
 #else
 
 /// The substitute for it on a board without session keys (Config.h).
-class NoKeys {
+class UnknownKeyReports {
  public:
   void add(const Frame &) {}
-  bool areUntold() const { return false; }
+  bool arePending() const { return false; }
   KeylessFrame next() const { return {}; }
   void tell() {}
   void forgetTold() {}

@@ -9,7 +9,7 @@ namespace javinolib {
 
 /// News for the host in the order in which they came, until it has had them (SPEC 4.3).
 template <typename News, uint8_t capacity>
-class Untold {
+class PendingReports {
  public:
   static const uint8_t CAPACITY = capacity;
 
@@ -17,7 +17,7 @@ class Untold {
   uint8_t count() const { return count_; }
 
   /// Whether any is to be told.
-  bool areUntold() const { return told_ != count_; }
+  bool arePending() const { return told_ != count_; }
 
   /// The next one to be told. Only while there is one.
   const News &next() const { return news_[told_]; }

@@ -1,9 +1,9 @@
-#include "Pieces.h"
+#include "Fragments.h"
 
 #include <string.h>
 
 namespace javinolib {
-namespace pieces {
+namespace fragments {
 
 uint8_t count(Length frameLength, uint8_t longest) {
   if (frameLength <= static_cast<Length>(HEADER_LENGTH + longest)) return 1;
@@ -27,11 +27,11 @@ uint8_t cut(const uint8_t *frame, Length frameLength, uint8_t id, uint8_t index,
   const uint8_t at = index & (MAX_FRAGMENTS - 1);
   const uint8_t bytes = length(frameLength, at, longest);
   memcpy(into, frame, HEADER_LENGTH);
-  Address::piece(id, index).write(into);
+  Address::fragment(id, index).write(into);
   Frame::writeSize(into + 2 * Address::TEXT_LENGTH, bytes);
   memcpy(into + HEADER_LENGTH, frame + at * longest, bytes);
   return static_cast<uint8_t>(HEADER_LENGTH + bytes);
 }
 
-}  // namespace pieces
+}  // namespace fragments
 }  // namespace javinolib
