@@ -21,8 +21,7 @@ void addEscaped(Record &record, char next) {
   record.add(static_cast<uint8_t>(newline ? 'n' : next));
 }
 
-// `(number)`, the last digits of which may be decimals. AVR takes 600 cycles to divide 32 bits, 200 for 16,
-// and 70 by a product.
+// `(number)`, the last digits of which may be decimals. AVR takes 600 cycles to divide 32 bits, and 200 for 16.
 JAVINO_NOINLINE void addNumber(Record &record, bool negative, unsigned long number, uint8_t decimals) {
   uint8_t text[1 + 1 + MAX_DIGITS + 1 + 1];
   uint8_t *const end = text + sizeof text;
@@ -36,11 +35,8 @@ JAVINO_NOINLINE void addNumber(Record &record, bool negative, unsigned long numb
       digit = static_cast<uint8_t>(number % 10);
       number /= 10;
     } else {
-      const uint16_t rest = static_cast<uint16_t>(number);
-      // 0xCCCD is 2 ** 19 / 10, rounded up: exact for 16 bits.
-      const uint16_t tenth = static_cast<uint16_t>(rest * 0xCCCDUL >> 16) >> 3;
-      digit = static_cast<uint8_t>(rest - 10 * tenth);
-      number = tenth;
+      digit = static_cast<uint8_t>(static_cast<uint16_t>(number) % 10);
+      number = static_cast<uint16_t>(number) / 10;
     }
     *--first = static_cast<uint8_t>('0' + digit);
     digits++;

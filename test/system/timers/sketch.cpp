@@ -1,5 +1,6 @@
 // A radio, and what else a sketch may do with timers: -D NEIGHBOUR=(one of the functions below), -D JAVINO_RADIO_TIMER=(the radio's). With
-// NEIGHBOUR_FIRST its header comes first, and it begins first. With HOSTED the board has a host; else it broadcasts, with ANSWERS only what it has heard.
+// NEIGHBOUR_FIRST its header comes first, and it begins first. With HOSTED the board has a host, with RELAYS it is a relay; else it
+// broadcasts, with ANSWERS only what it has heard.
 
 #include <Arduino.h>
 
@@ -24,6 +25,8 @@ const uint16_t SEND_MILLIS = 400;  // for a packet and its answer
 JavinoAskRadio radio(RX_PIN);
 #ifdef HOSTED
 JavinoRadioBoard board(Serial, "neighbour 1.0", radio);
+#elif defined(RELAYS)
+JavinoRelay relay(radio);
 #else
 JavinoBroadcaster broadcaster(radio);
 #endif
@@ -81,6 +84,9 @@ void setup() {
 #ifdef HOSTED
   (void)heard;
   digitalWrite(BEGUN_PIN, board.begin(115200));
+#elif defined(RELAYS)
+  (void)heard;
+  digitalWrite(BEGUN_PIN, relay.begin());
 #else
   broadcaster.onHeard(heard);
   digitalWrite(BEGUN_PIN, broadcaster.begin(ADDRESS));
@@ -93,6 +99,8 @@ void setup() {
 void loop() {
 #ifdef HOSTED
   board.run();
+#elif defined(RELAYS)
+  relay.run();
 #else
   static uint16_t sent;  // no text twice, as that would be a repeat
   broadcaster.run();

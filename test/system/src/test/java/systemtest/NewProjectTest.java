@@ -12,6 +12,8 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -104,6 +106,33 @@ class NewProjectTest {
         assertFalse(text.contains("Multiple libraries were found for \"Javino"), text);
         assertTrue(text.contains("Maximum is 32256 bytes.") && text.contains("Maximum is 2048 bytes."), text);
         assertTrue(Files.size(project.resolve("build/sketch/Robot.ino.hex")) > 0);
+    }
+
+    @Test
+    void sketch_tooLargeForAnUno_isAnsweredByTheLibrarysPage(@TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project, "--board", "uno").waitFor());
+        Path sketch = project.resolve("sketch/Robot/Robot.ino");
+        Files.writeString(sketch, Files.readString(sketch)
+                .replaceFirst("(?m)^JavinoBoard", "const char TABLE[32000] PROGMEM = {};\n$0")
+                .replaceFirst("void setup\\(\\) \\{", "$0 Serial.write(pgm_read_byte(TABLE + millis()));"));
+
+        Path said = folder.resolve("said");
+        int status = gradle("sketch", "-Duser.home=" + folder).directory(project.toFile()).redirectErrorStream(true)
+                .redirectOutput(said.toFile()).start().waitFor();
+
+        String text = Files.readString(said);
+        assertTrue(status != 0, text);
+        List<String> answers = text.lines().filter(line -> line.startsWith("The sketch is too large")).toList();
+        assertEquals(1, answers.size(), text);
+        String section = Files.readString(SketchBuild.ROOT.resolve("javino-firmware/README.md"))
+                .split("\n### What takes flash\n")[1].split("\n#")[0];
+        List<String> figures =
+                Pattern.compile("\\b\\d{3,}\\b").matcher(section).results().map(MatchResult::group).toList();
+        assertFalse(figures.isEmpty(), section);
+        figures.forEach(figure -> assertTrue(answers.get(0).contains(" " + figure), text));
+        assertTrue(answers.get(0).contains("JavinoUnicastBoard in place of JavinoRadioBoard takes "), text);
+        assertTrue(answers.get(0).endsWith(" Or take a Mega."), text);
     }
 
     private static void write(Path file, String line) throws IOException {

@@ -122,6 +122,17 @@ class TimerNeighboursTest {
         assertWarned(timer, hosted(board, build(board, timer, header, option + HOSTED, false)), true);
     }
 
+    /** Where there is no host to be told, begin() is all that says so: only of what has the timer before. */
+    @ParameterizedTest
+    @CsvSource({"uno, 1, -DPWM=9", "uno, 1, -DPWM=9 -DRELAYS", "mega, 4, -DPWM=6", "mega, 4, -DPWM=6 -DRELAYS"})
+    void sameTimer_withoutAHost_isToldByBegin(String board, int timer, String option) throws Exception {
+        for (boolean first : List.of(true, false)) {
+            List<TraceEvent> trace = emulate(board, build(board, timer, FREE, option, first));
+            assertEquals(first ? 0 : 1, last(trace, "begun"));
+            assertEquals(0, trace.stream().filter(event -> event.is("rf-tx", "tested") && first).count());
+        }
+    }
+
     /** A radio that does not start, as its pin will not do, is no other's fault. */
     @ParameterizedTest
     @CsvSource({"uno, 1, Arduino.h, -DNOTHING", "mega, 1, Servo.h, -DSERVOS=12", "uno, 0, Arduino.h, -DRX_PIN=12",
