@@ -267,7 +267,9 @@ public final class Device implements BoardListener {
             context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }
         boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());
-        session.thenCompose(open -> other ? open.setRfId(wanted.rfId().get()) : CompletableFuture.completedFuture(null))
+        // The session's thread waits here for the one that has begun it: only so these requests go before the first poll.
+        Board open = session.join();
+        (other ? open.setRfId(wanted.rfId().get()) : CompletableFuture.completedFuture(null))
                 .whenComplete((done, thrown) -> {
                     if (thrown != null) {
                         context.warnings().always(Failure.of(thrown).message());

@@ -28,7 +28,8 @@ public final class ExclusivePort implements LinkOpener {
     private final LinkOpener next;
     private final String agent;
     private final CompletableFuture<Void> before;
-    private final CompletableFuture<Void> left = new CompletableFuture<>();
+    /** Completes at {@link #leave}; a test sees whether somebody waits. */
+    final CompletableFuture<Void> left = new CompletableFuture<>();
     private volatile String held;
     private boolean hasWaited;
 

@@ -49,20 +49,15 @@ class ExclusivePortTest {
         Set.of(first, second, third).forEach(ExclusivePort::leave);
     }
 
-    private Thread opener;
-
     /** Opens the port on a thread of its own. */
-    private CompletableFuture<Link> opening(ExclusivePort turn) {
+    private static CompletableFuture<Link> opening(ExclusivePort turn) {
         return CompletableFuture.supplyAsync(() -> {
             try {
                 return turn.open();
             } catch (LinkException e) {
                 throw new CompletionException(e);
             }
-        }, task -> {
-            opener = new Thread(task);
-            opener.start();
-        });
+        }, task -> new Thread(task).start());
     }
 
     @Test
@@ -70,8 +65,7 @@ class ExclusivePortTest {
         first.open().close();
         CompletableFuture<Link> opened = opening(third);
         looks.acquire();
-        // Until it waits for the first: else it may see the second at once, and look once only.
-        while (opener.getState() != Thread.State.TIMED_WAITING) {
+        while (first.left.getNumberOfDependents() == 0) {
             Thread.onSpinWait();
         }
         // As if the second had come first to the port that the first leaves.

@@ -12,8 +12,11 @@ import javino.protocol.Payload;
 import trace.TraceEvent;
 
 /**
- * A board tells of each undamaged packet what has become of it, by the end of the first run() behind it; but not of
- * fragments that it ignores. It counts none as what that cannot be.
+ * Each undamaged packet that comes to a board has a fate, such as QUEUED or a counter:
+ * <ol>
+ * <li>The board tells it by the end of its first run() behind the packet, but for fragments that it ignores.
+ * <li>The fate is one that this packet can have: no broadcast is counted as replayed.
+ * </ol>
  */
 final class FateCheck implements Check {
     /** Fates, of which each packet has one at most, and no counter but behind a fragment. */
@@ -26,7 +29,7 @@ final class FateCheck implements Check {
             Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.RADIO_REPEATS,
             Counter.RADIO_FRAGMENTS_DROPPED, Counter.RADIO_BAD_PROOFS, Counter.RADIO_STALE, Counter.RADIO_BLOCKED,
             Counter.RADIO_DOUBTFUL, Counter.RADIO_ANSWERS_TOLERATED, Counter.MEMORY_DAMAGED);
-    /** What a board with sealed unicasts only may say of a message to many, each of which it drops. */
+    /** The fates of messages to many, all of which a board with sealed unicasts only drops. */
     private static final Set<String> TO_MANY =
             Set.of("radioNotForUs", "radioBadFrames", "radioReserved", "radioBlocked");
 
