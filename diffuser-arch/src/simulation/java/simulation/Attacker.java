@@ -16,7 +16,7 @@ public final class Attacker {
     private static final int MOST_NOISE = 40;
 
     private final Random random;
-    private final List<Said> heard = new ArrayList<>();
+    private final List<HeardMessage> heard = new ArrayList<>();
     private final List<Address> names;
     private final Voice voice;
 
@@ -27,7 +27,7 @@ public final class Attacker {
         void say(Address from, Address to, Bytes word);
     }
 
-    private record Said(Address from, Bytes word) {
+    private record HeardMessage(Address from, Bytes word) {
     }
 
     /** @param names in which he speaks, and to whom. */
@@ -40,7 +40,7 @@ public final class Attacker {
     /** He hears a word. */
     public void hear(Address from, Bytes word) {
         if (heard.size() < MOST) {
-            heard.add(new Said(from, word));
+            heard.add(new HeardMessage(from, word));
         }
     }
 
@@ -85,25 +85,25 @@ public final class Attacker {
         broadcast(name, pick(HostMessage.fragments(kind, victim, body)).encode());
     }
 
-    private void replay(Said said) {
-        broadcast(said.from, said.word);
+    private void replay(HeardMessage each) {
+        broadcast(each.from, each.word);
     }
 
     /** Back to whoever said it, in the name of whom it was for, or of somebody of those. */
-    private void reflect(Said said) {
-        Address to = new Address((int) said.word.number(1, 4));
+    private void reflect(HeardMessage each) {
+        Address to = new Address((int) each.word.number(1, 4));
         broadcast(to.kind() == Address.Kind.DEVICE ? to : pick(names),
-                Bytes.join(said.word.slice(0, 1), address(said.from), said.word.from(4)));
+                Bytes.join(each.word.slice(0, 1), address(each.from), each.word.from(4)));
     }
 
-    private void change(Said said) {
-        byte[] bytes = said.word.toArray();
+    private void change(HeardMessage each) {
+        byte[] bytes = each.word.toArray();
         bytes[1 + random.nextInt(bytes.length - 1)] ^= (byte) (1 << random.nextInt(8));
-        broadcast(said.from, Bytes.copyOf(bytes));
+        broadcast(each.from, Bytes.copyOf(bytes));
     }
 
     /** The one's words in the other's name, to another. */
-    private void mix(Said one, Said other) {
+    private void mix(HeardMessage one, HeardMessage other) {
         broadcast(other.from, Bytes.join(one.word.slice(0, 1), other.word.slice(1, 4), one.word.from(4)));
     }
 }

@@ -2,7 +2,7 @@ package highway;
 
 import highway.Observation.Aired;
 import highway.Observation.Pin;
-import highway.Observation.Said;
+import highway.Observation.Printed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
@@ -66,7 +66,7 @@ final class Behaviour {
 
     private Behaviour says(String words) {
         return await("the agent did not say \"" + words + "\"",
-                seen -> seen instanceof Said said && said.device() == device && said.text().contains(words));
+                seen -> seen instanceof Printed line && line.device() == device && line.text().contains(words));
     }
 
     private Behaviour airsPlain(String destination, String content) {

@@ -7,7 +7,7 @@ sealed interface Observation {
     double seconds();
 
     /** A line that an agent printed. */
-    record Said(double seconds, Device device, String text) implements Observation {}
+    record Printed(double seconds, Device device, String text) implements Observation {}
 
     /** A warning of its Java virtual machine, or of a library there. */
     record Warned(double seconds, Device device, String text) implements Observation {}

@@ -344,10 +344,10 @@ final class Scenario implements AutoCloseable {
     private Observation printed(Device device, String line) {
         String tag = "[" + device.id() + "] ";
         if (line.startsWith(tag)) {
-            return new Observation.Said(seconds, device, line.substring(tag.length()));
+            return new Observation.Printed(seconds, device, line.substring(tag.length()));
         }
         // Another agent of that MAS.
-        return line.matches("\\[\\w+] .*") ? new Observation.Said(seconds, device, line)
+        return line.matches("\\[\\w+] .*") ? new Observation.Printed(seconds, device, line)
                 : new Observation.Warned(seconds, device, EventLog.warning(device, line));
     }
 
@@ -388,8 +388,8 @@ final class Scenario implements AutoCloseable {
         if (!(options.live() && allObserved())) {
             timeline.show(observation);
         }
-        if (observation instanceof Observation.Said said) {
-            tell("said", "board", said.device().id(), "text", said.text());
+        if (observation instanceof Observation.Printed printed) {
+            tell("said", "board", printed.device().id(), "text", printed.text());
         } else if (observation instanceof Observation.Warned warned) {
             tell("warned", "board", warned.device().id(), "text", warned.text());
         }
@@ -405,11 +405,11 @@ final class Scenario implements AutoCloseable {
         if (evidence || observation instanceof Observation.Hosts) {
             chart.add(observation);
         }
-        if (observation instanceof Observation.Said said) {
-            if (said.text().equals("Ready")) {
-                ready.add(said.device());
-            } else if (said.text().matches("My board at .* is on")) {
-                connected.add(said.device());
+        if (observation instanceof Observation.Printed printed) {
+            if (printed.text().equals("Ready")) {
+                ready.add(printed.device());
+            } else if (printed.text().matches("My board at .* is on")) {
+                connected.add(printed.device());
             }
         }
     }

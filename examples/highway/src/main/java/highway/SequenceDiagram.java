@@ -3,7 +3,7 @@ package highway;
 import highway.Observation.Aired;
 import highway.Observation.Hosts;
 import highway.Observation.Pin;
-import highway.Observation.Said;
+import highway.Observation.Printed;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -69,9 +69,9 @@ final class SequenceDiagram {
 
     private static String row(Observation seen, int y) {
         // The words of an agent have no time of their own: they came between two events.
-        if (seen instanceof Said said) {
+        if (seen instanceof Printed line) {
             // Another agent than the device's own has its name before what it says: it travels.
-            return box(said.device(), "“" + said.text() + "”", y, said.text().startsWith("[") ? TRAVELLER : "white");
+            return box(line.device(), "“" + line.text() + "”", y, line.text().startsWith("[") ? TRAVELLER : "white");
         }
         String time =
                 String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",

@@ -4,7 +4,7 @@ import highway.Observation.Acknowledged;
 import highway.Observation.Aired;
 import highway.Observation.Hosts;
 import highway.Observation.Pin;
-import highway.Observation.Said;
+import highway.Observation.Printed;
 import highway.Observation.Spoilt;
 import highway.Observation.Warned;
 import java.io.PrintStream;
@@ -47,8 +47,8 @@ final class Timeline {
     }
 
     private String line(Observation seen) {
-        if (seen instanceof Said said) {
-            return who(said.device()) + "says   " + said.text();
+        if (seen instanceof Printed line) {
+            return who(line.device()) + "says   " + line.text();
         }
         if (seen instanceof Aired aired) {
             return who(aired.origin()) + "sends  " + packet(aired);

@@ -22,7 +22,7 @@ class TimelineTest {
         Timeline timeline = new Timeline(new PrintStream(out, true, StandardCharsets.UTF_8), coloured);
         timeline.note("a note");
         timeline.warn("a warning");
-        timeline.show(new Observation.Said(1, Device.BUS, "Ready"));
+        timeline.show(new Observation.Printed(1, Device.BUS, "Ready"));
         timeline.table(Behaviour.all(true));
         timeline.verdict("refused", false);
 

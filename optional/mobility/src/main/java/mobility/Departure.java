@@ -151,8 +151,8 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
         long sum = offsets.stream().mapToLong(Integer::longValue).sum();
         Departure sending = new Departure(State.SENDING, move, parts, offsets, Math.max(most, sum));
         Consumer<Course> become = sending.become(sending.data().isPresent() ? State.SENDING : State.SENT);
-        // Only bytes that the receiver never had prolong the patience. Else a receiver that asks for the same bytes again
-        // and again would keep the agent asleep for ever.
+        // Only bytes that the receiver never had prolong the patience. Else a receiver that asks for the same bytes
+        // again and again would keep the agent asleep for ever.
         return sum > most ? List.of(become, Course::await) : List.of(become);
     }
 

@@ -21,8 +21,8 @@ import trace.TraceEvent;
 import trace.TraceReader;
 
 /**
- * States that hosts must not tell, and messages that they must not send. In {@code hosts/walker.jsonl} {@code home} sent
- * an agent to {@code away}, from where it came back ({@code test/system}'s {@code MovesTest}); in
+ * States that hosts must not tell, and messages that they must not send. In {@code hosts/walker.jsonl} {@code home}
+ * sent an agent to {@code away}, from where it came back ({@code test/system}'s {@code MovesTest}); in
  * {@code hosts/handshake.jsonl} {@code bus} begins a handshake with {@code police}. They are changed by hand here, by
  *
  * <pre>

@@ -14,8 +14,8 @@ import javino.protocol.Airtime;
 /**
  * A story of boards a, b and c, by what they send, hear and declare, as
  * {@code 1 SEND pending=1; 1.0002 b>c UNICAST hops=1}, or a line each: words in capital letters are points, whose run()
- * came 1 ms behind the one before, or a {@code gap}. All is of b unless a board is named, and packets only sent (b), sent and heard (b>c), or only heard (b~c). A point names the packet that has
- * come last, if it names none.
+ * came 1 ms behind the one before, or a {@code gap}. All is of b unless a board is named, and packets only sent (b),
+ * sent and heard (b>c), or only heard (b~c). A point names the packet that has come last, if it names none.
  */
 final class Story {
     private static final double BIT = 1 / 2000.0;
