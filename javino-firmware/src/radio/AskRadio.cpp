@@ -94,7 +94,7 @@ void AskRadio::release() {
 }
 
 // A packet whose last bits are alike ends without an edge: it need not wait for the alarm. A level that came in shorter
-// fragments would not steer the bit clock.
+// parts would not steer the bit clock.
 void AskRadio::lookAtLine() {
   askhardware::InterruptLock lock;
   if (decoder_->inPacket()) hear(askhardware::now(), bitTicks_);

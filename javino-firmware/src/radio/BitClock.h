@@ -24,7 +24,7 @@ class BitClock {
   void reset(bool level);
 
   /// Goes on in time, at most to the end of the window.
-  /// @param ticks how long the line was at this level, from change to change (a level that stays may come in fragments of
+  /// @param ticks how long the line was at this level, from change to change (a level that stays may come in parts of
   /// a quarter of a bit or more); on return, how much of that is still to be gone through
   /// @param bit set where a window ended
   /// @return whether a window ended; to be called again as long as one did.

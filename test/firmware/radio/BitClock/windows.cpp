@@ -9,14 +9,14 @@ namespace {
 
 const uint32_t WHOLE = 60000;  // longer than any level here
 
-// The bits of a line whose levels come in fragments: this long at least, and all of the rest where that would be shorter.
-Bits bitsOf(const AirLine &line, uint32_t fragment) {
+// The bits of a line whose levels come in parts: this long at least, and all of the rest where that would be shorter.
+Bits bitsOf(const AirLine &line, uint32_t part) {
   BitClock clock(Modem::BIT);
   Bits bits;
   for (const AirLine::Run &run : line.runs()) {
     uint32_t left = static_cast<uint32_t>(run.ticks);
     while (left != 0) {
-      uint16_t ticks = static_cast<uint16_t>(left < 2 * fragment ? left : fragment);
+      uint16_t ticks = static_cast<uint16_t>(left < 2 * part ? left : part);
       left -= ticks;
       bool bit;
       while (clock.advance(ticks, run.level, bit)) bits.push_back(bit);
@@ -39,13 +39,13 @@ TEST(BitClock, givesEachBitOnce) {
   EXPECT_EQ(bitsOf(AirLine().bits(sent, Modem::BIT), WHOLE), sent);
 }
 
-TEST(BitClock, givesTheSameBitsWhenALevelComesInPieces) {
+TEST(BitClock, givesTheSameBitsWhenALevelComesInParts) {
   std::mt19937 random(2);
   AirLine line;
   line.bits(randomBits(300, 2), Modem::BIT * 1.01).jitter(150, random).quantise(1);
   const Bits whole = bitsOf(line, WHOLE);
-  for (uint32_t fragment = Modem::BIT / 4; fragment <= 3 * Modem::BIT; fragment += 13) {
-    EXPECT_EQ(bitsOf(line, fragment), whole) << "fragments of " << fragment;
+  for (uint32_t part = Modem::BIT / 4; part <= 3 * Modem::BIT; part += 13) {
+    EXPECT_EQ(bitsOf(line, part), whole) << "parts of " << part;
   }
 }
 

@@ -267,7 +267,7 @@ public final class Device implements BoardListener {
             context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }
         boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());
-        // The session's thread waits here for the one that has begun it: only so these requests go before the first poll.
+        // The session's thread waits here for the one that has begun it: so these requests go before the first poll.
         Board open = session.join();
         (other ? open.setRfId(wanted.rfId().get()) : CompletableFuture.completedFuture(null))
                 .whenComplete((done, thrown) -> {

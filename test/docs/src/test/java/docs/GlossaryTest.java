@@ -28,6 +28,8 @@ class GlossaryTest {
     private static final Pattern HEADING = Pattern.compile("(?m)^#+ .*");
     private static final Pattern TABLE = Pattern.compile("(?m)^\\|.*");
     private static final Pattern TYPE = Pattern.compile("\\bpublic\\b[\\w ]* (?:class|record|interface|enum) (\\w+)");
+    private static final Pattern FIRMWARES_TYPE =
+            Pattern.compile("(?m)^ *(?:class|struct|enum|enum class|namespace) (\\w+)");
     private static final Pattern METHOD = Pattern.compile("\\bpublic [\\w<>\\[\\],.? ]*?(\\w+)\\(");
     private static final Pattern OPTION = Pattern.compile("names = \\{?\"(--[a-z-]+)\"");
     private static final Pattern KEY = Pattern.compile("\"(\\w+)\":");
@@ -83,6 +85,11 @@ class GlossaryTest {
     @Test
     void java_publicNamesAndOptions_useTheFieldsWords() {
         assertHeld(".java", TYPE, METHOD, OPTION);
+    }
+
+    @Test
+    void firmware_types_useTheFieldsWords() {
+        assertHeld(".h", FIRMWARES_TYPE);
     }
 
     @Test

@@ -22,7 +22,7 @@ final class Nonces {
     /** Takes notice of an event of the trace. */
     synchronized void see(TraceEvent event) {
         if (event.is("rf-tx")) {
-            // The first fragment holds the header and the nonce of the whole; of the others the first tells nothing new.
+            // The first fragment holds the header and the nonce of the whole; the first of the others tells no more.
             Payload whole = Payload.of(Bytes.copyOf(event.bytes("payload"))).whole();
             if (whole.hasNonce() && !whole.nonce().isEmpty()) {
                 enter(whole);

@@ -37,9 +37,11 @@ class DeliveryRunTest {
 
     @Test
     void run_withoutMistake_goesAllWays() throws Exception {
-        FirmwareMutant none = new FirmwareMutant("delivery/Retransmitter.cpp", 1, "", "", FirmwareMutant.all(ROOT).stream()
-                .filter(mutant -> mutant.file().equals("delivery/Retransmitter.cpp")).findFirst().orElseThrow().source(ROOT)
-                .split("\n")[0]);
+        FirmwareMutant none = new FirmwareMutant("delivery/Retransmitter.cpp", 1, "", "",
+                FirmwareMutant.all(ROOT).stream()
+                        .filter(mutant -> mutant.file().equals("delivery/Retransmitter.cpp")).findFirst().orElseThrow()
+                        .source(ROOT)
+                        .split("\n")[0]);
         List<String> trace = new ArrayList<>();
         assertEquals("", run(none, trace));
         Set<String> ways = new TreeSet<>();
