@@ -114,7 +114,7 @@ Bytes forged(const Bytes &nonce, RandomBytes &random) {
       right[random.number(static_cast<uint32_t>(right.size()))] ^= static_cast<uint8_t>(1 << random.number(8));
       return right;
     case 2:  // what proves something else
-      return answer(nonce, "ROMA", proof(key, Proof::PIECES, nonce, "SUPO", "ROMA", {random.byte()}));
+      return answer(nonce, "ROMA", proof(key, Proof::FRAGMENTS, nonce, "SUPO", "ROMA", {random.byte()}));
     case 3: return answer(nonce, "ROMA", proof(key, Proof::STALE, nonce, "SUPO", "ROMA", random.bytes(8)));
     case 4:  // the other way round
       return answer(nonce, "ROMA", proof(key, Proof::DELIVERED, nonce, "ROMA", "SUPO", {}));
@@ -174,7 +174,7 @@ Tally replayAcknowledgements(uint32_t seed, uint64_t tries) {
     }
     errand.checkUndecided();
     recorded.push_back(delivered(errand.nonce()));
-    recorded.push_back(genuine(Proof::PIECES, errand.nonce(), {1}));
+    recorded.push_back(genuine(Proof::FRAGMENTS, errand.nonce(), {1}));
     if (recorded.size() > 200) recorded.erase(recorded.begin(), recorded.begin() + 2);
     errand.end(delivered(errand.nonce()));
   });

@@ -107,7 +107,7 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
     }
 
     private String fragment(Address to) {
-        Payload piece = Payload.of(payload);
-        return piece.index() + " of " + to.member().charAt(0) + (piece.asks() ? ", asks" : "");
+        Payload fragment = Payload.of(payload);
+        return fragment.index() + " of " + to.member().charAt(0) + (fragment.asks() ? ", asks" : "");
     }
 }
