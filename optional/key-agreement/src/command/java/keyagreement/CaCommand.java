@@ -141,14 +141,15 @@ public final class CaCommand implements CommandPlugin {
     }
 
     @Command(name = "list", description = "Shows the authority, its last revocation list and all certificates.")
-    int list(@Option(names = "--ca", required = true, paramLabel = "FILE", description = FILE) Path file)
-            throws IOException, JavinoException {
+    int list(@Option(names = "--ca", required = true, paramLabel = "FILE", description = FILE) Path file,
+            @Mixin ClockOption clock) throws IOException, JavinoException {
+        LocalDate today = clock.day();
         Authority authority = Authority.parse(PrivateFile.read(file), file);
         RevocationList revocationList = authority.revocationList();
         print("authority " + authority.keys().fingerprint());
         print(revocationList);
         for (Certificate certificate : authority.issued()) {
-            long days = ChronoUnit.DAYS.between(LocalDate.now(), certificate.until());
+            long days = ChronoUnit.DAYS.between(today, certificate.until());
             print(certificate + ": " + (days < 0 ? "expired" : revocationList.revokes(certificate) ? "revoked"
                     : "valid, " + days + " days left"));
         }

@@ -15,6 +15,7 @@ import picocli.CommandLine;
 /** An authority, and devices that it certifies: by {@code javino enroll}, as users do. */
 final class TestAuthority {
 
+    /** The day on which the tests began: it may be past already. */
     static final LocalDate TODAY = LocalDate.now();
 
     private static final SecureRandom RANDOM = new SecureRandom();
@@ -55,7 +56,8 @@ final class TestAuthority {
 
     private void enroll(String id, String option, Path file) {
         StringWriter said = new StringWriter();
-        int status = new CommandLine(new EnrollCommand()).setOut(new PrintWriter(said)).execute("--id", id,
+        int status = new CommandLine(new EnrollCommand()).setOut(new PrintWriter(said))
+                .setErr(new PrintWriter(said)).execute("--id", id,
                 "--folder", folder.toString(), option, file.toString());
         if (status != 0) {
             throw new IllegalStateException("javino enroll ended with " + status + ": " + said);

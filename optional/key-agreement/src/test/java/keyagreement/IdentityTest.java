@@ -141,9 +141,9 @@ class IdentityTest {
 
     @Test
     void device_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
-        Identity busa = authority.certified("BUSA", TestAuthority.TODAY);
+        Identity busa = authority.certified("BUSA", TestAuthority.TODAY.plusDays(1));
         agree(supo, busa);
-        supo.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
+        supo.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(2)).toBytes());
         assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's revocation list"));
         supo.keep();
         refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);

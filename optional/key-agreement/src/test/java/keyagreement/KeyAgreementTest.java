@@ -293,8 +293,8 @@ class KeyAgreementTest {
     void send_certificateIsPast_isExpired() throws Exception {
         TestAuthority authority = new TestAuthority(elsewhere);
         Identity busa = authority.certified("BUSA");
-        CertifiedHost past = simulation.add(authority.certified("PAST", TestAuthority.TODAY));
-        busa.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
+        CertifiedHost past = simulation.add(authority.certified("PAST", TestAuthority.TODAY.plusDays(1)));
+        busa.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(2)).toBytes());
         assertEquals(Optional.of(Ending.EXPIRED), end(simulation.add(busa), past));
     }
 

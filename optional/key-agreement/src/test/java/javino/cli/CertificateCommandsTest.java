@@ -28,14 +28,17 @@ import keyagreement.Identity;
 /** {@code javino ca} and {@code javino enroll}, as users call them. */
 class CertificateCommandsTest {
 
-    private static final LocalDate TODAY = LocalDate.now();
+    /** Of all commands of a test, so that none meets midnight. */
+    private static final BoundedClock NOW = BoundedClock.at(Instant.now());
+
+    private static final LocalDate TODAY = NOW.day();
 
     private final NoPermissionsFileSystem stick = new NoPermissionsFileSystem();
     private boolean onStick;
     private StringWriter out;
     private StringWriter err;
 
-    private BoundedClock clock = BoundedClock.SYSTEM;
+    private BoundedClock clock = NOW;
 
     @TempDir
     private Path folder;
@@ -127,9 +130,10 @@ class CertificateCommandsTest {
         assertTrue(fails(1, "ca", "issue", "--ca", file("ca"), "--request", file("ROMA.request"), "--out", file("x"))
                 .endsWith(unbelieved));
         assertTrue(fails(1, "ca", "revoke", "--ca", file("ca"), "--out", file("x")).endsWith(unbelieved));
+        assertTrue(fails(1, "ca", "list", "--ca", file("ca")).endsWith(unbelieved));
         assertEquals(before, Files.readString(folder.resolve("ca")));
         says("ca", "revoke", "--ca", file("ca"), "--out", file("late"), "--clock-is-right");
-        clock = BoundedClock.SYSTEM;
+        clock = NOW;
         assertTrue(enrollFails("SUPO", "--revocation-list", "late").endsWith(
                 "late says 2050-06-01, more than 20 years after this release of Javino; if that is right, say "
                         + "--clock-is-right"));
