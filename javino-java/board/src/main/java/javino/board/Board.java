@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ThreadLocalRandom;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
@@ -49,7 +47,7 @@ public final class Board implements AutoCloseable {
     private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
         context = SessionContext.of(opener.name(), config, listener);
         session = new Session(opener, context);
-        thread = SessionThread.of("javino " + opener.name(), this::run);
+        thread = context.time().thread("javino " + opener.name(), this::run);
     }
 
     private void run() {
@@ -149,7 +147,7 @@ public final class Board implements AutoCloseable {
      * @return whether the board is a relay now.
      */
     public CompletableFuture<Boolean> relaying(boolean on) {
-        return ask(on ? Request.relaying(ThreadLocalRandom.current().nextInt(0x1_0000)) : Request.notRelaying(),
+        return ask(on ? Request.relaying(context.time().random().nextInt(0x1_0000)) : Request.notRelaying(),
                 Reply::relaying);
     }
 
@@ -317,7 +315,7 @@ public final class Board implements AutoCloseable {
     public void close() {
         CompletableFuture<Void> end = end();
         if (Thread.currentThread() != thread) {
-            end.completeOnTimeout(null, CLOSE_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS).join();
+            context.time().join(context.time().completeOnTimeout(end, null, CLOSE_TIMEOUT));
         }
     }
 
@@ -335,7 +333,7 @@ public final class Board implements AutoCloseable {
         CompletableFuture<T> result = new CompletableFuture<>();
         try {
             context.queue().add(new PendingRequest<>(description, source, reader, result,
-                    Deadline.in(context.config().patience()), waits));
+                    context.in(context.config().patience()), waits));
         } catch (QueueFullException e) {
             context.counters().count(SessionCounter.REFUSED_REQUESTS);
             result.completeExceptionally(e);

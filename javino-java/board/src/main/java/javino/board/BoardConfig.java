@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javino.keyring.BoardNotes;
 import javino.keyring.BoundedClock;
+import javino.link.Time;
 import javino.protocol.Request;
 
 /**
@@ -27,11 +28,12 @@ import javino.protocol.Request;
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
  * @param queueCapacity  how many requests may wait, at least 1; 512 by default.
  * @param notes          notes about boards, by which no nonce and no lost key comes again; none by default.
- * @param clock          by which epochs are raised; the system's by default.
+ * @param clock          by which epochs are raised; that of the time by default.
+ * @param time           of the session, with its random numbers and threads; the computer's by default.
  */
 public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration actionTime,
         Duration helloInterval, Duration reopenInterval, Duration patience, int queueCapacity, List<BoardNotes> notes,
-        BoundedClock clock) {
+        BoundedClock clock, Time time) {
 
     private static final Duration MAX_HOLD = Duration.ofMillis(Request.MAX_HOLD_MILLIS);
 
@@ -75,9 +77,16 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
     }
 
     /** The same, but for its notes and its clock. */
-    public BoardConfig with(List<BoardNotes> known, BoundedClock time) {
+    public BoardConfig with(List<BoardNotes> known, BoundedClock right) {
         return new BoardConfig(hold, replyTimeout, attempts, actionTime, helloInterval, reopenInterval, patience,
-                queueCapacity, known, time);
+                queueCapacity, known, right, time);
+    }
+
+    /** The same in another time; so is its clock, unless it was set to another than that of the time. */
+    public BoardConfig in(Time other) {
+        BoundedClock told = clock.source() == time ? new BoundedClock(other, clock.isRight()) : clock;
+        return new BoardConfig(hold, replyTimeout, attempts, actionTime, helloInterval, reopenInterval, patience,
+                queueCapacity, notes, told, other);
     }
 
     /** Collects settings; see {@link BoardConfig} for their meanings. */
@@ -152,14 +161,14 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         }
 
         /** Sets {@link BoardConfig#clock()}. */
-        public Builder setClock(BoundedClock time) {
-            clock = time;
+        public Builder setClock(BoundedClock right) {
+            clock = right;
             return this;
         }
 
         private BoardConfig build() {
             return new BoardConfig(hold, replyTimeout, attempts, actionTime, helloInterval, reopenInterval,
-                    patience, queueCapacity, notes, clock);
+                    patience, queueCapacity, notes, clock, Time.REAL);
         }
     }
 }

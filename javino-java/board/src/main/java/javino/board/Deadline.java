@@ -1,16 +1,17 @@
 package javino.board;
 
 import java.time.Duration;
+import javino.link.Time;
 
-/** A moment on the monotonic clock. */
-record Deadline(long nanos) {
+/** A moment on the monotonic clock of a time. */
+record Deadline(Time time, long nanos) {
 
-    static Deadline in(Duration duration) {
-        return new Deadline(System.nanoTime() + duration.toNanos());
+    static Deadline in(Duration duration, Time time) {
+        return new Deadline(time, time.nanos() + duration.toNanos());
     }
 
     long nanosLeft() {
-        return nanos - System.nanoTime();
+        return nanos - time.nanos();
     }
 
     Deadline orBefore(Deadline other) {
@@ -18,7 +19,7 @@ record Deadline(long nanos) {
     }
 
     Deadline later(long byNanos) {
-        return new Deadline(nanos + byNanos);
+        return new Deadline(time, nanos + byNanos);
     }
 
     boolean passed() {

@@ -50,7 +50,7 @@ final class Exchange {
     private boolean overdue;
     /** Whether the board has asked again since the last hello began, and since when it is known to be there. */
     private boolean askedAgain;
-    private long presentSince = System.nanoTime();
+    private long presentSince;
     private Duration lag = Duration.ZERO;
     /** When the board counts as lost, whatever of the last request's attempts is left. */
     private Deadline bound;
@@ -61,6 +61,7 @@ final class Exchange {
         this.link = link;
         this.context = context;
         this.counters = context.counters();
+        presentSince = context.time().nanos();
         this.sequence = firstSequence - 1;
     }
 
@@ -92,13 +93,13 @@ final class Exchange {
             // A zero before the reply to hello may be that of a boot.
             saysTaken = false;
             askedAgain = false;
-            presentSince = System.nanoTime();
+            presentSince = context.time().nanos();
             lag = Duration.ZERO;
         }
         overdue = false;
         Duration actionTime = context.config().actionTime();
         Duration rest = rest(request.hold().plus(timeout));
-        bound = Deadline
+        bound = context
                 .in(!left.isEmpty() ? actionTime.plus(rest) : actionTime.compareTo(rest) < 0 ? rest : actionTime);
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new SerialPacket(sequence, request.frame()).encode();
@@ -111,10 +112,10 @@ final class Exchange {
             }
             // Every other time, as to a sketch that runs it is damage; none has to be started that has asked again.
             boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1 && !askedAgain;
-            long began = System.nanoTime();
+            long began = context.time().nanos();
             link.write(toBootLoader ? Bytes.join(START_SKETCH, SEPARATOR, packet).toArray() : bytes);
             // A line can stop its host, as that of an emulated board does in a pause: the board is not late by that.
-            bound = bound.later(System.nanoTime() - began);
+            bound = bound.later(context.time().nanos() - began);
             attempts++;
             Optional<SerialPacket> reply =
                     new Attempt(request, timeout.plus(link.timeFor(bytes.length)).plus(lag), bytes).await(leaves);
@@ -152,7 +153,7 @@ final class Exchange {
 
     /** The time for which a board is known to be there: since it asked again, or else since the last hello began. */
     Duration presence() {
-        return Duration.ofNanos(System.nanoTime() - presentSince);
+        return Duration.ofNanos(context.time().nanos() - presentSince);
     }
 
     /** Says how long the sketch lets each request wait: until then none is repeated, as that only fills its buffer. */
@@ -200,7 +201,7 @@ final class Exchange {
             this.bytes = bytes;
             // An action has its time once.
             saysTakenNow = saysTaken && !overdue;
-            usual = Deadline.in(hold.plus(timeout)).orBefore(bound);
+            usual = context.in(hold.plus(timeout)).orBefore(bound);
             end = usual;
             deadline = usual;
         }
@@ -261,7 +262,7 @@ final class Exchange {
             }
             // A damaged reply may be all that comes.
             if (spoiled || came && decoder.packetComes()) {
-                deadline = Deadline.in(timeout).orBefore(end);
+                deadline = context.in(timeout).orBefore(end);
             }
         }
 
@@ -275,12 +276,12 @@ final class Exchange {
 
         private void take(PacketDecoder.Empty empty) {
             if (empty.asksAgain()) {
-                presentSince = askedAgain ? presentSince : System.nanoTime();
+                presentSince = askedAgain ? presentSince : context.time().nanos();
                 askedAgain = true;
                 // The zero before it was none of a request that was taken.
                 asked = true;
                 taken = false;
-                end = Deadline.in(hold.plus(timeout));
+                end = context.in(hold.plus(timeout));
                 deadline = end;
             } else if (saysTakenNow) {
                 zeroCame();
@@ -294,8 +295,8 @@ final class Exchange {
         private void zeroCame() {
             if (!taken && (left.isEmpty() || damaged && hold.isZero())) {
                 taken = true;
-                end = Deadline.in(hold.plus(context.config().actionTime()));
-                bound = Deadline.in(context.config().actionTime().plus(rest(hold.plus(timeout))));
+                end = context.in(hold.plus(context.config().actionTime()));
+                bound = context.in(context.config().actionTime().plus(rest(hold.plus(timeout))));
                 deadline = end;
             } else {
                 leftTaken |= !left.isEmpty();

@@ -2,7 +2,6 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.Optional;
-import java.util.concurrent.ThreadLocalRandom;
 import java.util.function.BooleanSupplier;
 import javino.legacy.LegacyMessage;
 import javino.link.Link;
@@ -56,8 +55,8 @@ final class Greeting {
         this.goOn = goOn;
         baud = link.baud();
         // Random, so that a reply to the program that had the port before is hardly taken for one to this.
-        exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context);
-        legacyExchange = new LegacyExchange(link, context.counters());
+        exchange = new Exchange(link, context.time().random().nextInt(0x100), context);
+        legacyExchange = new LegacyExchange(link, context);
     }
 
     /** The exchange with a board that has answered hello. */

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import javino.legacy.LegacyDecoder;
 import javino.legacy.LegacyMessage;
@@ -24,18 +23,21 @@ final class LegacyExchange {
     private static final Duration STEP = Duration.ofMillis(50);
 
     private final Link link;
+    private final SessionContext context;
     private final SessionCounters counters;
     private final LegacyDecoder decoder = new LegacyDecoder();
     private final byte[] buffer = new byte[1024];
-    private Deadline mayWrite = Deadline.in(Duration.ZERO);
+    private Deadline mayWrite;
     private int answerLength;
     private long skippedBefore;
     /** Whether an answer is missing that may still come, and must not be taken for the next one. */
     private boolean awaitsLateOne;
 
-    LegacyExchange(Link link, SessionCounters counters) {
+    LegacyExchange(Link link, SessionContext context) {
         this.link = link;
-        this.counters = counters;
+        this.context = context;
+        counters = context.counters();
+        mayWrite = context.in(Duration.ZERO);
     }
 
     /**
@@ -52,8 +54,8 @@ final class LegacyExchange {
         sleepUntil(mayWrite);
         link.write(request);
         // As bytes come one a millisecond, being woken for each few would be most of what an idle agent costs.
-        sleepUntil(Deadline.in(link.timeFor(request.length + answerLength)));
-        Optional<LegacyMessage> answer = awaitAnswer(Deadline.in(timeout), goOn);
+        sleepUntil(context.in(link.timeFor(request.length + answerLength)));
+        Optional<LegacyMessage> answer = awaitAnswer(context.in(timeout), goOn);
         countDamage();
         return answer;
     }
@@ -75,7 +77,7 @@ final class LegacyExchange {
     private LegacyMessage last(List<LegacyMessage> first) throws LinkException {
         List<LegacyMessage> answers = new ArrayList<>(first);
         if (awaitsLateOne) {
-            answers.addAll(read(Deadline.in(STEP)));
+            answers.addAll(read(context.in(STEP)));
             awaitsLateOne = false;
         }
         answers.stream().skip(1).forEach(late -> counters.count(SessionCounter.STALE_REPLIES));
@@ -86,7 +88,7 @@ final class LegacyExchange {
 
     /** Drops what comes unasked, and notices where the link is broken. */
     void listen() throws LinkException {
-        read(Deadline.in(Duration.ofMillis(1))).forEach(unasked -> counters.count(SessionCounter.STALE_REPLIES));
+        read(context.in(Duration.ofMillis(1))).forEach(unasked -> counters.count(SessionCounter.STALE_REPLIES));
         countDamage();
     }
 
@@ -96,8 +98,8 @@ final class LegacyExchange {
         counters.count(SessionCounter.REQUESTS);
         sleepUntil(mayWrite);
         link.write(bytes);
-        sleepUntil(Deadline.in(link.timeFor(bytes.length)));
-        mayWrite = Deadline.in(ROUND);
+        sleepUntil(context.in(link.timeFor(bytes.length)));
+        mayWrite = context.in(ROUND);
     }
 
     /** How many bytes came that belong to no message. */
@@ -119,10 +121,10 @@ final class LegacyExchange {
         return decoder.feed(buffer, link.read(buffer, Duration.ofNanos(nanos)));
     }
 
-    private static void sleepUntil(Deadline deadline) {
+    private void sleepUntil(Deadline deadline) {
         while (!deadline.passed()) {
             Thread.interrupted();
-            LockSupport.parkNanos(deadline.nanosLeft());
+            context.time().pause(deadline.nanosLeft());
         }
     }
 }

@@ -27,7 +27,7 @@ final class LegacyService {
     private final SessionContext context;
     private final LegacyExchange exchange;
     private final Perception perception;
-    private Deadline next = Deadline.in(Duration.ZERO);
+    private Deadline next;
     private int silences;
     private long skipped;
     private boolean damaged;
@@ -37,6 +37,7 @@ final class LegacyService {
         this.exchange = exchange;
         perception = context.perception();
         skipped = exchange.skipped();
+        next = context.in(Duration.ZERO);
     }
 
     /** Returns when the session was closed. */
@@ -94,7 +95,7 @@ final class LegacyService {
             exchange.listen();
         }
         tellOfDamage();
-        next = Deadline.in(wanted ? PAUSE : LOOK_INTERVAL);
+        next = context.in(wanted ? PAUSE : LOOK_INTERVAL);
     }
 
     private void askPercepts() throws LinkException, LostException {

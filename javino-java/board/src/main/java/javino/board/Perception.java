@@ -9,6 +9,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import javino.link.Time;
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
@@ -20,6 +21,7 @@ final class Perception {
 
     private final ListenerGuard listener;
     private final SessionCounters counters;
+    private final Time time;
     private volatile boolean wanted;
     private volatile Duration interval = Duration.ZERO;
     private final Queue<Reading> waiting = new ConcurrentLinkedQueue<>();
@@ -36,9 +38,10 @@ final class Perception {
     private record Reading(Duration within, CompletableFuture<Void> taken) {
     }
 
-    Perception(ListenerGuard listener, SessionCounters counters) {
+    Perception(ListenerGuard listener, SessionCounters counters, Time time) {
         this.listener = listener;
         this.counters = counters;
+        this.time = time;
     }
 
     void setWanted(boolean percepts) {
@@ -88,7 +91,7 @@ final class Perception {
 
     /** How long percepts are not to be told yet; zero if they may be. */
     Duration dueIn() {
-        long nanos = percepts == null ? 0 : interval.toNanos() - (System.nanoTime() - told);
+        long nanos = percepts == null ? 0 : interval.toNanos() - (time.nanos() - told);
         return Duration.ofNanos(Math.max(0, nanos));
     }
 
@@ -119,7 +122,7 @@ final class Perception {
             tell(literals);
             percepts = literals;
         }
-        told = System.nanoTime();
+        told = time.nanos();
         if (!late) {
             release();
         }

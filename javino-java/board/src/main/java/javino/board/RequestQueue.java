@@ -5,8 +5,8 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import javino.link.Time;
 
 /**
  * The bounded queue between those who ask and the session's thread, which waits here only while no live board is there:
@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 final class RequestQueue {
 
     private final int capacity;
+    private final Time time;
     private final Deque<PendingRequest<?>> waiting = new ArrayDeque<>();
     /** Transmissions, in their order, from the first one on for which the board had no room. */
     private final Deque<PendingRequest<?>> held = new ArrayDeque<>();
@@ -23,8 +24,9 @@ final class RequestQueue {
     private String closedWhy;
     private volatile Runnable waker = () -> {};
 
-    RequestQueue(int capacity) {
+    RequestQueue(int capacity, Time time) {
         this.capacity = capacity;
+        this.time = time;
     }
 
     /** Has whatever comes here also wake what else the session's thread may wait in. */
@@ -56,7 +58,7 @@ final class RequestQueue {
     synchronized PendingRequest<?> next(Deadline deadline) {
         try {
             while (!hasRequest() && closedWhy == null && !woken && !deadline.passed()) {
-                TimeUnit.NANOSECONDS.timedWait(this, deadline.nanosLeft());
+                time.await(this, deadline.nanosLeft());
             }
         } catch (InterruptedException e) {
             // A listener or a future's dependant interrupted this thread; the session ends by close() alone.
@@ -87,7 +89,7 @@ final class RequestQueue {
     }
 
     private void news() {
-        notifyAll();
+        time.wake(this);
         waker.run();
     }
 
@@ -98,10 +100,10 @@ final class RequestQueue {
 
     /** Waits, but not after {@link #close}. */
     synchronized void pause(Duration duration) {
-        Deadline end = Deadline.in(duration);
+        Deadline end = Deadline.in(duration, time);
         try {
             while (closedWhy == null && !end.passed()) {
-                TimeUnit.NANOSECONDS.timedWait(this, end.nanosLeft());
+                time.await(this, end.nanosLeft());
             }
         } catch (InterruptedException e) {
             // As in next(): the pause is only shorter.

@@ -32,7 +32,7 @@ final class Service {
     private final Exchange exchange;
     private final Polling polling;
     private final StateGuard guard;
-    private Deadline latestPoll = Deadline.in(Duration.ZERO);
+    private Deadline latestPoll;
     private boolean pollsFail;
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
     private boolean pollFirst;
@@ -47,6 +47,7 @@ final class Service {
         this.exchange = exchange;
         this.polling = polling;
         this.guard = guard;
+        latestPoll = context.in(Duration.ZERO);
         exchange.setLateReplies(this::takeLate);
     }
 
@@ -118,7 +119,7 @@ final class Service {
         pollFirst = polling.owesTaken();
         context.queue().setRoom();
         while (!context.queue().isClosed()) {
-            PendingRequest<?> request = pollFirst ? null : context.queue().next(Deadline.in(Duration.ZERO));
+            PendingRequest<?> request = pollFirst ? null : context.queue().next(context.in(Duration.ZERO));
             if (request != null && !request.result().isDone()) {
                 perform(request, present.get(), renamed);
             }
@@ -188,7 +189,7 @@ final class Service {
         } catch (ProtocolException e) {
             badPollReply(e);
         }
-        latestPoll = Deadline.in(MOST_INTERVAL);
+        latestPoll = context.in(MOST_INTERVAL);
     }
 
     private void take(Reply reply, boolean late) throws ProtocolException {

@@ -29,7 +29,7 @@ final class Session implements Runnable {
     private String offlineWhy;
     private Deadline patience;
     private final ReopenPause reopenPause;
-    private long greetedAt = System.nanoTime();
+    private long greetedAt;
     /** When nobody waits any longer for what a lost board was transmitting; null while it is there. */
     private Deadline abandoning;
 
@@ -38,6 +38,7 @@ final class Session implements Runnable {
         this.context = context;
         this.polling = new Polling(context);
         this.guard = new StateGuard(context);
+        greetedAt = context.time().nanos();
         reopenPause = new ReopenPause(context.config().reopenInterval());
     }
 
@@ -96,12 +97,12 @@ final class Session implements Runnable {
             pause(context.config().reopenInterval());
         } catch (SilenceException e) {
             goOffline(e.getMessage());
-            pause(reopenPause.after(Duration.ofNanos(System.nanoTime() - greetedAt)));
+            pause(reopenPause.after(Duration.ofNanos(context.time().nanos() - greetedAt)));
         }
     }
 
     private void pause(Duration duration) {
-        Deadline end = Deadline.in(duration);
+        Deadline end = context.in(duration);
         Duration step = context.config().reopenInterval();
         do {
             failExpired();
@@ -127,7 +128,7 @@ final class Session implements Runnable {
     }
 
     private void greet(Greeting greeting) throws LinkException, LostException {
-        patience = Deadline.in(context.config().patience());
+        patience = context.in(context.config().patience());
         try {
             Optional<BoardInfo> board = greeting.greet();
             if (board.isPresent() && welcome(board.get())) {
@@ -196,7 +197,7 @@ final class Session implements Runnable {
             return false;
         }
         context.counters().count(SessionCounter.GREETINGS);
-        greetedAt = System.nanoTime();
+        greetedAt = context.time().nanos();
         info = board;
         fresh |= polling.greeted(board);
         return true;
@@ -207,7 +208,7 @@ final class Session implements Runnable {
         state = BoardState.OFFLINE;
         context.perception().end();
         if (wasOnline) {
-            abandoning = Deadline.in(context.config().patience());
+            abandoning = context.in(context.config().patience());
             context.queue().drain().forEach(request -> request.failOffline(why));
         }
         // Whoever closed the session knows it.

@@ -1,6 +1,8 @@
 package javino.board;
 
+import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
+import javino.link.Time;
 
 /**
  * The objects that the parts of a session share.
@@ -21,8 +23,15 @@ record SessionContext(String name, BoardConfig config, RequestQueue queue, Perce
     static SessionContext of(String name, BoardConfig config, BoardListener listener) {
         SessionCounters counters = new SessionCounters();
         ListenerGuard guard = new ListenerGuard(listener, counters);
-        return new SessionContext(name, config, new RequestQueue(config.queueCapacity()),
-                new Perception(guard, counters),
-                new AtomicReference<>(), new AtomicReference<>(), counters, guard);
+        return new SessionContext(name, config, new RequestQueue(config.queueCapacity(), config.time()),
+                new Perception(guard, counters, config.time()), new AtomicReference<>(), new AtomicReference<>(), counters, guard);
+    }
+
+    Time time() {
+        return config.time();
+    }
+
+    Deadline in(Duration duration) {
+        return Deadline.in(duration, time());
     }
 }

@@ -88,7 +88,7 @@ final class StateGuard {
             throws LinkException, LostException, ProtocolException {
         Status status = service.raiseEpoch(epoch);
         // With a carrier that does not end no message ends.
-        Deadline end = Deadline.in(context.config().patience());
+        Deadline end = context.in(context.config().patience());
         while (waits && status == Status.BUSY && !end.passed() && !context.queue().isClosed()) {
             service.poll();
             // While requests wait, the board does not hold the poll.

@@ -6,6 +6,7 @@ import java.time.InstantSource;
 import java.time.LocalDate;
 import java.time.ZoneId;
 import javino.JavinoException;
+import javino.link.Time;
 import javino.protocol.BoardInfo;
 
 /**
@@ -18,7 +19,7 @@ import javino.protocol.BoardInfo;
 public record BoundedClock(InstantSource source, boolean isRight) {
 
     /** The system's. */
-    public static final BoundedClock SYSTEM = new BoundedClock(InstantSource.system(), false);
+    public static final BoundedClock SYSTEM = new BoundedClock(Time.REAL, false);
 
     /** When this release was made; {@code NumbersTest} holds the pages to it. */
     public static final LocalDate RELEASED = LocalDate.of(2026, 11, 29);

@@ -58,7 +58,7 @@ final class ProvisionCommand implements Callable<Integer> {
         }
         Map<Address, Key> keys = readKeys();
         PrintWriter out = spec.commandLine().getOut();
-        BoundedClock time = clock.checked();
+        BoundedClock right = clock.checked();
         BoardListener losses = new BoardListener() {
             @Override
             public void warning(String what) {
@@ -67,8 +67,8 @@ final class ProvisionCommand implements Callable<Integer> {
                 }
             }
         };
-        try (Board board = port.open(Optional.ofNullable(keyring), time, losses)) {
-            new Provisioning(board, time, port.name(), id, keyring, out).run(keys);
+        try (Board board = port.open(Optional.ofNullable(keyring), right, losses)) {
+            new Provisioning(board, right, port.config().time(), port.name(), id, keyring, out).run(keys);
         }
         return 0;
     }

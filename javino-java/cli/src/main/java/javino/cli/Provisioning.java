@@ -14,11 +14,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.LostState;
 import javino.board.RequestFailedException;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -36,6 +38,7 @@ final class Provisioning {
 
     private final Board board;
     private final BoundedClock clock;
+    private final Time time;
     private final String port;
     private final Address id;
     private final Path file;
@@ -47,13 +50,15 @@ final class Provisioning {
     /**
      * @param port  for error lines.
      * @param clock as the board's session has it.
+     * @param time  that of the session.
      * @param id   the address that the board is to have.
      * @param file the keyring; null where there is none.
      * @param out  told a line for each thing that was done; never a key.
      */
-    Provisioning(Board board, BoundedClock clock, String port, Address id, Path file, PrintWriter out) {
+    Provisioning(Board board, BoundedClock clock, Time time, String port, Address id, Path file, PrintWriter out) {
         this.board = board;
         this.clock = clock;
+        this.time = time;
         this.port = port;
         this.id = id;
         this.file = file;
@@ -74,8 +79,8 @@ final class Provisioning {
      *                         given its keys; or if nothing is to be done before other boards had their turn.
      */
     void run(Map<Address, Key> more) throws IOException, JavinoException, InterruptedException {
-        BoardInfo info = Await.result(board.greeted());
-        Map<Address, HeldKeys> held = HeldKeys.of(Await.result(board.keys()));
+        BoardInfo info = result(board.greeted());
+        Map<Address, HeldKeys> held = HeldKeys.of(result(board.keys()));
         Keyring ring = file == null ? new Keyring() : Keyring.read(file);
         Map<Address, SharedKey> wanted = new LinkedHashMap<>(ring.keysOf(id));
         more.forEach((with, key) -> wanted.put(with, ring.keyOf(id, with).filter(shared -> shared.all().contains(key))
@@ -86,7 +91,7 @@ final class Provisioning {
         refuseForeign(info, held, ring);
         refuseLost(held, wanted, ring);
         refuseEpoch(info, ring, !held.isEmpty());
-        Await.result(board.setRfId(id));
+        result(board.setRfId(id));
         noteEpoch(ring);
         out.println("RF id " + id);
         for (Map.Entry<Address, SharedKey> key : wanted.entrySet()) {
@@ -193,7 +198,7 @@ final class Provisioning {
         } else if (held.sealsWith(next.check())) {
             if (held.previous() != null && mayGoOn(with, ring, "seal with",
                     other -> other.sealsWith(next.check()))) {
-                Await.result(board.finishRenewal(with));
+                result(board.finishRenewal(with));
                 done("previous key for " + with + ", check value " + held.previous().hex() + ", forgotten");
             }
         } else if (next.check().equals(held.next())) {
@@ -227,7 +232,7 @@ final class Provisioning {
 
     private void store(Address with, Key key, boolean isThere)
             throws IOException, JavinoException, InterruptedException {
-        expect(with, key, Await.result(board.setKey(with, key)));
+        expect(with, key, result(board.setKey(with, key)));
         if (!isThere) {
             noteGiven(with, new HeldKeys(key.check(), null, null));
         }
@@ -238,9 +243,9 @@ final class Provisioning {
     private void accept(Address with, SharedKey shared, HeldKeys held)
             throws IOException, JavinoException, InterruptedException {
         if (held.next() != null || held.previous() != null) {
-            Await.result(board.setKey(with, shared.key()));  // ends another renewal, which was left half done
+            result(board.setKey(with, shared.key()));  // ends another renewal, which was left half done
         }
-        expect(with, shared.next(), Await.result(board.renewKey(with, shared.next())));
+        expect(with, shared.next(), result(board.renewKey(with, shared.next())));
         noteGiven(with, new HeldKeys(shared.key().check(), shared.next().check(), null));
         done("next key for " + with + ", check value " + shared.next().check() + ", accepted");
     }
@@ -260,18 +265,22 @@ final class Provisioning {
     }
 
     private void use(Address with) throws JavinoException, InterruptedException {
-        long end = System.nanoTime() + patience.toNanos();
+        long end = time.nanos() + patience.toNanos();
         while (true) {
             try {
-                Await.result(board.useKey(with));
+                result(board.useKey(with));
                 return;
             } catch (RequestFailedException e) {
-                if (e.status() != Status.BUSY || System.nanoTime() > end) {
+                if (e.status() != Status.BUSY || time.nanos() > end) {
                     throw e;
                 }
-                Thread.sleep(BUSY_PAUSE.toMillis());
+                time.pause(BUSY_PAUSE.toNanos());
             }
         }
+    }
+
+    private <T> T result(CompletableFuture<T> answer) throws JavinoException, InterruptedException {
+        return Await.result(answer, time);
     }
 
     private void done(String line) {
@@ -282,7 +291,7 @@ final class Provisioning {
     /** Notes the board's keys and its epoch; the epoch counts only if the board has shown that it has the keys. */
     private void note(Map<Address, SharedKey> wanted)
             throws IOException, JavinoException, InterruptedException {
-        List<StoredKey> keys = Await.result(board.keys());
+        List<StoredKey> keys = result(board.keys());
         LostState.ofFloors(keys).ifPresent(out::println);
         if (file == null) {
             return;
