@@ -7,9 +7,10 @@ import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-import diffuser.board.HostClock;
 import diffuser.board.KeyService;
 import diffuser.board.MoveService;
+
+import javino.link.Time;
 
 /**
  * A service that a library on the class path offers by an agent's board, often also a {@link MoveService} or a
@@ -38,6 +39,6 @@ public interface BoardService {
         return status;
     }
 
-    /** The agent is stopped; called on the thread of its {@link HostClock}, on which nothing new comes any more. */
+    /** The agent is stopped; called on the thread of its {@link Time.Timer}, on which nothing new comes any more. */
     void stop();
 }

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -37,13 +36,11 @@ import diffuser.board.Device;
 import diffuser.board.DeviceContext;
 import diffuser.board.ExclusivePort;
 import diffuser.board.Filter;
-import diffuser.board.HostClock;
 import diffuser.board.HostMessages;
 import diffuser.board.HostService;
 import diffuser.board.KeyService;
 import diffuser.board.MoveService;
 import diffuser.board.SensorMode;
-import diffuser.board.WallClock;
 import diffuser.gate.Gate;
 import diffuser.gate.Texts;
 import diffuser.gate.TrustLevel;
@@ -66,7 +63,9 @@ import javino.board.Transmission;
 import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
+import javino.link.Time;
 import javino.protocol.Address;
+import javino.protocol.Conversation;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 
@@ -100,7 +99,8 @@ public class Diffuser extends AgArch {
     private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
     private transient HostMessages hosts;
-    private transient HostClock clock;
+    private transient Time time = Time.REAL;
+    private transient Time.Timer timer;
     private transient BoardSettings settings = BoardSettings.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
@@ -113,11 +113,12 @@ public class Diffuser extends AgArch {
     @Override
     public void init() throws Exception {
         super.init();
+        time = TimeSource.behind(this);
+        timer = time.timer("hosts of " + getAgName(), this::stepFailed);
         warnings = new Warnings(() -> getTS().getLogger());
         outbox = new Outbox(warnings, this::signal);
         intentions = new Intentions(this::getTS);
-        questions = new Questions(intentions, outbox);
-        clock = new WallClock("hosts of " + getAgName(), this::stepFailed);
+        questions = new Questions(intentions, outbox, time.secureRandom().nextInt(Conversation.COUNT));
         services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
         moves = service(MoveService.class);
         hosts = new HostMessages(services.stream().filter(HostService.class::isInstance).map(HostService.class::cast)
@@ -151,7 +152,7 @@ public class Diffuser extends AgArch {
 
     /** Opens a port; override it for another kind of link or another baud rate. */
     protected LinkOpener link(String port) {
-        return SerialLink.opener(port);
+        return time.port(port);
     }
 
     /** The term for a port in beliefs: a string, unless a subclass overrides it. */
@@ -181,8 +182,8 @@ public class Diffuser extends AgArch {
             if (ended) {
                 return CompletableFuture.completedFuture(null);
             }
-            ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
-            device = Device.open(link, portTerm(port), boardConfig(), settings,
+            ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice(), time);
+            device = Device.open(link, portTerm(port), boardConfig().in(time), settings,
                     new DeviceContext(getAgName(), (message, peer) -> inbox.put(message, peer, getAgName()), hosts,
                             warnings, this::wakeAgent,
                             text -> printed.accept(text), service(KeyService.class)));
@@ -242,9 +243,9 @@ public class Diffuser extends AgArch {
      * @return completes when the agent believes the reading, or after {@link #longestReading}; never fails.
      */
     protected CompletableFuture<Void> reading(Duration patience) {
-        return device().map(board -> board.reading(patience)).orElseGet(() -> CompletableFuture.completedFuture(null))
-                .completeOnTimeout(null, longestReading(patience).toMillis(), TimeUnit.MILLISECONDS)
-                .thenCompose(read -> believed());
+        CompletableFuture<Void> read = device().map(board -> board.reading(patience))
+                .orElseGet(() -> CompletableFuture.completedFuture(null));
+        return time.completeOnTimeout(read, null, longestReading(patience)).thenCompose(done -> believed());
     }
 
     /** Adds a filter: the agent believes only percepts that all filters let pass. */
@@ -330,6 +331,11 @@ public class Diffuser extends AgArch {
         }
     }
 
+    /** A message for the radio, as {@link OutgoingMessage#of} reads it. */
+    public OutgoingMessage outgoing(Term to, Term performative, Term content) throws JasonException {
+        return OutgoingMessage.of(to, performative, content, questions::next);
+    }
+
     /**
      * Makes the board transmit a message; an event tells the agent how it ended.
      *
@@ -381,9 +387,14 @@ public class Diffuser extends AgArch {
         return device().flatMap(Device::address);
     }
 
+    /** The time of this agent, its board and the libraries by it; none of them asks the computer. */
+    public Time time() {
+        return time;
+    }
+
     /** When, and on which thread, libraries do what they do by this board. */
-    public HostClock hostClock() {
-        return clock;
+    public Time.Timer timer() {
+        return timer;
     }
 
     private void stepFailed(RuntimeException e) {
@@ -484,7 +495,7 @@ public class Diffuser extends AgArch {
         } else if (question.isPresent()) {
             outbox.answer(message, question.get(), device);
         } else {
-            outbox.post(OutgoingMessage.of(message), device);
+            outbox.post(OutgoingMessage.of(message, questions::next), device);
         }
     }
 
@@ -499,8 +510,8 @@ public class Diffuser extends AgArch {
      */
     @Override
     public void stop() {
-        clock.execute(() -> {
-            clock.close();
+        timer.execute(() -> {
+            timer.close();
             services.forEach(BoardService::stop);
         });
         CompletableFuture<Void> closed;
@@ -508,7 +519,7 @@ public class Diffuser extends AgArch {
             ended = true;
             closed = closeDevice();
         }
-        ExclusivePort.await(closed);
+        ExclusivePort.await(closed, time);
     }
 
     /** {@inheritDoc} Adds what came from the board, and what was dropped. */

@@ -9,7 +9,6 @@ import jason.asSyntax.Term;
 import diffuser.Diffuser;
 import diffuser.board.SensorMode;
 import diffuser.gate.Texts;
-import diffuser.mind.OutgoingMessage;
 
 /**
  * An {@link Argo} by the name, and with the ways, of the public Difuser architecture: {@code agentArchClass
@@ -50,11 +49,11 @@ public class Difuser extends Argo {
      * Sends a term to all.
      *
      * @return completes when the board has taken it.
-     * @throws JasonException as {@link #perform} and {@link OutgoingMessage#of} throw it.
+     * @throws JasonException as {@link #perform} and {@link #outgoing} throw it.
      */
     public CompletableFuture<?> transmit(Term content) throws JasonException {
         Literal message = ASSyntax.createLiteral(MESSAGE, content);
         return performs(MESSAGE) ? perform(Texts.action(message))
-                : diffuse(OutgoingMessage.of(TO_ALL, SIGNAL, message));
+                : diffuse(outgoing(TO_ALL, SIGNAL, message));
     }
 }

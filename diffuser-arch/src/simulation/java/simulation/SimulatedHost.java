@@ -14,13 +14,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 
-import diffuser.board.HostClock;
 import diffuser.board.HostMessages;
 import diffuser.board.HostService;
 import diffuser.board.Sender;
 import diffuser.gate.TrustLevel;
 
 import javino.board.Transmission;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
@@ -29,7 +29,7 @@ import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 
 /** A computer with a board, which is killed and started again. Its later life does not do what is left to do. */
-public class SimulatedHost implements HostClock {
+public class SimulatedHost implements Time.Timer {
 
     /** Times that a host needs for a message, and a board for a request, in ms. */
     private static final int HOST_MILLIS = 30;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -27,7 +28,7 @@ import javino.protocol.Reply.StoredKey;
 final class BoardKeys implements KeyService.Host {
 
     private final Device device;
-    private final CompletableFuture<Board> session;
+    private final Supplier<Board> session;
     private final DeviceContext context;
     private volatile List<StoredKey> told = List.of();
     private final Set<Address> stored = ConcurrentHashMap.newKeySet();
@@ -36,7 +37,7 @@ final class BoardKeys implements KeyService.Host {
     private volatile Set<Address> met = Set.of();
     private volatile boolean known;
 
-    BoardKeys(Device device, CompletableFuture<Board> session, DeviceContext context) {
+    BoardKeys(Device device, Supplier<Board> session, DeviceContext context) {
         this.device = device;
         this.session = session;
         this.context = context;
@@ -76,17 +77,17 @@ final class BoardKeys implements KeyService.Host {
     @Override
     public CompletableFuture<?> setSessionKey(Address peer, Key key) {
         certified.add(peer);
-        return session.join().setSessionKey(peer, key);
+        return session.get().setSessionKey(peer, key);
     }
 
     @Override
     public CompletableFuture<?> setGroupKey(Address group, Key key) {
-        return session.join().setKey(group, key).thenRun(() -> stored.add(group));
+        return session.get().setKey(group, key).thenRun(() -> stored.add(group));
     }
 
     @Override
     public CompletableFuture<?> deleteKey(Address peer) {
-        return session.join().deleteKey(peer);
+        return session.get().deleteKey(peer);
     }
 
     @Override

@@ -6,6 +6,8 @@ import java.util.function.Supplier;
 
 import diffuser.report.Warnings;
 
+import javino.link.Time;
+
 /**
  * Whether agents can communicate by a board's radio: the board is there and has an address, its radio is open, and it
  * has not been silent for longer than the agent takes for good. For any thread.
@@ -25,8 +27,9 @@ final class Communicability {
      * @param received asks the board how many packets its radio has received.
      * @param changed  is called, on any thread, when {@link #isUsable} has changed.
      */
-    Communicability(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
-        this.watch = new SilenceDetector(received, changed, warnings);
+    Communicability(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings,
+            Time time) {
+        this.watch = new SilenceDetector(received, changed, warnings, time);
         this.changed = changed;
     }
 

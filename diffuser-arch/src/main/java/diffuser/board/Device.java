@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
@@ -20,6 +19,7 @@ import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.board.SketchTimes;
 import javino.board.Transmission;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
@@ -36,11 +36,12 @@ import javino.protocol.Status;
 public final class Device implements BoardListener {
 
     /** Longer than a session waits for two actions, so that it ends only what the session itself has lost. */
-    private static final long ANSWER_SECONDS = 30;
+    private static final Duration ANSWER = Duration.ofSeconds(30);
     /** Until sensors that are held are read by themselves. */
     private static final Duration NEVER = Duration.ofDays(36_500);
 
     private final ExclusivePort link;
+    private final Time time;
     private final DeviceContext context;
     private final Percepts percepts;
     private final Communicability communicability;
@@ -54,13 +55,14 @@ public final class Device implements BoardListener {
     private volatile Optional<BoardInfo> info = Optional.empty();
     private volatile boolean closed;
 
-    private Device(ExclusivePort link, Term term, BoardSettings settings, DeviceContext context) {
+    private Device(ExclusivePort link, Term term, Time time, BoardSettings settings, DeviceContext context) {
         this.link = link;
+        this.time = time;
         this.settings = settings;
         this.context = context;
         this.percepts = new Percepts(term, settings.percepts(), context.warnings());
-        this.keys = new BoardKeys(this, session, context);
-        this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings());
+        this.keys = new BoardKeys(this, this::session, context);
+        this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings(), time);
     }
 
     /**
@@ -70,7 +72,7 @@ public final class Device implements BoardListener {
      */
     public static Device open(ExclusivePort link, Term port, BoardConfig config, BoardSettings settings,
             DeviceContext context) {
-        Device device = new Device(link, port, settings, context);
+        Device device = new Device(link, port, config.time(), settings, context);
         Board board = Board.open(link, config, device);
         device.session.complete(board);
         device.apply(settings);
@@ -139,7 +141,7 @@ public final class Device implements BoardListener {
     }
 
     private Transmission begin(Address to, Message message) {
-        Transmission begun = session.join().transmit(to, message);
+        Transmission begun = session().transmit(to, message);
         begun.end().thenAccept(this::ended);
         return begun;
     }
@@ -182,7 +184,7 @@ public final class Device implements BoardListener {
     /** Has the board do as wished, now and whenever it comes back; {@link #setRfId} and {@link #radio} add when. */
     public void apply(BoardSettings wanted) {
         settings = wanted;
-        Board board = session.join();
+        Board board = session();
         percepts.sensing(wanted.percepts(), wanted.filters());
         board.perceptInterval(wanted.percepts() == SensorMode.HELD ? NEVER : wanted.limit());
         board.percepts(wanted.percepts() != SensorMode.BLOCKED);
@@ -191,7 +193,7 @@ public final class Device implements BoardListener {
 
     /** Sets the board's address. */
     public CompletableFuture<Void> setRfId(Address id) {
-        return bounded(session.join().setRfId(id).thenRun(() -> {
+        return bounded(session().setRfId(id).thenRun(() -> {
             communicability.addressed();
             tellFinder();
         }));
@@ -199,12 +201,12 @@ public final class Device implements BoardListener {
 
     /** Opens or blocks the radio. */
     public CompletableFuture<Void> radio(boolean open) {
-        return bounded(session.join().radio(open).thenRun(() -> communicability.radio(open)));
+        return bounded(session().radio(open).thenRun(() -> communicability.radio(open)));
     }
 
     /** Has the board perform an action. */
     public CompletableFuture<Void> act(String action) {
-        return bounded(session.join().act(action));
+        return bounded(session().act(action));
     }
 
     /** Completes when the sensors were read anew, or will not be read so soon; never fails. */
@@ -230,7 +232,7 @@ public final class Device implements BoardListener {
         closed = true;
         communicability.close();
         decided.complete(null);
-        return session.join().end().whenComplete((done, thrown) -> link.leave());
+        return session().end().whenComplete((done, thrown) -> link.leave());
     }
 
     /** Asks for the board's counters, and warns of what in the sketch keeps the radio waiting. */
@@ -247,8 +249,12 @@ public final class Device implements BoardListener {
                 .requireNonNull(counts.get(Counter.RADIO_RECEIVED), "the board does not count what it hears"));
     }
 
-    private static <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
-        return answer.copy().orTimeout(ANSWER_SECONDS, TimeUnit.SECONDS);
+    private <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
+        return time.orTimeout(answer.copy(), ANSWER);
+    }
+
+    private Board session() {
+        return time.join(session);
     }
 
     // On the session's thread:
@@ -268,7 +274,7 @@ public final class Device implements BoardListener {
         }
         boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());
         // The session's thread waits here for the one that has begun it: so these requests go before the first poll.
-        Board open = session.join();
+        Board open = session();
         (other ? open.setRfId(wanted.rfId().get()) : CompletableFuture.completedFuture(null))
                 .whenComplete((done, thrown) -> {
                     if (thrown != null) {

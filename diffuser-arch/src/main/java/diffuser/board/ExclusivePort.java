@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.TimeUnit;
 
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
+import javino.link.Time;
 
 /**
  * Opens a port as soon as who had it before has left it: the agent's own session before, on whichever port, as that may
@@ -21,16 +22,22 @@ import javino.link.LinkOpener;
 public final class ExclusivePort implements LinkOpener {
 
     /** A session ends in a fraction of that, unless its port hangs; then it is no use to wait. */
-    private static final long LONGEST_SECONDS = 2;
-    /** The holder of each port, by the system's name for it. */
-    static final Map<String, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
+    private static final Duration LONGEST = Duration.ofSeconds(2);
+    /** The holder of each port. */
+    static final Map<Port, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
+
+    /** A port, by the system's name for it; in another time it is another one. */
+    record Port(Time time, String name) {
+    }
+
 
     private final LinkOpener next;
     private final String agent;
     private final CompletableFuture<Void> before;
     /** Completes at {@link #leave}; a test sees whether somebody waits. */
     final CompletableFuture<Void> left = new CompletableFuture<>();
-    private volatile String held;
+    private final Time time;
+    private volatile Port held;
     private boolean hasWaited;
 
     /**
@@ -39,22 +46,23 @@ public final class ExclusivePort implements LinkOpener {
      * @param next   how the link is opened.
      * @param agent  the agent that has the turn.
      * @param before completes when the agent's port before is free.
+     * @param time   of the agent, and of all who may have that port.
      */
-    public ExclusivePort(LinkOpener next, String agent, CompletableFuture<Void> before) {
+    public ExclusivePort(LinkOpener next, String agent, CompletableFuture<Void> before, Time time) {
         this.next = next;
         this.agent = agent;
         this.before = before;
+        this.time = time;
     }
 
     @Override
     public Link open() throws LinkException {
-        await(before);
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_SECONDS);
+        await(before, time);
+        long end = time.nanos() + LONGEST.toNanos();
         ExclusivePort holder = take();
         // If agents are killed and others created on their port, one that is killed already may come first.
-        for (long left = end - System.nanoTime(); holder != this && !hasWaited && left > 0; left =
-                end - System.nanoTime()) {
-            await(holder.left, left);
+        for (long left = end - time.nanos(); holder != this && !hasWaited && left > 0; left = end - time.nanos()) {
+            await(holder.left, Duration.ofNanos(left), time);
             holder = take();
         }
         hasWaited = true;
@@ -68,7 +76,7 @@ public final class ExclusivePort implements LinkOpener {
 
     /** Takes the port unless somebody has it; says who has it then. */
     private ExclusivePort take() {
-        String port = systemName(name());
+        Port port = new Port(time, systemName(name()));
         if (!port.equals(held)) {
             release();
         }
@@ -108,11 +116,11 @@ public final class ExclusivePort implements LinkOpener {
     }
 
     /** Returns when the port is free, or after two seconds. */
-    public static void await(CompletableFuture<Void> free) {
-        await(free, TimeUnit.SECONDS.toNanos(LONGEST_SECONDS));
+    public static void await(CompletableFuture<Void> free, Time time) {
+        await(free, LONGEST, time);
     }
 
-    private static void await(CompletableFuture<Void> free, long nanos) {
-        free.copy().completeOnTimeout(null, nanos, TimeUnit.NANOSECONDS).join();
+    private static void await(CompletableFuture<Void> free, Duration longest, Time time) {
+        time.join(time.completeOnTimeout(free.copy(), null, longest));
     }
 }

@@ -2,11 +2,12 @@ package diffuser.board;
 
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 
 import diffuser.report.Failure;
 import diffuser.report.Warnings;
+
+import javino.link.Time;
 
 /**
  * Notices that a radio has heard nobody for long, and that it hears somebody again: it asks the board, again and again,
@@ -17,6 +18,7 @@ final class SilenceDetector {
     private final Supplier<CompletableFuture<Long>> received;
     private final Runnable changed;
     private final Warnings warnings;
+    private final Time time;
     private volatile boolean silent;
     /** Null while nobody listens. */
     private Watch watch;
@@ -25,16 +27,18 @@ final class SilenceDetector {
      * @param received asks the board how many packets its radio has received.
      * @param changed  is called, on any thread, when {@link #isSilent} has changed while listening.
      */
-    SilenceDetector(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
+    SilenceDetector(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings,
+            Time time) {
         this.received = received;
         this.changed = changed;
         this.warnings = warnings;
+        this.time = time;
     }
 
     /** Begins anew, as if somebody had just been heard. A silence is noticed within its length to twice that. */
     synchronized void begin(Duration silence) {
         end();
-        watch = new Watch(silence.toMillis());
+        watch = new Watch(silence);
         watch.ask();
     }
 
@@ -71,14 +75,14 @@ final class SilenceDetector {
     /** From one beginning to its end; answers that come later are nobody's. */
     private final class Watch {
 
-        private final long milliseconds;
+        private final Duration silence;
         private CompletableFuture<Void> timer = new CompletableFuture<>();
         private long count;
         /** Also at first, as there is no earlier count to compare with. */
         private boolean heard = true;
 
-        Watch(long milliseconds) {
-            this.milliseconds = milliseconds;
+        Watch(Duration silence) {
+            this.silence = silence;
         }
 
         private void ask() {
@@ -97,7 +101,7 @@ final class SilenceDetector {
                 } else {
                     warnings.once("cannot tell whether the radio hears anybody: " + Failure.of(thrown).message());
                 }
-                timer = new CompletableFuture<Void>().completeOnTimeout(null, milliseconds, TimeUnit.MILLISECONDS);
+                timer = time.completeOnTimeout(new CompletableFuture<>(), null, silence);
                 timer.thenRun(this::ask);
             }
         }

@@ -1,9 +1,8 @@
 package diffuser.mind;
 
-import java.security.SecureRandom;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
 
 import jason.JasonException;
 import jason.asSemantics.Message;
@@ -27,8 +26,6 @@ public final class OutgoingMessage {
     private static final String DELIVERED = "delivered";
     private static final String UNDELIVERED = "undelivered";
 
-    private static final AtomicInteger CONVERSATIONS = new AtomicInteger(new SecureRandom().nextInt());
-
     private final Address to;
     private final Content content;
     private final List<Term> given;
@@ -45,11 +42,13 @@ public final class OutgoingMessage {
      * @param to      as {@link Destinations#of} reads it.
      * @param performative an atom, as {@link Texts#content} reads it.
      * @param content a term that goes with the performative.
+     * @param conversations gives a question its number.
      * @throws JasonException bad_address, wrong_arguments, bad_content, too_long or not_sealed.
      */
-    public static OutgoingMessage of(Term to, Term performative, Term content) throws JasonException {
+    public static OutgoingMessage of(Term to, Term performative, Term content, Supplier<Conversation> conversations)
+            throws JasonException {
         Performative known = Texts.performative(performative.toString());
-        return of(to, known, known.isQuestion() ? Optional.of(nextConversation()) : Optional.empty(), content);
+        return of(to, known, known.isQuestion() ? Optional.of(conversations.get()) : Optional.empty(), content);
     }
 
     /**
@@ -57,8 +56,8 @@ public final class OutgoingMessage {
      *
      * @throws JasonException as the other.
      */
-    public static OutgoingMessage of(Message message) throws JasonException {
-        return of(receiver(message), ASSyntax.createAtom(message.getIlForce()), said(message));
+    public static OutgoingMessage of(Message message, Supplier<Conversation> conversations) throws JasonException {
+        return of(receiver(message), ASSyntax.createAtom(message.getIlForce()), said(message), conversations);
     }
 
     /**
@@ -92,11 +91,6 @@ public final class OutgoingMessage {
         Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();
         return new OutgoingMessage(address, Texts.content(performative, conversation, content),
                 List.of(named, ASSyntax.createAtom(performative.toString()), content.clone()));
-    }
-
-    /** From a random one on, so that a late answer to a question before the last start answers none of this run. */
-    private static Conversation nextConversation() {
-        return new Conversation(Math.floorMod(CONVERSATIONS.getAndIncrement(), Conversation.COUNT));
     }
 
     private static Term receiver(Message message) {

@@ -31,6 +31,7 @@ public final class Questions {
     private final Map<Conversation, Question> open = new LinkedHashMap<>();
     private final Intentions intentions;
     private final Outbox outbox;
+    private int next;
 
     /**
      * A question that was asked.
@@ -48,9 +49,21 @@ public final class Questions {
         }
     }
 
-    public Questions(Intentions intentions, Outbox outbox) {
+    /**
+     * @param first the number of the first conversation: random, so that a late answer to a question before the last
+     *              start answers none of this run.
+     */
+    public Questions(Intentions intentions, Outbox outbox, int first) {
         this.intentions = intentions;
         this.outbox = outbox;
+        next = first;
+    }
+
+    /** A new conversation. */
+    public Conversation next() {
+        Conversation conversation = new Conversation(next);
+        next = (next + 1) % Conversation.COUNT;
+        return conversation;
     }
 
     /**
@@ -62,7 +75,7 @@ public final class Questions {
      */
     public void ask(Message message, Optional<Intentions.Waiting> waiting, Device board) throws JasonException {
         try {
-            OutgoingMessage outgoing = OutgoingMessage.of(message);
+            OutgoingMessage outgoing = OutgoingMessage.of(message, this::next);
             if (waiting.isPresent()) {
                 await(outgoing, waiting.get(), board);
             } else {

@@ -65,7 +65,7 @@ public class diffuse extends BoardAction {
 
     @Override
     protected final CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        return send(diffuser, OutgoingMessage.of(args[0], args[1], args[2]));
+        return send(diffuser, diffuser.outgoing(args[0], args[1], args[2]));
     }
 
     /** Has the message sent, as {@link #start}. */

@@ -13,13 +13,15 @@ import diffuser.report.Warnings;
 
 import org.junit.jupiter.api.Test;
 
+import javino.link.Time;
+
 /** No question to the board is ever answered here, so that each one is the first of a new listening. */
 class CommunicabilityTest {
 
     private final AtomicInteger questions = new AtomicInteger();
     private final AtomicInteger changes = new AtomicInteger();
     private final Communicability communicability = new Communicability(this::ask, changes::incrementAndGet,
-            new Warnings(Logger::getAnonymousLogger));
+            new Warnings(Logger::getAnonymousLogger), Time.REAL);
 
     private CompletableFuture<Long> ask() {
         questions.incrementAndGet();

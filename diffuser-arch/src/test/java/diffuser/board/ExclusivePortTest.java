@@ -12,6 +12,7 @@ import javino.fake.FakeBoard;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
+import javino.link.Time;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -38,10 +39,10 @@ class ExclusivePortTest {
             looks.release();
             return PORT;
         }
-    }, "third", CompletableFuture.completedFuture(null));
+    }, "third", CompletableFuture.completedFuture(null), Time.REAL);
 
     private ExclusivePort turn(String agent) {
-        return new ExclusivePort(board.port, agent, CompletableFuture.completedFuture(null));
+        return new ExclusivePort(board.port, agent, CompletableFuture.completedFuture(null), Time.REAL);
     }
 
     @AfterEach
@@ -69,7 +70,7 @@ class ExclusivePortTest {
             Thread.onSpinWait();
         }
         // As if the second had come first to the port that the first leaves.
-        ExclusivePort.HOLDERS.remove(PORT, first);
+        ExclusivePort.HOLDERS.remove(new ExclusivePort.Port(Time.REAL, PORT), first);
         second.open().close();
         first.leave();
         looks.acquire();

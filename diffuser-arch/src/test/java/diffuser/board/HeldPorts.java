@@ -1,6 +1,7 @@
 package diffuser.board;
 
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /** The ports that agents of this virtual machine hold. */
 public final class HeldPorts {
@@ -10,7 +11,7 @@ public final class HeldPorts {
 
     /** Their names. */
     public static Set<String> names() {
-        return Set.copyOf(ExclusivePort.HOLDERS.keySet());
+        return ExclusivePort.HOLDERS.keySet().stream().map(ExclusivePort.Port::name).collect(Collectors.toSet());
     }
 
     /** Frees all of them. */

@@ -19,6 +19,8 @@ import diffuser.report.Warnings;
 
 import org.junit.jupiter.api.Test;
 
+import javino.link.Time;
+
 /** Each question to the board waits for the test's answer, so that nothing hangs on how long a period lasts. */
 class SilenceDetectorTest {
 
@@ -29,7 +31,7 @@ class SilenceDetectorTest {
     private final List<String> logged = new CopyOnWriteArrayList<>();
     private final Logger logger = Logger.getAnonymousLogger();
     private final SilenceDetector watch =
-            new SilenceDetector(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
+            new SilenceDetector(this::ask, changes::incrementAndGet, new Warnings(() -> logger), Time.REAL);
 
     SilenceDetectorTest() {
         Filter recordOnly = line -> {

@@ -11,6 +11,7 @@ import javino.cli.ClockOption;
 import javino.cli.CommandPlugin;
 import javino.keyring.DeviceNotes;
 import javino.keyring.PrivateFile;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import picocli.CommandLine.ArgGroup;
@@ -135,7 +136,7 @@ public final class EnrollCommand implements CommandPlugin {
                     + " first");
         }
         String text = PrivateFile.change(file(), before -> certified(Entries.parse(before, file()), answer).format());
-        Identity identity = Identity.of(file(), Entries.parse(text, file()));
+        Identity identity = Identity.of(file(), Entries.parse(text, file()), Time.REAL);
         AuthorityKeys keys = AuthorityKeys.decode(answer.get(Identity.AUTHORITY).orElseThrow());
         print(identity.certificate() + " is in " + file() + "; its authority is " + keys.fingerprint());
     }
@@ -162,7 +163,7 @@ public final class EnrollCommand implements CommandPlugin {
             Identity.keep(RevocationList.decode(revocationList), own);
         }
         try {
-            Identity.of(file(), own).check(certificate);
+            Identity.of(file(), own, Time.REAL).check(certificate);
         } catch (IllegalArgumentException e) {
             throw new JavinoException(what.certificate + " is not for the last request of " + id + ", or damaged: "
                     + "javino ca issue --replace on the request, once more", e);
@@ -195,7 +196,7 @@ public final class EnrollCommand implements CommandPlugin {
         Bytes revocationList = Entries.read(what.revocationList).get(Identity.REVOCATION_LIST).orElseThrow(
                 () -> new JavinoException(
                         what.revocationList + " has no revocation list; javino ca revoke writes one"));
-        Identity identity = Identity.read(folder, id)
+        Identity identity = Identity.read(folder, id, Time.REAL)
                 .orElseThrow(() -> new HandshakeException(id + " has no certificate in " + folder));
         clock.check(what.revocationList, RevocationList.decode(revocationList).day());
         boolean isNew = identity.take(revocationList);

@@ -14,12 +14,12 @@ import jason.JasonException;
 
 import diffuser.BoardService;
 import diffuser.Diffuser;
-import diffuser.board.HostClock;
 import diffuser.board.KeyService;
 import diffuser.report.Failure;
 
 import javino.board.Transmission;
 import javino.keyring.DeviceNotes;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Message;
 import javino.protocol.Outcome;
@@ -38,7 +38,8 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
     public static final String FOLDER_PROPERTY = DeviceNotes.FOLDER_PROPERTY;
 
     private final Path folder;
-    private final HostClock clock;
+    private final Time.Timer clock;
+    private final Time time;
 
     // All that follows is used on the clock's thread only, but for what is volatile.
     private Host host;
@@ -56,14 +57,19 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
 
         @Override
         public BoardService of(Diffuser diffuser) {
-            return new BoardKeyAgreement(DeviceNotes.named().folder(), diffuser.hostClock());
+            return new BoardKeyAgreement(DeviceNotes.named().folder(), diffuser.timer(), diffuser.time());
         }
     }
 
-    /** @param folder the folder where {@code javino enroll} puts the identities of devices. */
-    public BoardKeyAgreement(Path folder, HostClock clock) {
+    /**
+     * @param folder the folder where {@code javino enroll} puts the identities of devices.
+     * @param clock  the thread for all this, and its time.
+     * @param time   for the date and random numbers.
+     */
+    public BoardKeyAgreement(Path folder, Time.Timer clock, Time time) {
         this.folder = folder;
         this.clock = clock;
+        this.time = time;
     }
 
     /** The one of an agent with a board. @throws JasonException if it has none. */
@@ -167,7 +173,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
     private void open() {
         sharesGroup = true;
         try {
-            Optional<Identity> identity = Identity.read(folder, self);
+            Optional<Identity> identity = Identity.read(folder, self, time);
             if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {
                 throw new IllegalArgumentException("the identity of " + self + " in " + folder + " is that of "
                         + identity.get().certificate().address());
@@ -176,7 +182,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
             if (identity.isPresent() && !refuses && !host.hasBroadcasts()) {
                 host.warn("keys are agreed on with nobody: " + Status.UNICASTS_ONLY.explanation());
             } else if (identity.isPresent() && !refuses) {
-                open = Optional.of(new OpenAgreement(host, identity.get(), stored, clock));
+                open = Optional.of(new OpenAgreement(host, identity.get(), stored, clock, time.secureRandom()));
             }
         } catch (IOException | IllegalArgumentException e) {
             host.warn("keys are agreed on with nobody: " + e.getMessage());

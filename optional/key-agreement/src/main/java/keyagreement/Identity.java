@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.interfaces.ECPrivateKey;
+import java.time.InstantSource;
 import java.time.LocalDate;
+import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -41,14 +43,16 @@ public final class Identity {
     private static final int KEY_LABEL = 32768;
 
     private final Path file;
+    private final InstantSource clock;
     private final Certificate certificate;
     private final ECPrivateKey secret;
     private final Credential credential;
     private final List<AuthorityKeys> authorities = new ArrayList<>();
     private final List<RevocationList> revocationLists = new ArrayList<>();
 
-    private Identity(Path file, Entries entries) throws HandshakeException {
+    private Identity(Path file, Entries entries, InstantSource clock) throws HandshakeException {
         this.file = file;
+        this.clock = clock;
         for (Bytes keys : entries.all(AUTHORITY)) {
             authorities.add(AuthorityKeys.decode(keys));
         }
@@ -66,18 +70,19 @@ public final class Identity {
     /**
      * Reads the identity of a device, which {@code javino enroll} wrote.
      *
+     * @param clock the computer's, by which certificates end.
      * @return nothing where the device has no certificate.
      * @throws IllegalArgumentException if the file is damaged, or others may read it.
      */
-    public static Optional<Identity> read(Path folder, Address device) throws IOException {
+    public static Optional<Identity> read(Path folder, Address device, InstantSource clock) throws IOException {
         Path file = DeviceNotes.identity(folder, device);
         Entries entries = Files.exists(file) ? Entries.parse(PrivateFile.read(file), file) : new Entries();
-        return entries.get(CERTIFICATE).isEmpty() ? Optional.empty() : Optional.of(of(file, entries));
+        return entries.get(CERTIFICATE).isEmpty() ? Optional.empty() : Optional.of(of(file, entries, clock));
     }
 
-    static Identity of(Path file, Entries entries) {
+    static Identity of(Path file, Entries entries, InstantSource clock) {
         try {
-            return new Identity(file, entries);
+            return new Identity(file, entries, clock);
         } catch (HandshakeException | IllegalArgumentException e) {
             throw new IllegalArgumentException(file + " is damaged: " + e.getMessage(), e);
         }
@@ -158,8 +163,8 @@ public final class Identity {
      * one that was years ahead once would end all certificates for ever.
      */
     private LocalDate today() {
-        LocalDate clock = LocalDate.now();
-        return clock.isAfter(latestListedDay()) ? clock : latestListedDay();
+        LocalDate told = LocalDate.ofInstant(clock.instant(), ZoneId.systemDefault());
+        return told.isAfter(latestListedDay()) ? told : latestListedDay();
     }
 
     private LocalDate latestListedDay() {

@@ -10,7 +10,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
-import diffuser.board.HostClock;
 import diffuser.board.KeyService;
 import diffuser.report.Failure;
 
@@ -18,6 +17,7 @@ import javino.JavinoException;
 import javino.board.LostKeyException;
 import javino.board.Transitions;
 import javino.board.Transmission;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Key;
 
@@ -27,7 +27,7 @@ final class OpenAgreement {
     private final KeyService.Host host;
     private final Identity identity;
     private final Set<Address> stored;
-    private final HostClock clock;
+    private final Time.Timer clock;
     private final Address self;
     private final Address group;
     private final Set<Address> met = new HashSet<>();
@@ -37,15 +37,19 @@ final class OpenAgreement {
     private KeyAgreement agreement;
     private volatile Map<Event, Long> events = Map.of();
 
-    /** @param stored for whom the board has stored keys. */
-    OpenAgreement(KeyService.Host host, Identity identity, Set<Address> stored, HostClock clock) throws IOException {
+    /**
+     * @param stored for whom the board has stored keys.
+     * @param random for keys.
+     */
+    OpenAgreement(KeyService.Host host, Identity identity, Set<Address> stored, Time.Timer clock, SecureRandom random)
+            throws IOException {
         this.host = host;
         this.identity = identity;
         this.stored = stored;
         this.clock = clock;
         self = identity.certificate().address();
         group = Address.multicast(self.group());
-        agreement = new KeyAgreement(identity, identity.groupKey(), new SecureRandom());
+        agreement = new KeyAgreement(identity, identity.groupKey(), random);
         step(all -> {
             if (!stored.contains(group)) {
                 all.lacksGroupKey(clock.millis());

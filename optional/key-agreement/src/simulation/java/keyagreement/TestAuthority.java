@@ -9,6 +9,7 @@ import java.security.SecureRandom;
 import java.time.LocalDate;
 import java.util.List;
 import javino.JavinoException;
+import javino.link.Time;
 import javino.protocol.Address;
 import picocli.CommandLine;
 
@@ -48,7 +49,7 @@ final class TestAuthority {
             Path answer = folder.resolve(id + ".certificate");
             Files.writeString(answer, authority.issue(asked, until, groupKeyServer, TODAY, RANDOM).format());
             enroll(id, "--certificate", answer);
-            return Identity.read(folder, Address.parse(id)).orElseThrow();
+            return Identity.read(folder, Address.parse(id), Time.REAL).orElseThrow();
         } catch (IOException | JavinoException e) {
             throw new IllegalStateException(e);
         }

@@ -20,6 +20,7 @@ import javino.board.BoardConfig;
 import javino.board.Transmission;
 import javino.keyring.BoundedClock;
 import javino.link.LinkOpener;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Message;
 
@@ -42,7 +43,7 @@ public final class AgentHost implements AutoCloseable {
                 new HostMessages(List.of(keyService), warnings::once), warnings, () -> {}, text -> {},
                 Optional.of(keyService));
         BoardSettings settings = BoardSettings.NONE.withRfId(id).withRadio(true);
-        device = Device.open(new ExclusivePort(link, "agent", CompletableFuture.completedFuture(null)),
+        device = Device.open(new ExclusivePort(link, "agent", CompletableFuture.completedFuture(null), Time.REAL),
                 ASSyntax.createString(link.name()), usual.with(usual.notes(), clock), settings, context);
     }
 

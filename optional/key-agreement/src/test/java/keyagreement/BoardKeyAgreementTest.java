@@ -8,16 +8,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 
 import diffuser.AgentHost;
-import diffuser.board.HostClock;
 import diffuser.board.KeyService;
 import diffuser.board.Sender;
 import diffuser.report.Failure;
@@ -27,6 +24,7 @@ import javino.keyring.BoundedClock;
 import javino.keyring.DeviceNotes;
 import javino.board.BoardOfflineException;
 import javino.board.Transmission;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Capability;
 import javino.protocol.Content;
@@ -51,45 +49,10 @@ class BoardKeyAgreementTest {
 
     @TempDir
     Path folder;
-    private final Time time = new Time();
+    private final VirtualClock time = new VirtualClock();
+    private final Time.Timer thread = time.timer("agreement", e -> {});
     private final FalseBoard board = new FalseBoard();
     private BoardKeyAgreement agreement;
-
-    /** A time of its own. */
-    private static final class Time implements HostClock {
-
-        private record Step(long at, long order, Runnable what) {
-        }
-
-        private final PriorityQueue<Step> steps =
-                new PriorityQueue<>(Comparator.comparingLong(Step::at).thenComparingLong(Step::order));
-        private long now;
-        private long order;
-
-        @Override
-        public long millis() {
-            return now;
-        }
-
-        @Override
-        public void after(long millis, Runnable step) {
-            steps.add(new Step(now + millis, order++, step));
-        }
-
-        @Override
-        public void close() {
-            steps.clear();
-        }
-
-        void run(long millis) {
-            long end = now + millis;
-            while (!steps.isEmpty() && steps.peek().at() <= end) {
-                now = Math.max(now, steps.peek().at());
-                steps.poll().what().run();
-            }
-            now = end;
-        }
-    }
 
     /** A board that takes all messages, and never has one on the air; or that is not there. */
     private static final class FalseBoard implements KeyService.Host {
@@ -152,7 +115,7 @@ class BoardKeyAgreementTest {
     @BeforeEach
     void start() throws Exception {
         new TestAuthority(folder).certified("BUSB");
-        agreement = new BoardKeyAgreement(folder, time);
+        agreement = new BoardKeyAgreement(folder, thread, time);
         agreement.online(board, Address.parse("BUSB"), 1, List.of());
         time.run(1);
     }
@@ -175,7 +138,7 @@ class BoardKeyAgreementTest {
     @Test
     void sharesGroup_unlessItIsKnownThatThereIsNoCertificate() throws Exception {
         assertTrue(agreement.sharesGroup());
-        BoardKeyAgreement other = new BoardKeyAgreement(folder, time);
+        BoardKeyAgreement other = new BoardKeyAgreement(folder, thread, time);
         assertTrue(other.sharesGroup(), "nothing is known yet");
         other.online(board, BUSA, 1, List.of());
         time.run(1);
@@ -218,7 +181,7 @@ class BoardKeyAgreementTest {
         new TestAuthority(servers).groupKeyServer("BUSB");
         CompletableFuture<Void> set = new CompletableFuture<>();
         board.groupKeys = () -> set;
-        agreement = new BoardKeyAgreement(servers, time);
+        agreement = new BoardKeyAgreement(servers, thread, time);
         agreement.online(board, Address.parse("BUSB"), 1, List.of());
         Transmission said = send(GROUP, 1).get(0);
         assertFalse(board.asked.contains(GROUP));
@@ -238,7 +201,7 @@ class BoardKeyAgreementTest {
             board.asked.add(GROUP);
             return CompletableFuture.failedFuture(new AssertionError("it takes no key of a group"));
         };
-        agreement = new BoardKeyAgreement(servers, time);
+        agreement = new BoardKeyAgreement(servers, thread, time);
         agreement.online(board, Address.parse("BUSB"), 1, List.of());
         List<Transmission> before = send(BUSA, 1);
         board.hasUnicastsOnly = true;
@@ -275,7 +238,7 @@ class BoardKeyAgreementTest {
                 Capability.UNICASTS_ONLY, Capability.SAYS_TAKEN);
         fake.refuse("BUSA", Status.NO_KEY);
         VirtualClock clock = new VirtualClock();
-        BoardKeyAgreement own = new BoardKeyAgreement(folder, clock.ofHost());
+        BoardKeyAgreement own = new BoardKeyAgreement(folder, clock.timer("host", e -> {}), clock);
         try (AgentHost agent = new AgentHost(fake.port, Address.parse("BUSB"),
                 BoundedClock.at(BoundedClock.RELEASED.atStartOfDay().toInstant(ZoneOffset.UTC)), own)) {
             assertTrue(agent.isOnline());

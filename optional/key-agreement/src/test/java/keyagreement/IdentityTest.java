@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import javino.keyring.DeviceNotes;
 import javino.JavinoException;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
@@ -101,7 +102,7 @@ class IdentityTest {
         byte[] bytes = busa.certificate().toBytes().toArray();
         bytes[5] = 1;
         forged.set(Identity.CERTIFICATE, Bytes.copyOf(bytes));
-        assertThrows(IllegalArgumentException.class, () -> Identity.of(file, forged));
+        assertThrows(IllegalArgumentException.class, () -> Identity.of(file, forged, Time.REAL));
     }
 
     @Test
@@ -132,7 +133,7 @@ class IdentityTest {
         refused(Reason.REVOKED, roma, supo);
         assertFalse(supo.take(revocationList.toBytes()), "it is known");
         supo.keep();
-        Identity again = Identity.read(folder, address(supo)).orElseThrow();
+        Identity again = Identity.read(folder, address(supo), Time.REAL).orElseThrow();
         assertEquals(List.of(revocationList), again.revocationLists());
         refused(Reason.REVOKED, again, roma);
         assertThrows(HandshakeException.class, () -> again.check(roma.certificate()));
@@ -146,7 +147,7 @@ class IdentityTest {
         supo.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(2)).toBytes());
         assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's revocation list"));
         supo.keep();
-        refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);
+        refused(Reason.EXPIRED, Identity.read(folder, address(supo), Time.REAL).orElseThrow(), busa);
         agree(supo, roma);
     }
 
@@ -188,18 +189,18 @@ class IdentityTest {
 
     @Test
     void identity_thatIsMissingDamagedOrReadableByOthers_isNotUsed() throws IOException {
-        assertEquals(Optional.empty(), Identity.read(folder, Address.parse("BUSA")));
+        assertEquals(Optional.empty(), Identity.read(folder, Address.parse("BUSA"), Time.REAL));
         Path file = DeviceNotes.identity(folder, address(supo));
         String text = Files.readString(file);
         Files.writeString(file, text.replaceAll("secret ..", "secret " + (text.contains("secret 00") ? "01" : "00")));
-        String said = assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)))
+        String said = assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo), Time.REAL))
                 .getMessage();
         assertTrue(said.startsWith(file + " is damaged: "), said);
         assertFalse(said.contains(text.substring(7, 20)), said);
         Files.writeString(file, text.replaceAll("secret .*\n", ""));
-        assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)));
+        assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo), Time.REAL));
         file.toFile().setReadable(true, false);
-        assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)));
+        assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo), Time.REAL));
     }
 
     @Test

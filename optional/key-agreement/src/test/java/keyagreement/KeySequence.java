@@ -5,8 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
-import java.time.Instant;
-import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -20,7 +18,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 
 import diffuser.AgentHost;
-import diffuser.board.HostClock;
 
 import javino.JavinoException;
 import javino.cli.ProvisioningHost;
@@ -31,6 +28,7 @@ import javino.keyring.DeviceNotes;
 import javino.keyring.Keyring;
 import javino.keyring.KeyringNotes;
 import javino.keyring.PrivateFile;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
@@ -45,7 +43,6 @@ import javino.protocol.Performative;
 final class KeySequence implements FakeAir.Listener, AutoCloseable {
 
     static final List<Address> DEVICES = Stream.of("BUSA", "BUSB", "BUKE").map(Address::parse).toList();
-    private static final Instant START = BoundedClock.RELEASED.atStartOfDay().toInstant(ZoneOffset.UTC);
     private static final Address GROUP = Address.multicast("BU");
     private static final long MINUTE = 60_000;
     /** A message waits no longer for a key. */
@@ -92,7 +89,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
     private Duration wrongBy = Duration.ZERO;
     private int said;
 
-    private record Host(AgentHost agent, BoardKeyAgreement agreement, HostClock clock) {
+    private record Host(AgentHost agent, BoardKeyAgreement agreement, Time.Timer clock) {
     }
 
     /**
@@ -230,10 +227,10 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
         air.setContact(isHeard);
         CompletableFuture<Outcome> end =
                 host(from).agent.transmit(to, new Content(Performative.TELL, "x" + said++)).end();
-        long until = clock.millis() + PATIENCE;
+        long until = clock.passed() + PATIENCE;
         host(from).agent.awaitBoard();
         settle(0);
-        while (!end.isDone() && clock.millis() < until) {
+        while (!end.isDone() && clock.passed() < until) {
             settle(MINUTE / 60);
             host(from).agent.awaitBoard();
         }
@@ -243,8 +240,8 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
 
     private Host host(Address device) {
         return hosts.computeIfAbsent(device, id -> {
-            HostClock own = clock.ofHost();
-            BoardKeyAgreement agreement = new BoardKeyAgreement(folder, own);
+            Time.Timer own = clock.timer("host", e -> {});
+            BoardKeyAgreement agreement = new BoardKeyAgreement(folder, own, clock);
             Host host = new Host(new AgentHost(boards.get(id).port, id, time(), agreement), agreement,
                     own);
             if (!host.agent.isOnline()) {
@@ -271,12 +268,12 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
 
     /** The time by the computers' clocks. */
     private BoundedClock time() {
-        return BoundedClock.at(START.plusMillis(clock.millis()).plus(wrongBy));
+        return BoundedClock.at(clock.instant().plus(wrongBy));
     }
 
     /** Lets that much time pass, and all that comes of it. */
     private void settle(long millis) throws InterruptedException {
-        long until = clock.millis() + millis;
+        long until = clock.passed() + millis;
         do {
             clock.advance(until);
             boolean busy = true;
@@ -289,7 +286,7 @@ final class KeySequence implements FakeAir.Listener, AutoCloseable {
                 }
                 busy = clock.runDue();
             }
-        } while (clock.millis() < until);
+        } while (clock.passed() < until);
     }
 
     // On any thread, one after the other:

@@ -1,12 +1,19 @@
 package keyagreement;
 
+import java.time.Instant;
+import java.time.ZoneOffset;
 import java.util.Comparator;
 import java.util.PriorityQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 
-import diffuser.board.HostClock;
+import javino.keyring.BoundedClock;
+import javino.link.RealTime;
 
-/** A time of its own, for several hosts: nothing waits. */
-final class VirtualClock {
+/** A time of its own, from the day of the release on, for the clocks of several hosts: nothing waits. */
+final class VirtualClock extends RealTime {
+
+    private static final Instant START = BoundedClock.RELEASED.atStartOfDay().toInstant(ZoneOffset.UTC);
 
     private final PriorityQueue<Step> steps =
             new PriorityQueue<>(Comparator.comparingLong(Step::at).thenComparingLong(Step::order));
@@ -16,23 +23,35 @@ final class VirtualClock {
     private record Step(long at, long order, Runnable what) {
     }
 
-    synchronized long millis() {
+    /** In ms. */
+    synchronized long passed() {
         return now;
+    }
+
+    @Override
+    public long nanos() {
+        return TimeUnit.MILLISECONDS.toNanos(passed());
+    }
+
+    @Override
+    public Instant instant() {
+        return START.plusMillis(passed());
     }
 
     private synchronized void after(long millis, Runnable step) {
         steps.add(new Step(now + millis, order++, step));
     }
 
-    /** The clock of one more host. */
-    HostClock ofHost() {
-        return new HostClock() {
+    /** {@inheritDoc} The steps are taken by {@link #runDue}, on its thread, and throw there. */
+    @Override
+    public Timer timer(String name, Consumer<RuntimeException> failed) {
+        return new Timer() {
 
             private volatile boolean closed;
 
             @Override
             public long millis() {
-                return VirtualClock.this.millis();
+                return passed();
             }
 
             @Override
@@ -54,7 +73,7 @@ final class VirtualClock {
     /** Does all that is due. Tells whether something was. */
     boolean runDue() {
         boolean any = false;
-        for (Step step = next(millis()); step != null; step = next(millis())) {
+        for (Step step = next(passed()); step != null; step = next(passed())) {
             step.what.run();
             any = true;
         }
@@ -68,5 +87,14 @@ final class VirtualClock {
     /** Goes on to what is to be done next, or to that time if nothing is before. */
     synchronized void advance(long until) {
         now = Math.max(now, steps.isEmpty() ? until : Math.min(until, steps.peek().at));
+    }
+
+    /** Lets that much time pass, and does all that is due. */
+    void run(long millis) {
+        long until = passed() + millis;
+        do {
+            advance(until);
+            runDue();
+        } while (passed() < until);
     }
 }

@@ -2,7 +2,6 @@ package mobility;
 
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +18,6 @@ import jason.bb.BeliefBase;
 
 import diffuser.BoardService;
 import diffuser.Diffuser;
-import diffuser.board.HostClock;
 import diffuser.board.MoveService;
 import diffuser.gate.Policy;
 import diffuser.gate.Provenance;
@@ -27,6 +25,7 @@ import diffuser.mind.Intentions;
 import diffuser.report.Failure;
 
 import javino.board.Transitions;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -39,7 +38,8 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
     private static final long LOOK_NANOS = Duration.ofSeconds(1).toNanos();
 
     private final Diffuser diffuser;
-    private final HostClock clock;
+    private final Time time;
+    private final Time.Timer clock;
     private final LocalAgents inhabitants;
     private final MoveInRequest admission;
     private Moves moves;
@@ -58,10 +58,11 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
 
     private BoardMoves(Diffuser diffuser) {
         this.diffuser = diffuser;
-        clock = diffuser.hostClock();
+        time = diffuser.time();
+        clock = diffuser.timer();
         inhabitants = new LocalAgents(diffuser);
         admission = new MoveInRequest(diffuser);
-        looked = System.nanoTime() - 2 * LOOK_NANOS;
+        looked = time.nanos() - 2 * LOOK_NANOS;
         if (!MoveStore.records(place()).isEmpty() || !MoveStore.unreadable(place()).isEmpty()) {
             boolean away = LocalAgents.isAway(name());
             if (away) {
@@ -100,8 +101,8 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
     /** On the thread of the moves. The folder is made when it is needed for the first time. */
     private Moves opened() {
         if (moves == null) {
-            folder = new MoveStore(place());
-            moves = new Moves(clock, folder, this, inhabitants.limits(), new SecureRandom());
+            folder = new MoveStore(place(), time);
+            moves = new Moves(clock, folder, this, inhabitants.limits(), time.secureRandom());
             moves.start();
         }
         return moves;
@@ -133,7 +134,7 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
                 return CompletableFuture.<String>failedFuture(
                         new Failure("disk", e.getCause().getMessage()).toException());
             }
-        }, clock::execute).thenCompose(end -> end);
+        }, clock).thenCompose(end -> end);
     }
 
     // Calls of the board
@@ -150,8 +151,8 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
 
     @Override
     public boolean admits() {
-        if (System.nanoTime() - looked > LOOK_NANOS) {
-            looked = System.nanoTime();
+        if (time.nanos() - looked > LOOK_NANOS) {
+            looked = time.nanos();
             admits = admission.isThere();
         }
         return admits;

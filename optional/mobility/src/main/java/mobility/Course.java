@@ -7,13 +7,13 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 
-import diffuser.board.HostClock;
 import diffuser.report.Failure;
 
+import javino.link.Time;
 import javino.protocol.Bytes;
 import javino.protocol.Outcome;
 
-/** A move under way: does what its {@link Machine} decides. On the thread of the {@link HostClock}. */
+/** A move under way: does what its {@link Machine} decides. On the thread of the {@link Time.Timer}. */
 final class Course {
 
     /** Between two reports of progress. */

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -26,6 +25,7 @@ import diffuser.Diffuser;
 import diffuser.mind.Intentions;
 import diffuser.report.Failure;
 
+import javino.link.Time;
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
@@ -207,10 +207,11 @@ record LocalAgents(Diffuser diffuser) {
     }
 
     /** Jason ends an agent on a thread of its own; until then another one of that name would get a new name. */
-    private static void awaitEnd(String name) {
-        long end = System.nanoTime() + END_NANOS;
-        while (agent(name).isPresent() && System.nanoTime() < end) {
-            LockSupport.parkNanos(LOOK_NANOS);
+    private void awaitEnd(String name) {
+        Time time = diffuser.time();
+        long end = time.nanos() + END_NANOS;
+        while (agent(name).isPresent() && time.nanos() < end) {
+            time.pause(LOOK_NANOS);
         }
     }
 

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
+import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -42,6 +43,7 @@ class MoveStore implements AutoCloseable {
     private static final int MOST_SPARE = 64;
 
     private final Path place;
+    private final InstantSource clock;
     private final FileChannel lock;
 
     /** An operation on the disk. */
@@ -57,9 +59,14 @@ class MoveStore implements AutoCloseable {
         }
     }
 
-    /** Opens a folder, which is made if it is not there; fails too if another MAS has it. */
-    MoveStore(Path place) {
+    /**
+     * Opens a folder, which is made if it is not there; fails too if another MAS has it.
+     *
+     * @param clock by which texts get older.
+     */
+    MoveStore(Path place, InstantSource clock) {
         this.place = place;
+        this.clock = clock;
         lock = on(() -> {
             PrivateFile.createFolder(place.resolve("parts"));
             FileChannel channel =
@@ -187,11 +194,10 @@ class MoveStore implements AutoCloseable {
     /** Keeps a text. */
     void keep(Bytes hash, Bytes text) {
         on(() -> {
-            if (text(hash).isPresent()) {
-                Files.setLastModifiedTime(part(hash), FileTime.fromMillis(System.currentTimeMillis()));
-            } else {
+            if (text(hash).isEmpty()) {
                 replace(part(hash), text.toArray());
             }
+            Files.setLastModifiedTime(part(hash), FileTime.from(clock.instant()));
             return Files.deleteIfExists(partial(hash));
         });
     }

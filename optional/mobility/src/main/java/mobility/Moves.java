@@ -14,11 +14,11 @@ import java.util.stream.Stream;
 
 import jason.JasonException;
 
-import diffuser.board.HostClock;
 import diffuser.gate.Policy;
 import diffuser.gate.Provenance;
 import diffuser.report.Failure;
 
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.HostMessage;
@@ -28,7 +28,7 @@ import javino.protocol.ProtocolException;
  * The moves of agents by one board (SPEC 9): what is said when, and what is written before. It knows neither Jason nor
  * boards, so that a test can end it at any step and begin a new one with the same folder.
  *
- * <p>All but the counters is for the one thread of the {@link HostClock}.
+ * <p>All but the counters is for the one thread of the {@link Time.Timer}.
  */
 final class Moves {
 
@@ -56,7 +56,7 @@ final class Moves {
         CAME, LEFT, REFUSED, STAYED, DROPPED
     }
 
-    final HostClock clock;
+    final Time.Timer clock;
     final MoveStore folder;
     final Mas mas;
     private final Limits limits;
@@ -65,7 +65,7 @@ final class Moves {
     private final Map<Move.Key, Course> courses = new LinkedHashMap<>();
     private final Map<Count, Long> counts = new ConcurrentHashMap<>();
 
-    Moves(HostClock clock, MoveStore folder, Mas mas, Limits limits, RandomGenerator random) {
+    Moves(Time.Timer clock, MoveStore folder, Mas mas, Limits limits, RandomGenerator random) {
         this.clock = clock;
         this.folder = folder;
         this.mas = mas;

@@ -5,12 +5,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
-import diffuser.board.HostClock;
 import diffuser.report.Failure;
 
+import javino.link.Time;
 import javino.protocol.Outcome;
 
-/** Says a message of a move until it is answered (SPEC 9.3). On the thread of the {@link HostClock}. */
+/** Says a message of a move until it is answered (SPEC 9.3). On the thread of the {@link Time.Timer}. */
 final class Retransmission {
 
     /** After a message was delivered, until it is said again. */
@@ -19,7 +19,7 @@ final class Retransmission {
     static final long LEAST_PAUSE_MILLIS = 2_000;
     private static final long MOST_PAUSE_MILLIS = 30_000;
 
-    private final HostClock clock;
+    private final Time.Timer clock;
     private final Function<MoveMessage.Said, CompletableFuture<Outcome>> send;
     private final Consumer<Event> told;
     private Optional<MoveMessage.Said> message = Optional.empty();
@@ -29,7 +29,7 @@ final class Retransmission {
     private int turn;
 
     /** @param told takes the outcome of the message, each time that it was said. */
-    Retransmission(HostClock clock, Function<MoveMessage.Said, CompletableFuture<Outcome>> send,
+    Retransmission(Time.Timer clock, Function<MoveMessage.Said, CompletableFuture<Outcome>> send,
             Consumer<Event> told) {
         this.clock = clock;
         this.send = send;

@@ -3,6 +3,7 @@ package mobility;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -175,7 +176,7 @@ final class Simulation extends Network<SimulatedHost> {
         private final class Deadly extends MoveStore {
 
             Deadly(Path place) {
-                super(place);
+                super(place, () -> Instant.ofEpochMilli(Simulation.this.millis()));
             }
 
             private void change(String operation, String what, Runnable change) {

@@ -201,7 +201,7 @@ final class Victim implements AutoCloseable {
             ((GuestAgent) guest.getTS().getAg()).selectMessage(new ArrayDeque<>(List.of(message)));
             return;
         }
-        OutgoingMessage letter = OutgoingMessage.of(message);
+        OutgoingMessage letter = OutgoingMessage.of(message, ((Questions) ofDiffuser("questions"))::next);
         remember(letter);
         conversations.put(lastAsked, letter.content().conversation().orElseThrow());
     }

@@ -8,16 +8,16 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 
 import diffuser.Diffuser;
-import diffuser.board.HostClock;
 import diffuser.report.Failure;
 
+import javino.link.Time;
 import javino.protocol.Address;
 
 import org.junit.jupiter.api.Test;
 
 class BoardMovesTest {
 
-    private static final HostClock AT_ONCE = new HostClock() {
+    private static final Time.Timer AT_ONCE = new Time.Timer() {
 
         @Override
         public long millis() {
@@ -46,7 +46,7 @@ class BoardMovesTest {
             }
 
             @Override
-            public HostClock hostClock() {
+            public Time.Timer timer() {
                 return AT_ONCE;
             }
         });

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 import javino.fake.NoPermissionsFileSystem;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
@@ -37,7 +38,7 @@ class MoveStoreTest {
 
     @Test
     void textsAndNotes_areForTheirUserOnly() throws IOException {
-        try (MoveStore folder = new MoveStore(place.resolve("moves"))) {
+        try (MoveStore folder = new MoveStore(place.resolve("moves"), Time.REAL)) {
             folder.keep(Part.hash(TEXT), TEXT);
             folder.append(Bytes.ofText("another"), TEXT);
             folder.keepBoard("ttyACM0", Address.parse("ROMA"));
@@ -56,7 +57,7 @@ class MoveStoreTest {
 
     @Test
     void texts_wherePermissionsCannotBeKept_areNotWritten() throws IOException {
-        try (MoveStore folder = new MoveStore(new NoPermissionsFileSystem().of(place))) {
+        try (MoveStore folder = new MoveStore(new NoPermissionsFileSystem().of(place), Time.REAL)) {
             for (Runnable each : List.<Runnable>of(() -> folder.keep(Part.hash(TEXT), TEXT),
                     () -> folder.append(Part.hash(TEXT), TEXT),
                     () -> folder.keepBoard("ttyACM0", Address.parse("ROMA")))) {

@@ -11,7 +11,6 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
 
-import diffuser.board.HostClock;
 import diffuser.board.HostMessages;
 import diffuser.board.KeyService;
 import diffuser.board.Sender;
@@ -25,6 +24,7 @@ import javino.board.BoardListener;
 import javino.board.Transmission;
 import javino.keyring.DeviceNotes;
 import javino.link.LinkOpener;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
@@ -51,11 +51,11 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
      * @param identities the folder with its certificate.
      * @param received   takes what others say, on the clock's thread.
      */
-    public CertifiedHost(LinkOpener link, Address self, Path identities, HostClock clock,
+    public CertifiedHost(LinkOpener link, Address self, Path identities, Time.Timer clock,
             Consumer<Content> received) {
         this.self = self;
         this.received = received;
-        agreement = new BoardKeyAgreement(identities, clock);
+        agreement = new BoardKeyAgreement(identities, clock, Time.REAL);
         hosts = new HostMessages(List.of(agreement), warnings::add);
         BoardConfig noting = BoardConfig.create(config -> config.setNotes(List.of(new DeviceNotes(identities))));
         board.complete(Board.open(link, noting, this));

@@ -18,6 +18,7 @@ import javino.board.BoardConfig;
 import javino.fake.NoPermissionsFileSystem;
 import javino.keyring.BoundedClock;
 import javino.link.SerialLink;
+import javino.link.Time;
 import javino.protocol.Address;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -94,7 +95,8 @@ class CertificateCommandsTest {
     }
 
     private Certificate certificate(String id) throws IOException {
-        return Identity.read(folder.resolve("home"), Address.parse(id)).orElseThrow().certificate();
+        return Identity.read(folder.resolve("home"), Address.parse(id), Time.REAL).orElseThrow()
+                .certificate();
     }
 
     @Test

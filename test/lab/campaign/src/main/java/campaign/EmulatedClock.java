@@ -7,10 +7,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 
-import diffuser.board.HostClock;
+import javino.link.Time;
 
 /** The boards' time for a host, on a thread of its own. */
-final class EmulatedClock implements HostClock {
+final class EmulatedClock implements Time.Timer {
 
     private final Timetable time;
     private final ExecutorService thread = Executors.newSingleThreadExecutor(step -> {
