@@ -99,7 +99,7 @@ public class Diffuser extends AgArch {
     private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
     private transient HostMessages hosts;
-    private transient Time time = Time.REAL;
+    private transient Time time;
     private transient Time.Timer timer;
     private transient BoardSettings settings = BoardSettings.NONE;
     /** Also asked by threads that stop the agent, or show its status. */

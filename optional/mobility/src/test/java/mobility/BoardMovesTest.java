@@ -46,6 +46,11 @@ class BoardMovesTest {
             }
 
             @Override
+            public Time time() {
+                return Time.REAL;
+            }
+
+            @Override
             public Time.Timer timer() {
                 return AT_ONCE;
             }

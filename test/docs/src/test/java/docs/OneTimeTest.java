@@ -1,0 +1,150 @@
+package docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.DataInputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.security.SecureRandom;
+import java.time.LocalDate;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Hosts ask their {@code Time}, and not the computer, for time, random numbers, threads and waits, as a simulation could
+ * not give them else. What asks the computer all the same is in a table, with the reason.
+ */
+class OneTimeTest {
+
+    private static final String TABLE = "test/docs/src/test/resources/docs/real-time.txt";
+
+    /** Of the other modules only what tests use with boards. */
+    private static final Pattern ALL_BUT =
+            Pattern.compile("javino/cli/(?!Provisioning\\b).*|gateway/(Broker|Gateway|GatewayCommand)\\b.*");
+
+    /** What asks the computer: owner, member and descriptor; or a class alone. */
+    private static final Pattern REAL = Pattern.compile(String.join("|",
+            "java/lang/System\\.(nanoTime|currentTimeMillis) .*", "java/util/Date\\.<init> \\(\\)V",
+            "java/time/\\w+\\.now .*", "java/time/(Clock|InstantSource)\\.(system|tick).*",
+            "java/security/SecureRandom\\.(<init>|getInstance).*", "java/util/Random\\.<init> .*",
+            "java/util/concurrent/ThreadLocalRandom.*", "java/util/SplittableRandom.*", "java/lang/Math\\.random .*",
+            "java/util/random/RandomGenerator\\.(of|getDefault) .*", "java/util/UUID\\.randomUUID .*",
+            "(java/security/KeyPairGenerator\\.initialize|javax/crypto/KeyGenerator\\.init"
+                    + "|java/security/Signature\\.initSign) (?!.*SecureRandom).*",
+            "java/lang/Thread\\.(<init>|sleep|of\\w+|startVirtualThread|join|yield|onSpinWait|getMethod) .*",
+            "java/lang/Object\\.(wait|notify|notifyAll) .*",
+            "java/util/concurrent/TimeUnit\\.(timedWait|timedJoin|sleep) .*",
+            "java/util/concurrent/locks/(LockSupport\\.park|Condition\\.await).*",
+            "java/util/concurrent/CompletableFuture\\.(orTimeout|completeOnTimeout|delayedExecutor|join|get) .*",
+            "java/util/concurrent/\\w+\\.\\w+Async (?!.*/Executor;).*", "java/util/concurrent/(\\w*Future)\\.get .*",
+            "java/util/[\\w/]+\\.(parallel|parallelStream) .*", "java/util/Timer\\w*",
+            "java/util/concurrent/(Executors|\\w+PoolExecutor|ForkJoin\\w+|ExecutorCompletionService)",
+            "java/util/concurrent/(\\w*Blocking\\w+|SynchronousQueue|\\w*TransferQueue|DelayQueue)",
+            "java/util/concurrent/(Semaphore|CountDownLatch|CyclicBarrier|Phaser|Exchanger)",
+            "javino/link/Time\\.REAL .*", "javino/keyring/BoundedClock\\.SYSTEM .*"));
+
+    private static final int CLASS = 7;
+
+    /** What a class names: classes, and members with their owners and descriptors. */
+    private static Stream<String> named(InputStream bytes) throws IOException {
+        DataInputStream in = new DataInputStream(bytes);
+        in.skipNBytes(8);
+        int count = in.readUnsignedShort();
+        int[] tags = new int[count];
+        int[] first = new int[count];
+        int[] second = new int[count];
+        String[] texts = new String[count];
+        for (int i = 1; i < count; i++) {
+            tags[i] = in.readUnsignedByte();
+            switch (tags[i]) {
+                case 1 -> texts[i] = in.readUTF();
+                case 3, 4 -> in.skipNBytes(4);
+                case 5, 6 -> {
+                    in.skipNBytes(8);
+                    i++;
+                }
+                case CLASS, 8, 16, 19, 20 -> first[i] = in.readUnsignedShort();
+                case 15 -> in.skipNBytes(3);
+                case 9, 10, 11, 12, 17, 18 -> {
+                    first[i] = in.readUnsignedShort();
+                    second[i] = in.readUnsignedShort();
+                }
+                default -> throw new IOException("no constant has the tag " + tags[i]);
+            }
+        }
+        return IntStream.range(1, count).mapToObj(i -> switch (tags[i]) {
+            case CLASS -> texts[first[i]];
+            case 9, 10, 11 -> texts[first[first[i]]] + "." + texts[first[second[i]]] + " " + texts[second[second[i]]];
+            default -> null;
+        }).filter(Objects::nonNull);
+    }
+
+    /** What a class asks of the computer: the name of the class, and what it asks, as the table has both. */
+    private static Set<String> real(String file, InputStream bytes) throws IOException {
+        String outermost = file.replaceFirst("([$].*)?\\.class$", "").replace('/', '.');
+        return named(bytes).filter(each -> REAL.matcher(each).matches())
+                .map(each -> outermost + "  " + each.replaceFirst(" .*", "").replaceFirst(".*/", ""))
+                .collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    @Test
+    void hosts_askTheirTimeOnly_butForWhatIsInTheTable() throws IOException {
+        Set<String> found = new TreeSet<>();
+        for (String jar : System.getProperty("javino.hosts").split(File.pathSeparator)) {
+            try (JarFile classes = new JarFile(jar)) {
+                for (JarEntry each : classes.stream().filter(entry -> entry.getName().endsWith(".class"))
+                        .filter(entry -> !ALL_BUT.matcher(entry.getName()).matches()).toList()) {
+                    found.addAll(real(each.getName(), classes.getInputStream(each)));
+                }
+            }
+        }
+        List<String[]> rows = Repository.text(TABLE).lines().filter(line -> !line.startsWith("#"))
+                .map(line -> line.split(" {2,}")).toList();
+        assertEquals(List.of(), rows.stream().filter(row -> row.length != 3).map(row -> row[0]).toList(),
+                "each row has a class, what it asks, and the reason");
+        assertEquals(rows.stream().map(row -> row[0] + "  " + row[1]).collect(Collectors.joining("\n")),
+                String.join("\n", found), "ask javino.link.Time, or give a reason in " + TABLE);
+    }
+
+    /** Asks in each way. */
+    private static final class Asking {
+
+        private final LinkedBlockingQueue<Object> queue = new LinkedBlockingQueue<>();
+
+        synchronized void ask(CompletableFuture<Object> future) throws Exception {
+            queue.add(System.nanoTime() + System.currentTimeMillis());
+            queue.add(List.of(LocalDate.now(), new SecureRandom(), new Thread(this::notifyAll)));
+            CompletableFuture.supplyAsync(queue::poll).orTimeout(1, TimeUnit.SECONDS).join();
+            CompletableFuture.runAsync(() -> {}, Runnable::run);
+            future.completeOnTimeout(null, 1, TimeUnit.SECONDS).get();
+            Thread.currentThread().interrupt();
+            wait();
+        }
+    }
+
+    @Test
+    void real_ofAClassThatAsks_tellsAllThatItAsks() throws IOException {
+        String file = Asking.class.getName().replace('.', '/') + ".class";
+        try (InputStream bytes = Asking.class.getClassLoader().getResourceAsStream(file)) {
+            assertEquals(Stream.of("CompletableFuture.completeOnTimeout", "CompletableFuture.get",
+                    "CompletableFuture.join", "CompletableFuture.orTimeout", "CompletableFuture.supplyAsync",
+                    "LinkedBlockingQueue", "LocalDate.now", "Object.notifyAll", "Object.wait", "SecureRandom.<init>",
+                    "System.currentTimeMillis", "System.nanoTime", "Thread.<init>")
+                    .map(each -> "docs.OneTimeTest  " + each).collect(Collectors.toCollection(TreeSet::new)),
+                    real(file, bytes));
+        }
+    }
+}
