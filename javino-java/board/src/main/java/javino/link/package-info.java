@@ -1,2 +1,5 @@
-/** Links to a board: a serial port, and one in memory for tests. They carry bytes and know nothing of the protocol. */
+/**
+ * What a session has from its computer: links to a board, as a serial port or in memory for tests, which carry bytes
+ * and know nothing of the protocol; and the time.
+ */
 package javino.link;
