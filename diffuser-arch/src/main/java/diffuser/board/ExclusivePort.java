@@ -30,7 +30,6 @@ public final class ExclusivePort implements LinkOpener {
     record Port(Time time, String name) {
     }
 
-
     private final LinkOpener next;
     private final String agent;
     private final CompletableFuture<Void> before;

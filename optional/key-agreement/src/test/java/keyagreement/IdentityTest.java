@@ -193,8 +193,9 @@ class IdentityTest {
         Path file = DeviceNotes.identity(folder, address(supo));
         String text = Files.readString(file);
         Files.writeString(file, text.replaceAll("secret ..", "secret " + (text.contains("secret 00") ? "01" : "00")));
-        String said = assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo), Time.REAL))
-                .getMessage();
+        String said =
+                assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo), Time.REAL))
+                        .getMessage();
         assertTrue(said.startsWith(file + " is damaged: "), said);
         assertFalse(said.contains(text.substring(7, 20)), said);
         Files.writeString(file, text.replaceAll("secret .*\n", ""));

@@ -24,7 +24,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Hosts ask their {@code Time}, and not the computer, for time, random numbers, threads and waits, as a simulation could
+ * Hosts ask their {@code Time}, and not the computer, for time, random numbers, threads and waits: a simulation could
  * not give them else. What asks the computer all the same is in a table, with the reason.
  */
 class OneTimeTest {

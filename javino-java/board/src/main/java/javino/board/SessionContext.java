@@ -24,7 +24,8 @@ record SessionContext(String name, BoardConfig config, RequestQueue queue, Perce
         SessionCounters counters = new SessionCounters();
         ListenerGuard guard = new ListenerGuard(listener, counters);
         return new SessionContext(name, config, new RequestQueue(config.queueCapacity(), config.time()),
-                new Perception(guard, counters, config.time()), new AtomicReference<>(), new AtomicReference<>(), counters, guard);
+                new Perception(guard, counters, config.time()), new AtomicReference<>(), new AtomicReference<>(),
+                counters, guard);
     }
 
     Time time() {
