@@ -44,7 +44,7 @@ class OneTimeTest {
             "java/util/random/RandomGenerator\\.(of|getDefault) .*", "java/util/UUID\\.randomUUID .*",
             "(java/security/KeyPairGenerator\\.initialize|javax/crypto/KeyGenerator\\.init"
                     + "|java/security/Signature\\.initSign) (?!.*SecureRandom).*",
-            "java/lang/Thread\\.(<init>|sleep|of\\w+|startVirtualThread|join|yield|onSpinWait|getMethod) .*",
+            "java/lang/Thread\\.(<init>|sleep|of\\w+|startVirtualThread|join|yield|onSpinWait) .*",
             "java/lang/Object\\.(wait|notify|notifyAll) .*",
             "java/util/concurrent/TimeUnit\\.(timedWait|timedJoin|sleep) .*",
             "java/util/concurrent/locks/(LockSupport\\.park|Condition\\.await).*",
