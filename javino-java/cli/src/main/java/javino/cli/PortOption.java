@@ -115,9 +115,9 @@ final class PortOption {
     }
 
     /** The same board once it was greeted; closed if that fails. */
-    private static Board greeted(Board board) throws JavinoException, InterruptedException {
+    private Board greeted(Board board) throws JavinoException, InterruptedException {
         try {
-            Await.result(board.greeted());
+            Await.result(board.greeted(), config.time());
             return board;
         } catch (JavinoException | InterruptedException e) {
             board.close();
