@@ -83,16 +83,17 @@ static void accept_clients(control *c) {
   }
 }
 
-static void reply(control_client *client, const char *error) {
+size_t control_reply(char reply[CONTROL_MAX_REPLY], const char *error) {
   json_t *object = error ? json_pack("{ss}", "error", error) : json_pack("{sb}", "ok", 1);
-  size_t length = object ? json_dumpb(object, client->out, sizeof client->out - 1, JSON_COMPACT) : 0;
+  size_t length = object ? json_dumpb(object, reply, CONTROL_MAX_REPLY - 1, JSON_COMPACT) : 0;
   json_decref(object);
-  if (length == 0 || length >= sizeof client->out)
-    length =
-        (size_t)snprintf(client->out, sizeof client->out - 1, "{\"error\":\"the command is wrong, and is no UTF-8\"}");
-  client->out[length] = '\n';
-  client->out_length = length + 1;
+  if (length == 0 || length >= CONTROL_MAX_REPLY)
+    length = (size_t)snprintf(reply, CONTROL_MAX_REPLY - 1, "{\"error\":\"the command is wrong, and is no UTF-8\"}");
+  reply[length] = '\n';
+  return length + 1;
 }
+
+static void reply(control_client *client, const char *error) { client->out_length = control_reply(client->out, error); }
 
 static void write_out(control_client *client) {
   ssize_t written = send(client->socket, client->out, client->out_length, MSG_NOSIGNAL);

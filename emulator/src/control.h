@@ -40,6 +40,9 @@ typedef struct {
 // does nothing. Returns 0, or -1 with one line in `error`; anything else at `path` is left alone.
 int control_open(control *c, const char *path, control_listener listener, char *error, size_t error_size);
 
+// Writes the reply to a command as one line: to one that was performed where `error` is NULL. Returns its length.
+size_t control_reply(char reply[CONTROL_MAX_REPLY], const char *error);
+
 // Takes the socket away.
 void control_close(control *c);
 

@@ -158,7 +158,7 @@ static int out_of_memory(emulation *e) {
   return -1;
 }
 
-static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
+static int open_node(emulation *e, node *n, uint8_t *const *eeproms) {
   char error[400];
   if (board_init(&n->arduino, n->config->model, n->config->firmware,
                  (board_listener){n, pin_changed, board_was_reset, eeprom_written, point_told}, error,
@@ -179,8 +179,8 @@ static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   for (size_t i = 0; i < n->config->sensor_count; i++)
     sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i], (sensor_world){n, world_value});
   observe_pins(n);
-  if (eeprom) eeprom_load(&n->arduino.memory, eeprom);
-  if (n->config->eeprom && !e->played &&
+  if (eeproms && eeproms[n->index]) eeprom_load(&n->arduino.memory, eeproms[n->index]);
+  if (n->config->eeprom && !eeproms &&
       eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size, n->config->eeprom, e->error,
                        sizeof e->error) != 0)
     return -1;
@@ -189,9 +189,9 @@ static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   return 0;
 }
 
-static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
+static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *out, bool played,
+                    uint8_t *const *eeproms) {
   memset(e, 0, sizeof *e);
-  e->played = eeproms != NULL;
   e->config = config;
   e->out = out;
   e->next_eeprom_save = EEPROM_INTERVAL;
@@ -214,7 +214,7 @@ static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *
     n->index = e->node_count;
     n->config = &config->boards[n->index];
     n->port.master = -1;
-    n->port.played = e->played;
+    n->port.played = played;
     n->port.usb.latency = seconds_to_cycles(n->config->bridge_latency_ms / 1000);
     n->plugged = n->config->port != NULL;
     n->power_at = NEVER;
@@ -222,12 +222,12 @@ static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *
   }
   scenario_event_write(out, config, seed);
   for (size_t i = 0; i < e->node_count; i++)
-    if (open_node(e, &e->nodes[i], eeproms ? eeproms[i] : NULL) != 0) return -1;
+    if (open_node(e, &e->nodes[i], eeproms) != 0) return -1;
   return 0;
 }
 
 int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out) {
-  return open_all(e, config, seed, out, NULL);
+  return open_all(e, config, seed, out, false, NULL);
 }
 
 void emulation_keep(emulation *e, record *kept, FILE *keys) {
@@ -236,7 +236,7 @@ void emulation_keep(emulation *e, record *kept, FILE *keys) {
 }
 
 int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
-  return open_all(e, config, seed, out, eeproms);
+  return open_all(e, config, seed, out, true, eeproms);
 }
 
 static void trace_port(const node *n, const char *state) {
@@ -345,13 +345,18 @@ static cycles_t node_next_event(const node *n) {
   return next;
 }
 
-// One step; a longer one while all boards sleep, up to where the first thing happens.
-static cycles_t step_end(const emulation *e, cycles_t until) {
+cycles_t emulation_next_event(const emulation *e) {
   cycles_t end =
       earliest(earliest(e->air.next_event, e->faults.next), earliest(e->surroundings.next_step, e->injector.next));
   end = earliest(end, serial_modules_next(&e->modules));
   for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
     end = earliest(end, node_next_event(&e->nodes[i]));
+  return end;
+}
+
+// One step; a longer one while all boards sleep, up to where the first thing happens.
+static cycles_t step_end(const emulation *e, cycles_t until) {
+  cycles_t end = emulation_next_event(e);
   end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
   return earliest(end, until);
 }

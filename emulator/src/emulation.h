@@ -62,7 +62,6 @@ typedef struct emulation {
   world surroundings;
   injector injector;
   record *kept;        // what comes from outside; NULL: it is not kept
-  bool played;         // nothing comes from outside but what is played
   double speed_asked;  // by a command, below 0 where none has asked; the caller keeps the time
   cycles_t now;
   cycles_t next_eeprom_save;
@@ -73,8 +72,8 @@ typedef struct emulation {
 // Returns 0, or -1 with one line in `error`.
 int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out);
 
-// The same without hosts, to be played: no ports are made and no EEPROM files touched. Boards begin with `eeproms`, each as
-// large as the model's or NULL.
+// The same with played ports, so that no ptys are made. With `eeproms` no EEPROM file is touched: boards begin with these,
+// each as large as the model's or NULL.
 int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms);
 
 // Keeps what comes from outside from now on, and writes down keys that hosts give boards; either may be NULL.
@@ -83,6 +82,9 @@ void emulation_keep(emulation *e, record *kept, FILE *keys);
 // Runs all boards up to `until`. Returns 0, or -1 with one line in `error`: a program crashed, or
 // a port or file could not be written.
 int emulation_run(emulation *e, cycles_t until);
+
+// When something happens next: up to there nothing but time goes on. Not after `now` where a board is busy.
+cycles_t emulation_next_event(const emulation *e);
 
 // A fault comes now. A jam of the scenario is on the air by itself. Returns 0, or -1 with one line in `error`.
 int emulation_fault(emulation *e, const fault_config *fault);

@@ -4,10 +4,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "control.h"
 #include "emulation.h"
 #include "emulation_command.h"
+#include "lockstep.h"
 #include "options.h"
 #include "pacing.h"
 #include "paths.h"
@@ -18,6 +20,9 @@
 #include "trace.h"
 
 enum { EXIT_OK = 0, EXIT_RUN = 1, EXIT_USAGE = 2 };
+
+// How often signals are looked for while nothing comes.
+#define SIGNAL_TICK_MS 100
 
 static volatile sig_atomic_t interrupted;
 
@@ -53,8 +58,10 @@ static void report_debt(const pacing *clock, bool *reported) {
 typedef struct {
   emulation e;
   pacing clock;
+  bool lockstep;
   control socket;
   record kept;
+  const trace *out;
   FILE *keys;  // NULL: they are not written
 } session;
 
@@ -62,6 +69,10 @@ static int perform(void *context, const char *line, size_t length, char *error, 
   session *s = context;
   command c;
   int result = command_read(&c, line, length, s->e.config, error, error_size);
+  if (result == 0 && s->lockstep && c.kind == COMMAND_SPEED) {
+    snprintf(error, error_size, "command: there is no speed in lock-step; leave it out");
+    result = -1;
+  }
   if (result == 0) record_command(&s->kept, c.given);
   if (result == 0) result = emulation_command(&s->e, &c, error, error_size);
   command_release(&c);
@@ -80,8 +91,15 @@ static void wait_for_others(session *s) {
   pacing_wait(&s->clock, descriptors, count, emulation_serial_busy(&s->e));
 }
 
+// What can no longer be written, NULL where nothing.
+static const char *unwritable(const session *s) {
+  if (s->out->failed) return "the trace cannot be written any more";
+  if (record_failed(&s->kept)) return "the record cannot be written any more";
+  return s->keys && ferror(s->keys) ? "the keys cannot be written any more" : NULL;
+}
+
 // Runs to the end. Returns an exit status.
-static int run(session *s, const options *o, const trace *out) {
+static int run(session *s, const options *o) {
   emulation *e = &s->e;
   cycles_t end = o->duration_s > 0 ? seconds_to_cycles(o->duration_s) : NEVER;
   bool debt_reported = false;
@@ -94,13 +112,45 @@ static int run(session *s, const options *o, const trace *out) {
     if (emulation_run(e, until) != 0) return complain(EXIT_RUN, e->error);
     emulation_exchange(e);
     control_exchange(&s->socket);
-    if (out->failed) return complain(EXIT_RUN, "the trace cannot be written any more");
-    if (record_failed(&s->kept)) return complain(EXIT_RUN, "the record cannot be written any more");
-    if (s->keys && ferror(s->keys)) return complain(EXIT_RUN, "the keys cannot be written any more");
+    if (unwritable(s)) return complain(EXIT_RUN, unwritable(s));
     report_debt(&s->clock, &debt_reported);
     if (ahead) wait_for_others(s);
   }
   return EXIT_OK;
+}
+
+static bool pass(void *context) {
+  session *s = context;
+  control_exchange(&s->socket);
+  return !interrupted && !unwritable(s);
+}
+
+// Waits for bytes on standard input or the control socket. Returns the number of bytes that came, 0 at the end of
+// input, or -1 where there are none yet.
+static ssize_t wait_for_lines(session *s, char *bytes, size_t size) {
+  struct pollfd descriptors[CONTROL_CLIENTS + 2] = {{STDIN_FILENO, POLLIN, 0}};
+  size_t count = 1 + control_descriptors(&s->socket, descriptors + 1);
+  // A signal may come before poll does.
+  if (poll(descriptors, count, SIGNAL_TICK_MS) <= 0 || descriptors[0].revents == 0) return -1;
+  ssize_t length = read(STDIN_FILENO, bytes, size);
+  return length < 0 && errno != EAGAIN && errno != EINTR ? 0 : length;
+}
+
+// Runs as standard input says. Returns an exit status.
+static int run_locked(session *s, const options *o) {
+  lockstep l;
+  char bytes[4096];
+  lockstep_state state = LOCKSTEP_ON;
+  cycles_t duration = o->duration_s > 0 ? seconds_to_cycles(o->duration_s) : NEVER;
+  lockstep_init(&l, &s->e, duration, (lockstep_listener){s, perform, pass}, stdout);
+  while (state == LOCKSTEP_ON && pass(s)) {
+    ssize_t length = wait_for_lines(s, bytes, sizeof bytes);
+    if (length > 0) state = lockstep_take(&l, bytes, (size_t)length);
+    if (length == 0) state = lockstep_finish(&l);
+  }
+  if (state == LOCKSTEP_REFUSED) return complain(EXIT_USAGE, l.error);
+  if (state == LOCKSTEP_FAILED) return complain(EXIT_RUN, l.error);
+  return unwritable(s) ? complain(EXIT_RUN, unwritable(s)) : EXIT_OK;
 }
 
 // Returns the exit status, or that of a failure to end well.
@@ -124,7 +174,11 @@ static int emulate(const scenario *config, const options *o, trace *out) {
     return complain(EXIT_USAGE, error);
   s.kept = (record){0};
   s.keys = NULL;
-  if (emulation_open(&s.e, config, o->seed, out) != 0) {
+  s.out = out;
+  s.lockstep = o->lockstep;
+  int opened = o->lockstep ? emulation_open_played(&s.e, config, o->seed, out, NULL)
+                           : emulation_open(&s.e, config, o->seed, out);
+  if (opened != 0) {
     status = complain(EXIT_USAGE, s.e.error);
   } else if (record_open(&s.kept, o->record_path) != 0) {
     // Only now: a start that was refused leaves the last run's record as it is.
@@ -136,7 +190,7 @@ static int emulate(const scenario *config, const options *o, trace *out) {
   } else {
     emulation_keep(&s.e, &s.kept, s.keys);
     record_start(&s.kept, &s.e, o->seed);
-    status = run(&s, o, out);
+    status = o->lockstep ? run_locked(&s, o) : run(&s, o);
   }
   control_close(&s.socket);
   if (record_close(&s.kept) != 0) status = complain(EXIT_RUN, "the record could not be written");

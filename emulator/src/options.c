@@ -20,10 +20,12 @@ const char OPTIONS_USAGE[] =
     "  --keys FILE          add each key that a host gives a board, as to a keyring\n"
     "  --record FILE        keep what comes from outside, so that the run can be made again; it holds keys\n"
     "  --replay FILE        make a recorded run again, without hosts\n"
+    "  --lockstep           take time and what hosts do from standard input\n"
     "  --set radio.key=N    override a radio number of the scenario; may be repeated\n";
 
-static const char *const NAMES[] = {"--duration", "--speed", "--seed",   "--trace",  "--directory", "--set",
-                                    "--control",  "--keys",  "--record", "--replay", "--help",      NULL};
+static const char *const NAMES[] = {"--duration", "--speed",   "--seed", "--trace",  "--directory",
+                                    "--set",      "--control", "--keys", "--record", "--replay",
+                                    "--lockstep", "--help",    NULL};
 
 typedef struct {
   char *error;
@@ -66,6 +68,7 @@ static int add_override(options *o, const char *text, const complaint *c) {
 static int parse_option(options *o, const char *name, const char *value, const complaint *c) {
   if (strcmp(name, "--trace") != 0 && strcmp(name, "--directory") != 0 && strcmp(name, "--replay") != 0)
     o->run_option = name;
+  if (strcmp(name, "--speed") == 0 || strcmp(name, "--record") == 0) o->paced_option = name;
   if (strcmp(name, "--duration") == 0) return parse_positive(&o->duration_s, name, value, c);
   if (strcmp(name, "--speed") == 0) return parse_speed(&o->speed, value, c);
   if (strcmp(name, "--seed") == 0) return parse_seed(&o->seed, value, c);
@@ -114,6 +117,11 @@ int options_parse(options *o, int argc, char **argv, char *error, size_t error_s
       o->help = true;
       return 0;
     }
+    if (strcmp(argument, "--lockstep") == 0) {
+      o->lockstep = true;
+      o->run_option = argument;
+      continue;
+    }
     if (i + 1 == argc) {
       snprintf(error, error_size, "%s needs a value after it; try --help", argument);
       return -1;
@@ -128,5 +136,11 @@ int options_parse(options *o, int argc, char **argv, char *error, size_t error_s
     snprintf(error, error_size, "--replay makes the run as it was recorded; leave out %s", o->run_option);
     return -1;
   }
+  if (o->lockstep && o->paced_option) {
+    snprintf(error, error_size, "--lockstep has neither speed nor record; leave out %s", o->paced_option);
+    return -1;
+  }
+  if (o->lockstep && o->trace_path && strcmp(o->trace_path, "-") == 0)
+    return complain(&c, "--trace", "a file, as --lockstep answers on standard output", o->trace_path);
   return 0;
 }

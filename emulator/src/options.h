@@ -14,6 +14,7 @@ typedef struct {
   const char *directory;                  // "." by default
   const char *trace_path;                 // NULL: none; "-": standard output
   const char *record_path, *replay_path;  // NULL: none
+  const char *paced_option;               // one that lock-step has no use for; NULL: none
   const char *run_option;                 // one that a recorded run has already; NULL: none
   const char *keys_path;                  // NULL: none
   const char *control_path;               // of a socket; NULL: none
@@ -22,6 +23,7 @@ typedef struct {
   uint64_t seed;
   const char *overrides[MAX_OVERRIDES];
   size_t override_count;
+  bool lockstep;
   bool help;
 } options;
 

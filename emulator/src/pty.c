@@ -142,13 +142,13 @@ static void taken(pty *p, size_t count) {
   p->in_end += count;
 }
 
-static void make_room(pty *p) {
+size_t pty_room(pty *p) {
   if (p->in_start == p->in_end) p->in_start = p->in_end = 0;
+  return PTY_BUFFER - p->in_end;
 }
 
 static void read_in(pty *p) {
-  make_room(p);
-  if (p->in_end == PTY_BUFFER) return;  // the rest waits in the kernel
+  if (pty_room(p) == 0) return;  // the rest waits in the kernel
   ssize_t length = read(p->master, p->in + p->in_end, PTY_BUFFER - p->in_end);
   if (length <= 0) return;  // nothing there, or no host, which pty_exchange sees by itself
   taken(p, (size_t)length);
@@ -161,9 +161,7 @@ static void host_gone(pty *p) {
 
 int pty_play(pty *p, pty_change change, const uint8_t *bytes, size_t length, size_t gave) {
   bool open = change == PTY_SAME ? p->open : change == PTY_OPENED;
-  make_room(p);
-  if (p->master < 0 || (!open && length + gave > 0) || length > PTY_BUFFER - p->in_end || gave > p->out_length)
-    return -1;
+  if (p->master < 0 || (!open && length + gave > 0) || length > pty_room(p) || gave > p->out_length) return -1;
   p->coming = change;
   memcpy(p->in + p->in_end, bytes, length);
   taken(p, length);
@@ -171,7 +169,7 @@ int pty_play(pty *p, pty_change change, const uint8_t *bytes, size_t length, siz
   return 0;
 }
 
-static pty_change play(pty *p) {
+static pty_change play(pty *p, cycles_t now) {
   pty_change change = p->coming;
   p->coming = PTY_SAME;
   if (change == PTY_CLOSED)
@@ -179,12 +177,15 @@ static pty_change play(pty *p) {
   else
     given(p, p->gave);
   p->gave = 0;
-  if (change == PTY_OPENED) p->open = true;
+  if (change == PTY_OPENED) {
+    p->open = true;
+    bridge_start(&p->usb, now);
+  }
   return change;
 }
 
 pty_change pty_exchange(pty *p, cycles_t now) {
-  if (p->master >= 0 && p->played) return play(p);
+  if (p->master >= 0 && p->played) return play(p, now);
   p->got = p->gave = 0;
   if (p->master < 0) return PTY_SAME;
   struct pollfd state = {p->master, POLLIN, 0};
@@ -215,6 +216,7 @@ void pty_put(pty *p, uint8_t byte, cycles_t now) {
     return;
   }
   p->out[p->out_length++] = byte;
+  p->put_at = now;
   bridge_put(&p->usb, now);
 }
 

@@ -24,6 +24,7 @@ typedef struct {
   size_t in_start, in_end;
   uint8_t out[PTY_BUFFER];  // for the host, not yet written
   size_t out_length;
+  cycles_t put_at;          // when the last of them came
   bridge usb;               // holds the last bytes of `out` back
   size_t got, gave;         // bytes of the last exchange; of a played port, of the next one
   bool played;              // no host: pty_play says what comes, and nothing is made in the file system
@@ -46,6 +47,9 @@ pty_change pty_exchange(pty *p, cycles_t now);
 // While time stands still the line does too: by flow control (XOFF) the host's writes wait, as for a device that is not
 // ready, instead of its patience with replies that cannot come.
 void pty_hold(pty *p, bool held);
+
+// How many bytes from the host the buffer takes now.
+size_t pty_room(pty *p);
 
 // Says what the next exchange of a played port brings: `length` bytes come, `gave` go. Returns 0, or -1 where a host could
 // not have done so.

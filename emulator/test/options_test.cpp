@@ -50,6 +50,11 @@ TEST(Options, mistakes_get_a_line_that_helps) {
       {{"a", "--seed", "1.5"}, "--seed: expected a whole number, 0 or more, found \"1.5\""},
       {{"a", "--replay", "r", "--seed", "1"}, "--replay makes the run as it was recorded; leave out --seed"},
       {{"a", "--record", "x", "--replay", "r"}, "--replay makes the run as it was recorded; leave out --record"},
+      {{"a", "--lockstep", "--replay", "r"}, "--replay makes the run as it was recorded; leave out --lockstep"},
+      {{"a", "--lockstep", "--speed", "max"}, "--lockstep has neither speed nor record; leave out --speed"},
+      {{"a", "--record", "x", "--lockstep"}, "--lockstep has neither speed nor record; leave out --record"},
+      {{"a", "--lockstep", "--trace", "-"},
+       "--trace: expected a file, as --lockstep answers on standard output, found \"-\""},
       {{"a", "--seed", "-1"}, "--seed: expected a whole number, 0 or more, found \"-1\""},
   };
   for (const auto &c : CASES) {

@@ -54,7 +54,7 @@ std::string text_of(const json_t *object, const char *key) {
   return text ? text : "";
 }
 
-static std::string with_programs(std::string json) {
+std::string with_programs(std::string json) {
   for (size_t at; (at = json.find('@')) != std::string::npos;) {
     size_t end = json.find('"', at);
     json.replace(at, end - at, PROGRAMS_DIR "/" + json.substr(at + 1, end - at - 1) + ".elf");
@@ -62,7 +62,7 @@ static std::string with_programs(std::string json) {
   return json;
 }
 
-Emulation::Emulation(const Scratch &scratch, const std::string &json, uint64_t seed)
+Emulation::Emulation(const Scratch &scratch, const std::string &json, uint64_t seed, bool played)
     : e(), config(), out(), trace_path(scratch.path("trace.jsonl")) {
   char error[512];
   simulator_log_install();
@@ -70,7 +70,9 @@ Emulation::Emulation(const Scratch &scratch, const std::string &json, uint64_t s
   std::string path = scratch.write("scenario.json", with_programs(json));
   if (scenario_load(&config, path.c_str(), &context, error, sizeof error) != 0) throw std::runtime_error(error);
   out.file = std::fopen(trace_path.c_str(), "w");
-  if (emulation_open(&e, &config, seed, &out) != 0) throw std::runtime_error(e.error);
+  int opened =
+      played ? emulation_open_played(&e, &config, seed, &out, nullptr) : emulation_open(&e, &config, seed, &out);
+  if (opened != 0) throw std::runtime_error(e.error);
 }
 
 Emulation::~Emulation() {

@@ -38,6 +38,8 @@ bool exists(const std::string &path);
 
 // The JSON file under test/vectors; the caller's for good.
 json_t *load_vectors(const std::string &name);
+// Puts the paths of the test programs in the place of @program.
+std::string with_programs(std::string json);
 std::vector<uint8_t> from_hex(const std::string &hex);
 std::string text_of(const json_t *object, const char *key);
 
@@ -55,8 +57,8 @@ struct Event {
 // Runs a scenario as fast as possible and reads its trace.
 class Emulation {
  public:
-  // `json` may say @program for the path of one of the test programs.
-  Emulation(const Scratch &scratch, const std::string &json, uint64_t seed = 1);
+  // `json` may say @program for the path of one of the test programs. Played ports are no ptys.
+  Emulation(const Scratch &scratch, const std::string &json, uint64_t seed = 1, bool played = false);
   ~Emulation();
 
   void run_until(double seconds);

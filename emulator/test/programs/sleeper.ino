@@ -19,6 +19,10 @@ void setup() {
   const uint8_t outputs[] = {AWAKE, TIME_WENT, HEARD, WOKEN};
   for (uint8_t pin : outputs) pinMode(pin, OUTPUT);
   Serial.begin(115200);
+#ifdef GREETS
+  Serial.print('z');
+  Serial.flush();
+#endif
   set_sleep_mode(MODE);
 #ifdef WATCHDOG
   // An interrupt every 0.128 s, the 16384 cycles of an oscillator of 128 kHz.
