@@ -97,9 +97,10 @@ static int run_turn(lockstep *l, cycles_t until) {
   return 0;
 }
 
-static void play(const lockstep *l, size_t board, pty_change change, size_t gave) {
+static void play(lockstep *l, size_t board, pty_change change, size_t gave) {
   static const uint8_t NONE[1];
   pty_play(&l->e->nodes[board].port, change, NONE, 0, gave);
+  emulation_exchange(l->e);
 }
 
 static void tell_port(lockstep *l, size_t board) {
@@ -120,7 +121,6 @@ static lockstep_state tell(lockstep *l) {
   fprintf(l->answers, "%llu", (unsigned long long)l->e->now);
   for (size_t i = 0; i < l->e->node_count; i++)
     if (has_news(l, i)) tell_port(l, i);
-  emulation_exchange(l->e);
   lockstep_state state = answered(l);
   return state == LOCKSTEP_ON && l->e->now >= l->end ? LOCKSTEP_ENDED : state;
 }
@@ -156,7 +156,6 @@ static lockstep_state open_port(lockstep *l, size_t board, const char *text) {
   if (l->ports[board].open) return refuse(l, "a port that no host has open", l->e->nodes[board].config->name);
   play(l, board, PTY_OPENED, 0);
   l->ports[board].open = true;
-  emulation_exchange(l->e);
   return answer(l, "ok");
 }
 
@@ -165,7 +164,6 @@ static lockstep_state close_port(lockstep *l, size_t board, const char *text) {
   if (!l->ports[board].open) return refuse(l, "a port that a host has open", l->e->nodes[board].config->name);
   play(l, board, PTY_CLOSED, 0);
   l->ports[board].open = false;
-  emulation_exchange(l->e);
   return answer(l, "ok");
 }
 

@@ -20,6 +20,8 @@ namespace {
 
 const char ECHO_BOARD[] = R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a"}]})";
 
+constexpr cycles_t LATER = 10 * CYCLES_PER_SECOND;
+
 // An emulation in lock-step, and what was answered.
 struct Locked {
   explicit Locked(const std::string &json, uint64_t seed = 1) : run(scratch, json, seed, true) {
@@ -93,8 +95,8 @@ std::string story(const std::string &json, const std::vector<Action> &actions, c
 }
 
 void expect_the_same_in_all_slices(const std::string &json, const std::vector<Action> &actions, uint64_t seed = 1) {
-  const std::string whole = story(json, actions, NEVER / 4, seed);
-  EXPECT_EQ(story(json, actions, NEVER / 4, seed), whole);
+  const std::string whole = story(json, actions, LATER, seed);
+  EXPECT_EQ(story(json, actions, LATER, seed), whole);
   for (cycles_t longest : {1u, 1600u, 2001u, 7777u, 16000u, 123456u})
     EXPECT_EQ(story(json, actions, longest, seed), whole);
 }
@@ -148,7 +150,7 @@ TEST(Lockstep, bytes_are_handed_over_with_a_zero_among_them) {
   Locked locked(ECHO_BOARD);
   EXPECT_EQ(locked.say("open 0\nrun 160000\nwrite 0 010200"), "ok\n160000\n3");
   std::string news;
-  cycles_t now = locked.run_to(NEVER / 4, &news);
+  cycles_t now = locked.run_to(LATER, &news);
   EXPECT_EQ(news, " 0 010200");
   EXPECT_GE(now, locked.port().put_at);
   EXPECT_LT(now, locked.port().put_at + RF_STEP);
@@ -158,7 +160,7 @@ TEST(Lockstep, bytes_are_handed_over_when_none_follows_for_a_millisecond) {
   Locked locked(ECHO_BOARD);
   EXPECT_EQ(locked.say("open 0\nrun 160000\nwrite 0 0102fF"), "ok\n160000\n3");
   std::string news;
-  cycles_t now = locked.run_to(NEVER / 4, &news);
+  cycles_t now = locked.run_to(LATER, &news);
   EXPECT_EQ(news, " 0 0102ff");
   EXPECT_GE(now, locked.port().put_at + CYCLES_PER_MS);
   EXPECT_LT(now, locked.port().put_at + CYCLES_PER_MS + RF_STEP);
@@ -168,14 +170,14 @@ TEST(Lockstep, bytes_are_handed_over_while_all_boards_sleep) {
   Locked locked(R"({"boards":[{"name":"a","firmware":"@sleep_greets","port":"a"}]})");
   EXPECT_EQ(locked.say("open 0"), "ok");
   std::string news;
-  cycles_t now = locked.run_to(NEVER / 4, &news);
+  cycles_t now = locked.run_to(LATER, &news);
   EXPECT_EQ(news, " 0 7a");
   EXPECT_GE(now, locked.port().put_at + CYCLES_PER_MS);
   EXPECT_LT(now, locked.port().put_at + CYCLES_PER_MS + RF_STEP);
 }
 
 TEST(Lockstep, bytes_for_a_board_that_sleeps_are_lost) {
-  Locked locked(R"({"boards":[{"name":"a","firmware":"@sleep_PWR_DOWN","port":"a"}]})");
+  Locked locked(R"({"boards":[{"name":"a","firmware":"@sleep_deaf","port":"a"}]})");
   EXPECT_EQ(locked.say("open 0\nwrite 0 " + std::string(1000, '0') + "\nrun 160000"), "ok\n500\n160000");
   EXPECT_EQ(locked.port().in_end - locked.port().in_start, 0u);
 }
@@ -185,12 +187,12 @@ TEST(Lockstep, bytes_are_handed_over_when_there_are_many) {
   const std::string HEX(600, '1');
   EXPECT_EQ(locked.say("open 0\nrun 160000\nwrite 0 " + HEX), "ok\n160000\n300");
   std::string news;
-  cycles_t now = locked.run_to(NEVER / 4, &news);
+  cycles_t now = locked.run_to(LATER, &news);
   EXPECT_GE(news.size(), 3u + 2 * 256);
   EXPECT_LE(news.size(), 3u + 2 * 258);
   EXPECT_LT(now, locked.port().put_at + RF_STEP);
   std::string rest;
-  locked.run_to(NEVER / 4, &rest);
+  locked.run_to(LATER, &rest);
   EXPECT_EQ(news.substr(3) + rest.substr(3), HEX);
 }
 
@@ -198,10 +200,10 @@ TEST(Lockstep, bytes_are_handed_over_as_the_bridge_passes_them_on) {
   Locked locked(R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a","bridge":{"latency":16}}]})");
   EXPECT_EQ(locked.say("run 16000\nopen 0\nwrite 0 " + std::string(200, '0')), "16000\nok\n100");
   std::string news;
-  cycles_t full = locked.run_to(NEVER / 4, &news);
+  cycles_t full = locked.run_to(LATER, &news);
   EXPECT_LT(full, locked.port().put_at + RF_STEP);
   EXPECT_EQ(news, " 0 " + std::string(124, '0'));
-  cycles_t now = locked.run_to(NEVER / 4, &news);
+  cycles_t now = locked.run_to(LATER, &news);
   EXPECT_EQ(news, " 0 " + std::string(76, '0'));
   EXPECT_LE(now, full + 16 * CYCLES_PER_MS + RF_STEP);
   EXPECT_GT(now, full + 15 * CYCLES_PER_MS);

@@ -18,7 +18,9 @@ ISR(ADC_vect) { woken(); }
 void setup() {
   const uint8_t outputs[] = {AWAKE, TIME_WENT, HEARD, WOKEN};
   for (uint8_t pin : outputs) pinMode(pin, OUTPUT);
+#ifndef DEAF
   Serial.begin(115200);
+#endif
 #ifdef GREETS
   Serial.print('z');
   Serial.flush();
