@@ -2,14 +2,7 @@
 // Lock-step: lines in, answers out, and the same run however it is cut into commands.
 #include "support.h"
 
-#include <fcntl.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
 
 extern "C" {
 #include "control.h"
@@ -18,7 +11,7 @@ extern "C" {
 
 namespace {
 
-const char ECHO_BOARD[] = R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a"}]})";
+const char ECHOING[] = R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a"}]})";
 
 constexpr cycles_t LATER = 10 * CYCLES_PER_SECOND;
 
@@ -110,7 +103,7 @@ std::string refusal(const std::string &lines) {
 }  // namespace
 
 TEST(Lockstep, time_goes_on_only_as_it_is_told) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say("run 0"), "0");
   EXPECT_EQ(locked.say("run 1"), "1600");  // a turn is not cut
   EXPECT_EQ(locked.say("run 1600"), "1600");
@@ -121,7 +114,7 @@ TEST(Lockstep, time_goes_on_only_as_it_is_told) {
 }
 
 TEST(Lockstep, ends_at_the_end_of_the_run) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   locked.l.end = 5000;
   EXPECT_EQ(locked.take("run 4800\nrun 9223372036854775807\nrun 1\n"), LOCKSTEP_ENDED);
   EXPECT_EQ(std::string(locked.text), "4800\n5000\n");
@@ -137,7 +130,7 @@ TEST(Lockstep, what_is_due_beside_the_run_is_done_each_millisecond_and_may_break
 }
 
 TEST(Lockstep, opening_resets_the_board) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say("run 16000\nopen 0\nclose 0\nopen 0"), "16000\nok\nok\nok");
   auto resets = locked.run.events("a", "reset");
   ASSERT_EQ(resets.size(), 3u);
@@ -147,7 +140,7 @@ TEST(Lockstep, opening_resets_the_board) {
 }
 
 TEST(Lockstep, bytes_are_handed_over_with_a_zero_among_them) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say("open 0\nrun 160000\nwrite 0 010200"), "ok\n160000\n3");
   std::string news;
   cycles_t now = locked.run_to(LATER, &news);
@@ -157,7 +150,7 @@ TEST(Lockstep, bytes_are_handed_over_with_a_zero_among_them) {
 }
 
 TEST(Lockstep, bytes_are_handed_over_when_none_follows_for_a_millisecond) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say("open 0\nrun 160000\nwrite 0 0102fF"), "ok\n160000\n3");
   std::string news;
   cycles_t now = locked.run_to(LATER, &news);
@@ -183,7 +176,7 @@ TEST(Lockstep, bytes_for_a_board_that_sleeps_are_lost) {
 }
 
 TEST(Lockstep, bytes_are_handed_over_when_there_are_many) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   const std::string HEX(600, '1');
   EXPECT_EQ(locked.say("open 0\nrun 160000\nwrite 0 " + HEX), "ok\n160000\n300");
   std::string news;
@@ -223,7 +216,7 @@ TEST(Lockstep, nothing_is_handed_over_without_a_host) {
 }
 
 TEST(Lockstep, a_port_takes_as_many_bytes_as_it_has_room_for) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say("open 0\nwrite 0 " + std::string(8192, '7') + "\nwrite 0 7777"), "ok\n4096\n0");
   std::string news, all;
   while (locked.run_to(32000000, &news) < 32000000)
@@ -258,7 +251,7 @@ TEST(Lockstep, a_port_goes_with_the_power_and_its_bytes_are_counted) {
 }
 
 TEST(Lockstep, a_host_that_lost_its_port_is_told_even_if_it_is_back) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say(R"({"do":"unplug","board":"a"})"
                        "\n"
                        R"({"do":"plug","board":"a"})"
@@ -274,7 +267,7 @@ TEST(Lockstep, a_host_that_lost_its_port_is_told_even_if_it_is_back) {
 }
 
 TEST(Lockstep, commands_are_answered_as_by_the_control_socket_and_do_not_end_the_run) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.say("run 16000\n"
                        R"({"do":"reset","board":"a"})"
                        "\n"
@@ -291,10 +284,10 @@ TEST(Lockstep, commands_are_answered_as_by_the_control_socket_and_do_not_end_the
 TEST(Lockstep, lines_may_come_in_any_pieces) {
   const std::string LINES =
       "open 0\nrun 160000\nwrite 0 414200\n{\"do\":\"jam\",\"duration\":0.1}\nrun 1600000\nclose 0\n";
-  Locked whole(ECHO_BOARD);
+  Locked whole(ECHOING);
   EXPECT_EQ(whole.take(LINES), LOCKSTEP_ON);
   for (size_t piece : {1, 2, 7}) {
-    Locked locked(ECHO_BOARD);
+    Locked locked(ECHOING);
     for (size_t i = 0; i < LINES.size(); i += piece) EXPECT_EQ(locked.take(LINES.substr(i, piece)), LOCKSTEP_ON);
     EXPECT_EQ(std::string(locked.text), whole.text);
     EXPECT_EQ(locked.run.trace_text(), whole.run.trace_text());
@@ -354,7 +347,7 @@ TEST(Lockstep, random_lines_are_refused_or_performed) {
   prng_seed(&random, 1, 0);
   int refused = 0;
   for (int round = 0; round < 100; round++) {
-    Locked locked(ECHO_BOARD);
+    Locked locked(ECHOING);
     std::string lines;
     for (int part = 0; part < 50; part++) lines += PARTS[prng_next(&random) % std::size(PARTS)];
     lockstep_state state = locked.take(lines);
@@ -366,7 +359,7 @@ TEST(Lockstep, random_lines_are_refused_or_performed) {
 }
 
 TEST(Lockstep, a_line_without_its_end_is_not_performed) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   EXPECT_EQ(locked.take("run 1600\nrun 160"), LOCKSTEP_ON);
   EXPECT_EQ(lockstep_finish(&locked.l), LOCKSTEP_REFUSED);
   EXPECT_STREQ(locked.l.error, "standard input, line 2: expected the end of the line, found \"run 160\"");
@@ -374,7 +367,7 @@ TEST(Lockstep, a_line_without_its_end_is_not_performed) {
 }
 
 TEST(Lockstep, answers_that_cannot_be_written_end_the_run) {
-  Locked locked(ECHO_BOARD);
+  Locked locked(ECHOING);
   FILE *full = fopen("/dev/full", "w");
   locked.l.answers = full;
   EXPECT_EQ(locked.take("run 1600\n"), LOCKSTEP_FAILED);
@@ -458,162 +451,4 @@ TEST(LockstepSketch, of_the_library_answers_its_host) {
   EXPECT_EQ(told[2].substr(0, 7), " 0 010b");
   EXPECT_NE(told[2].find("626c696e6b20312e30"), std::string::npos) << told[2];  // the sketch's name
   expect_the_same_in_all_slices(BOARD, {{0, "open 0"}, {4000000, "write 0 00" + HELLO_PACKET}, {8000000, ""}});
-}
-
-// The program itself.
-
-namespace {
-
-struct Outcome {
-  int status;
-  std::string out, errors;
-};
-
-Outcome emulate(const Scratch &scratch, const std::string &json, const std::string &input,
-                const std::string &options = "") {
-  std::string scenario = scratch.write("s.json", with_programs(json));
-  std::string in = scratch.write("in", input), out = scratch.path("out"), errors = scratch.path("errors");
-  std::string line = EMULATOR " '" + scenario + "' --lockstep --directory '" + scratch.folder + "' " + options + " <'" +
-                     in + "' >'" + out + "' 2>'" + errors + "'";
-  int result = std::system(line.c_str());
-  return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, read_text(out), read_text(errors)};
-}
-
-}  // namespace
-
-namespace {
-
-// The program while it waits for lines.
-struct Program {
-  Program(const Scratch &scratch, const std::string &json) : control(scratch.path("control")) {
-    const std::string scenario = scratch.write("s.json", with_programs(json));
-    int in[2], out[2];
-    EXPECT_EQ(pipe2(in, O_CLOEXEC) + pipe2(out, O_CLOEXEC), 0);
-    child = fork();
-    if (child == 0) {
-      dup2(in[0], STDIN_FILENO);
-      dup2(out[1], STDOUT_FILENO);
-      execl(EMULATOR, EMULATOR, scenario.c_str(), "--lockstep", "--directory", scratch.folder.c_str(), "--control",
-            control.c_str(), nullptr);
-      _exit(127);
-    }
-    close(in[0]);
-    close(out[1]);
-    to = in[1];
-    from = fdopen(out[0], "r");
-  }
-  ~Program() {
-    if (child > 0) finish();
-    fclose(from);
-  }
-
-  std::string say(const std::string &line) { return dprintf(to, "%s\n", line.c_str()) > 0 ? answer(from) : ""; }
-  // As a client of the control socket.
-  std::string command(const std::string &line) {
-    const int fd = socket(AF_UNIX, SOCK_STREAM, 0);
-    sockaddr_un address = {};
-    address.sun_family = AF_UNIX;
-    snprintf(address.sun_path, sizeof address.sun_path, "%s", control.c_str());
-    EXPECT_EQ(connect(fd, reinterpret_cast<sockaddr *>(&address), sizeof address), 0);
-    dprintf(fd, "%s\n", line.c_str());
-    FILE *replies = fdopen(fd, "r");
-    const std::string reply = answer(replies);
-    fclose(replies);
-    return reply;
-  }
-  // Ends its input, and returns its exit status.
-  int finish() {
-    if (to >= 0) close(to);
-    to = -1;
-    int status = -1;
-    waitpid(child, &status, 0);
-    child = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  static std::string answer(FILE *file) {
-    char text[1024];
-    return fgets(text, sizeof text, file) ? text : "";
-  }
-
-  std::string control;
-  pid_t child;
-  int to;
-  FILE *from;
-};
-
-}  // namespace
-
-TEST(LockstepProgram, serves_the_control_socket_while_it_waits) {
-  Scratch scratch;
-  Program program(scratch, ECHO_BOARD);
-  EXPECT_EQ(program.say("run 1"), "1600\n");
-  EXPECT_EQ(program.command(R"({"do":"unplug","board":"a"})"), "{\"ok\":true}\n");
-  EXPECT_EQ(program.command(R"({"do":"speed","value":1})"),
-            "{\"error\":\"command: there is no speed in lock-step; leave it out\"}\n");
-  EXPECT_EQ(program.say("run 16000"), "1600 0 unplugged\n");
-  EXPECT_EQ(program.finish(), 0);
-}
-
-TEST(LockstepProgram, ends_at_a_signal_and_writes_eeprom_files) {
-  Scratch scratch;
-  Program program(scratch, R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"a.bin"}]})");
-  EXPECT_EQ(program.say("run 160000"), "160000\n");
-  kill(program.child, SIGTERM);
-  EXPECT_EQ(Program::answer(program.from), "");
-  EXPECT_EQ(program.finish(), 0);
-  EXPECT_EQ(read_text(scratch.path("a.bin"))[0], '\0');
-}
-
-TEST(LockstepProgram, ends_with_its_input_and_writes_eeprom_files) {
-  Scratch scratch;
-  const char JSON[] = R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"a.bin","port":"a"}]})";
-  for (char count : {0, 1}) {
-    Outcome o = emulate(scratch, JSON, "run 160000\n", "--trace '" + scratch.path("t") + "'");
-    EXPECT_EQ(o.status, 0);
-    EXPECT_EQ(o.out, "160000\n");
-    EXPECT_EQ(o.errors, "");
-    EXPECT_EQ(read_text(scratch.path("a.bin"))[0], count);
-  }
-  EXPECT_FALSE(exists(scratch.path("a")));  // no port is made
-  EXPECT_NE(read_text(scratch.path("t")).find("\"counters\""), std::string::npos);
-}
-
-TEST(LockstepProgram, tells_a_wrong_line_and_still_writes_eeprom_files) {
-  Scratch scratch;
-  const char JSON[] = R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"a.bin"}]})";
-  Outcome o = emulate(scratch, JSON, "run 160000\nrun x\nrun 320000\n");
-  EXPECT_EQ(o.status, 2);
-  EXPECT_EQ(o.out, "160000\n");
-  EXPECT_EQ(o.errors,
-            "javino-emulator: standard input, line 2: expected a cycle, 0 to 9223372036854775807, found \"x\"\n");
-  EXPECT_EQ(read_text(scratch.path("a.bin"))[0], '\0');
-}
-
-TEST(LockstepProgram, ends_after_its_duration) {
-  Scratch scratch;
-  Outcome o = emulate(scratch, ECHO_BOARD, "run 16000\nrun 320000\nrun 480000\n", "--duration 0.01");
-  EXPECT_EQ(o.status, 0);
-  EXPECT_EQ(o.out, "16000\n160000\n");
-}
-
-TEST(LockstepProgram, has_no_speed) {
-  Scratch scratch;
-  Outcome o = emulate(scratch, ECHO_BOARD, "{\"do\":\"speed\",\"value\":2}\nrun 1600\n");
-  EXPECT_EQ(o.out, "{\"error\":\"command: there is no speed in lock-step; leave it out\"}\n1600\n");
-  EXPECT_EQ(o.status, 0);
-}
-
-TEST(LockstepProgram, a_crash_ends_it) {
-  Scratch scratch;
-  Outcome o = emulate(scratch, R"({"boards":[{"name":"a","firmware":"@crash"}]})", "run 1600000000\n");
-  EXPECT_EQ(o.status, 1);
-  EXPECT_NE(o.errors.find("its program crashed"), std::string::npos) << o.errors;
-}
-
-TEST(LockstepProgram, notes_the_keys_that_hosts_set) {
-  Scratch scratch;
-  Outcome o = emulate(scratch, ECHO_BOARD, "run 1600\n", "--keys '" + scratch.path("keys") + "'");
-  EXPECT_EQ(o.status, 0);
-  EXPECT_TRUE(exists(scratch.path("keys")));
 }
