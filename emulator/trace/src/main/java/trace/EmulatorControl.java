@@ -11,23 +11,26 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** The emulator's control socket (emulator/README.md). */
-public final class EmulatorControl {
-
-    private EmulatorControl() {}
+/** Takes commands for an emulator, in the words of emulator/README.md. */
+public interface EmulatorControl {
 
     /**
      * Gives a command, and waits until it has taken effect.
      *
      * @throws IOException if nobody is there, or it is refused.
      */
-    public static void perform(Path socket, Map<String, ?> command) throws IOException {
-        try (SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
-            channel.write(ByteBuffer.wrap((new Gson().toJson(command) + "\n").getBytes(StandardCharsets.UTF_8)));
-            String answer = new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)).readLine();
-            if (!"{\"ok\":true}".equals(answer)) {
-                throw new IOException(command + ": " + answer);
+    void perform(Map<String, ?> command) throws IOException;
+
+    /** By an emulator's control socket. */
+    static EmulatorControl at(Path socket) {
+        return command -> {
+            try (SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
+                channel.write(ByteBuffer.wrap((new Gson().toJson(command) + "\n").getBytes(StandardCharsets.UTF_8)));
+                String answer = new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)).readLine();
+                if (!"{\"ok\":true}".equals(answer)) {
+                    throw new IOException(command + ": " + answer);
+                }
             }
-        }
+        };
     }
 }

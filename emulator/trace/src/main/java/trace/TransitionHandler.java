@@ -20,16 +20,15 @@ public final class TransitionHandler extends Handler {
     private static final String CONTROL = TransitionHandler.class.getName() + ".control";
     private static final List<String> PARAMETERS = List.of("machine", "host", "peer", "id", "state");
 
-    private final Path control;
+    private final EmulatorControl emulator;
 
     /** A handler by {@link #configuration}. */
     public TransitionHandler() {
-        this(Path.of(LogManager.getLogManager().getProperty(CONTROL)));
+        this(EmulatorControl.at(Path.of(LogManager.getLogManager().getProperty(CONTROL))));
     }
 
-    /** @param control the emulator's control socket. */
-    public TransitionHandler(Path control) {
-        this.control = control;
+    public TransitionHandler(EmulatorControl emulator) {
+        this.emulator = emulator;
     }
 
     /** The lines of a configuration of loggers that make this a handler of the logger. */
@@ -46,7 +45,7 @@ public final class TransitionHandler extends Handler {
         }
         command.computeIfPresent("state", (state, name) -> name.toLowerCase(Locale.ROOT));
         try {
-            EmulatorControl.perform(control, command);
+            emulator.perform(command);
         } catch (IOException failed) {
             reportError("the trace lacks a transition", failed, ErrorManager.WRITE_FAILURE);
         }

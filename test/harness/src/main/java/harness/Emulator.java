@@ -1,7 +1,6 @@
 package harness;
 
 import com.google.gson.Gson;
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -14,15 +13,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import javino.board.Transitions;
-import trace.EmulatorControl;
+import javino.link.Time;
+import simulation.Simulation;
 import trace.TraceEvent;
 import trace.TransitionHandler;
 import uppaal.conformance.Replay;
@@ -34,10 +32,8 @@ import uppaal.conformance.Replay;
 public final class Emulator implements AutoCloseable {
 
     private static final String MEGA = "mega";
-    /** The control socket, in the emulator's own folder, as the path of a socket must be short. */
-    static final String CONTROL = "control";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
-    /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
+    /** Time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
     /**
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
@@ -45,35 +41,29 @@ public final class Emulator implements AutoCloseable {
     private static final int LATEST_LINES = 10_000;
     private static final StackWalker WALKER = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
     private static final Logger TRANSITIONS = Logger.getLogger(Transitions.LOGGER);
-    private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
-
-    static {
-        // A run that is broken off leaves no process behind.
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> RUNNING.forEach(Process::destroy)));
-    }
 
     private final Path folder;
-    private final Process process;
+    private final Engine engine;
     private final Consumer<TraceEvent> listener;
     private final List<TraceEvent> trace = new ArrayList<>();
-    private final List<String> complaints = new ArrayList<>();
     /** Written by the thread that reads the trace; read when that has ended. */
     private final Deque<String> latest = new ArrayDeque<>();
     private final Replay model;
     private final boolean modelled;
     /** The handler for hosts in this process. */
     private final TransitionHandler transitions;
-    private Thread reader;
     private int lines;
     private boolean keeping = true;
 
-    private Emulator(Path folder, Process process, Consumer<TraceEvent> listener, boolean modelled) {
+    private Emulator(Scenario scenario, Path folder, List<String> command) throws IOException {
         this.folder = folder;
-        this.process = process;
         model = new Replay(keys(folder));
-        this.listener = listener;
-        this.modelled = modelled;
-        transitions = new TransitionHandler(folder.resolve(CONTROL));
+        listener = scenario.listener;
+        modelled = scenario.modelled;
+        EmulatedRun run = EmulatedRun.current();
+        engine = run == null ? new RealTimeEngine(command, folder, this::traced)
+                : new LockstepEngine(command, scenario.ports(folder), run, this::traced);
+        transitions = new TransitionHandler(engine);
     }
 
     /** A test's scenario; the words are those of emulator/README.md. */
@@ -161,19 +151,21 @@ public final class Emulator implements AutoCloseable {
             Path file = folder.resolve("scenario.json");
             Files.createDirectories(folder.resolve("eeprom"));
             Files.writeString(file, new Gson().toJson(scenario));
-            Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
-                    file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed",
-                    "" + seed, "--keys", keys(folder).toString(), "--control", CONTROL)
-                    .directory(folder.toFile()).start();
-            RUNNING.add(process);
-            Emulator emulator = new Emulator(folder, process, listener, modelled);
-            emulator.reader = read(process.inputReader(), emulator::traced);
-            read(process.errorReader(), emulator::complained);
+            List<String> command = new ArrayList<>(List.of(ROOT.resolve("emulator/build/javino-emulator").toString(),
+                    file.toString(), "--directory", folder.toString(), "--keys", keys(folder).toString()));
+            if (EmulatedRun.current() == null) {
+                command.addAll(List.of("--speed", speed, "--seed", "" + seed));
+            }
+            Emulator emulator = new Emulator(this, folder, command);
             emulator.awaitPower(boards);
             TRANSITIONS.setLevel(Level.FINE);
             TRANSITIONS.addHandler(emulator.transitions);
             emulator.keep(keeping);
             return emulator;
+        }
+
+        private List<String> ports(Path folder) {
+            return boards.stream().map(board -> folder.resolve((String) board.get("port")).toString()).toList();
         }
     }
 
@@ -191,18 +183,6 @@ public final class Emulator implements AutoCloseable {
     public static Path firmware(String sketch, String model) {
         String folder = sketch.toLowerCase(Locale.ROOT) + (model.equals(MEGA) ? "" : "-" + model);
         return ROOT.resolve("javino-firmware/build").resolve(folder).resolve(sketch + ".ino.elf");
-    }
-
-    private static Thread read(BufferedReader output, Consumer<String> lines) {
-        Thread reader = new Thread(() -> output.lines().forEach(lines), "emulator output");
-        reader.setDaemon(true);
-        reader.start();
-        return reader;
-    }
-
-    private synchronized void complained(String line) {
-        complaints.add(line);
-        notifyAll();
     }
 
     private void traced(String line) {
@@ -228,7 +208,6 @@ public final class Emulator implements AutoCloseable {
         if (keeping) {
             trace.add(event);
         }
-        notifyAll();
     }
 
     private synchronized void keep(boolean wanted) {
@@ -240,7 +219,7 @@ public final class Emulator implements AutoCloseable {
 
     /** The emulator's process, to see what it takes. */
     public ProcessHandle process() {
-        return process.toHandle();
+        return engine.process();
     }
 
     /** Why the model refuses what was traced so far; nothing where it does not. */
@@ -249,8 +228,8 @@ public final class Emulator implements AutoCloseable {
     }
 
     /** The complaints that it has written. */
-    public synchronized List<String> complaints() {
-        return List.copyOf(complaints);
+    public List<String> complaints() {
+        return engine.complaints();
     }
 
     /** The path under which a host opens a board's serial port. */
@@ -265,45 +244,51 @@ public final class Emulator implements AutoCloseable {
                 await("power of " + board.get("name"), event -> event.is("reset", (String) board.get("name")));
             }
         } catch (AssertionError lost) {
-            process.destroyForcibly();
+            engine.end();
             throw lost;
         }
     }
 
     /** All that has been traced until now. */
-    public synchronized List<TraceEvent> trace() {
-        return List.copyOf(trace);
+    public List<TraceEvent> trace() {
+        engine.readTrace();
+        return kept(0);
+    }
+
+    private synchronized List<TraceEvent> kept(int from) {
+        return List.copyOf(trace.subList(from, trace.size()));
     }
 
     /** The first event, since the run began, that is as described; waits for it if need be. */
-    public synchronized TraceEvent await(String what, Predicate<TraceEvent> wanted) throws InterruptedException {
+    public TraceEvent await(String what, Predicate<TraceEvent> wanted) throws InterruptedException {
         return await(what, 1, wanted);
     }
 
     /** The n-th event, since the run began, that is as described; waits for it if need be. */
-    public synchronized TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted)
-            throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    public TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted) throws InterruptedException {
+        Time time = Simulation.here();
+        long end = time.nanos() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         int next = 0;
         int found = 0;
         while (true) {
-            for (; next < trace.size(); next++) {
-                if (wanted.test(trace.get(next)) && ++found == nth) {
-                    return trace.get(next);
+            boolean last = engine.hasEnded() || time.nanos() - end >= 0;
+            for (TraceEvent event : kept(next)) {
+                next++;
+                if (wanted.test(event) && ++found == nth) {
+                    return event;
                 }
             }
-            long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-            if (left <= 0 || !process.isAlive() && next == trace.size()) {
-                throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints);
+            if (last) {
+                throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints());
             }
-            wait(left);
+            engine.awaitMore();
         }
     }
 
     /** Gives the emulator a command, in the words of emulator/README.md, and waits until it has taken effect. */
     public void command(Map<String, Object> command) {
         try {
-            EmulatorControl.perform(folder.resolve(CONTROL), command);
+            engine.perform(command);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
@@ -340,20 +325,11 @@ public final class Emulator implements AutoCloseable {
     @Override
     public void close() {
         TRANSITIONS.removeHandler(transitions);
-        process.toHandle().destroy();
-        RUNNING.remove(process);
         try {
-            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                process.destroyForcibly();
-            }
-            int status = process.waitFor();
-            reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+            engine.end();
             model.finish();
             if (model.refusal().isPresent()) {
                 throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
-            }
-            if (status != 0) {
-                throw new AssertionError("the emulator ended with " + status + ": " + complaints);
             }
             writeEdges(WALKER.getCallerClass().getSimpleName());
         } catch (IOException failed) {

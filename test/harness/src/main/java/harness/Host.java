@@ -1,23 +1,21 @@
 package harness;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.Semaphore;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
-import javino.link.SerialLink;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -25,8 +23,9 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
+import simulation.Simulation;
 
-/** A board session that a test drives, with what came from the board in queues. */
+/** A board session that a test drives, in the time of the test's emulator, with what came from the board in queues. */
 public final class Host implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 60;
@@ -34,48 +33,98 @@ public final class Host implements AutoCloseable {
     private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
-    private final Semaphore greetings = new Semaphore(0);
-    private final BlockingQueue<ReceivedMessage> messages = new LinkedBlockingQueue<>();
-    private final BlockingQueue<HostMessage> hostMessages = new LinkedBlockingQueue<>();
-    private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
+    private final Time time = Simulation.here();
+    private final Deque<ReceivedMessage> messages = new ArrayDeque<>();
+    private final Deque<HostMessage> hostMessages = new ArrayDeque<>();
+    private final Deque<List<String>> percepts = new ArrayDeque<>();
+    private final Deque<String> warnings = new ArrayDeque<>();
+    private int greetings;
+    /** Completes when anything else comes. */
+    private CompletableFuture<Void> change = new CompletableFuture<>();
 
     private Host(LinkOpener link, BoardConfig config) {
-        board = Board.open(link, config, new BoardListener() {
+        board = Board.open(link, config.in(time), new BoardListener() {
             @Override
             public void online(BoardInfo info) {
-                greetings.release();
+                changed(() -> greetings++);
             }
 
             @Override
             public void message(ReceivedMessage message) {
-                messages.add(message);
+                changed(() -> messages.add(message));
             }
 
             @Override
             public void hostMessage(Address from, Address to, HostMessage message) {
-                hostMessages.add(message);
+                changed(() -> hostMessages.add(message));
             }
 
             @Override
             public void percepts(List<String> literals) {
-                percepts.add(literals);
+                changed(() -> percepts.add(literals));
+            }
+
+            @Override
+            public void warning(String what) {
+                changed(() -> warnings.add(what));
             }
         });
     }
 
+    private synchronized void changed(Runnable how) {
+        how.run();
+        CompletableFuture<Void> told = change;
+        change = new CompletableFuture<>();
+        told.complete(null);
+    }
+
+    /** Waits until something is there to be taken, not null. */
+    private <T> T await(String lack, Supplier<T> taken) throws InterruptedException {
+        long end = time.nanos() + LONGEST.toNanos();
+        while (true) {
+            CompletableFuture<Void> next;
+            synchronized (this) {
+                T now = taken.get();
+                if (now != null) {
+                    return now;
+                }
+                next = change.copy();
+            }
+            Duration left = Duration.ofNanos(end - time.nanos());
+            if (left.isNegative() || left.isZero()) {
+                throw new AssertionError(lack);
+            }
+            try {
+                time.get(time.completeOnTimeout(next, null, left));
+            } catch (ExecutionException impossible) {
+                throw new AssertionError(impossible);
+            }
+        }
+    }
+
+    /** The settings of {@link #over}. */
+    public static BoardConfig config() {
+        return BoardConfig.create(Host::patience).in(Simulation.here());
+    }
+
+    /** Leads to a port, in the time of the test. */
+    public static LinkOpener link(String port) {
+        return Simulation.here().port(port);
+    }
+
     public static Host of(Emulator emulator, String board) {
-        return over(SerialLink.opener(emulator.port(board)));
+        return over(link(emulator.port(board)));
     }
 
     public static Host over(LinkOpener link) {
-        return new Host(link, BoardConfig.create(Host::patience));
+        return new Host(link, config());
     }
 
     /**
      * For boards that write much to their EEPROM: on a busy machine their answers come late by the clock on the wall.
      */
     public static Host patient(Emulator emulator, String board) {
-        return patient(SerialLink.opener(emulator.port(board)));
+        return patient(link(emulator.port(board)));
     }
 
     public static Host patient(LinkOpener link) {
@@ -84,7 +133,7 @@ public final class Host implements AutoCloseable {
 
     /** A host as {@link #patient}, with the notes that an agent's host has. */
     public static Host noting(Emulator emulator, String board) {
-        return new Host(SerialLink.opener(emulator.port(board)), BoardConfig.create(
+        return new Host(link(emulator.port(board)), BoardConfig.create(
                 config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost()))));
     }
 
@@ -100,9 +149,8 @@ public final class Host implements AutoCloseable {
 
     /** Waits until the board was greeted so often. */
     public void awaitOnline(int times) throws InterruptedException {
-        if (!greetings.tryAcquire(times, PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-            throw new AssertionError("the board did not come " + times + " times");
-        }
+        await("the board did not come " + times + " times",
+                () -> greetings < times ? null : Integer.valueOf(greetings -= times));
     }
 
     /** Gives the board an id and keys, and opens its radio. */
@@ -120,42 +168,37 @@ public final class Host implements AutoCloseable {
 
     /** The next message that came, waited for. */
     public ReceivedMessage message() throws InterruptedException {
-        return next(messages);
+        return await("no message came", messages::poll);
     }
 
     /** The next host message that came, waited for. */
     public HostMessage hostMessage() throws InterruptedException {
-        return next(hostMessages);
+        return await("no host message came", hostMessages::poll);
     }
 
-    private static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
-        T message = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        if (message == null) {
-            throw new AssertionError("no message came");
-        }
-        return message;
+    /** The next warning that came, waited for. */
+    public String warning() throws InterruptedException {
+        return await("no warning came", warnings::poll);
     }
 
     /** The messages that came and were not taken; does not wait. */
-    public List<ReceivedMessage> messages() {
+    public synchronized List<ReceivedMessage> messages() {
         return List.copyOf(messages);
     }
 
     /** The first percepts from now on that are as wanted. */
     public List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
-        long end = System.nanoTime() + LONGEST.toNanos();
-        List<String> now;
-        do {
-            now = percepts.poll(end - System.nanoTime(), TimeUnit.NANOSECONDS);
-            if (now == null) {
-                throw new AssertionError("no such percepts came");
+        return await("no such percepts came", () -> {
+            List<String> now = percepts.poll();
+            while (now != null && !wanted.test(now)) {
+                now = percepts.poll();
             }
-        } while (!wanted.test(now));
-        return now;
+            return now;
+        });
     }
 
     /** All sets of percepts that came and were not taken; does not wait. */
-    public List<List<String>> perceptsSoFar() {
+    public synchronized List<List<String>> perceptsSoFar() {
         return List.copyOf(percepts);
     }
 
@@ -167,9 +210,17 @@ public final class Host implements AutoCloseable {
     /** The result of a request; a failed one fails the test. */
     public static <T> T get(CompletableFuture<T> request) {
         try {
-            return request.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        } catch (ExecutionException | TimeoutException failed) {
+            return await(request);
+        } catch (ExecutionException failed) {
             throw new AssertionError(failed.getMessage(), failed);
+        }
+    }
+
+    /** The result of a request. */
+    public static <T> T await(CompletableFuture<T> request) throws ExecutionException {
+        Time time = Simulation.here();
+        try {
+            return time.get(time.orTimeout(request.copy(), LONGEST));
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw new AssertionError(interrupted);

@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import javino.link.Link;
 import javino.link.LinkException;
-import javino.link.SerialLink;
 
 /** A serial monitor, as the Arduino IDE has one: lines of text to and from a board. */
 public final class SerialMonitor implements AutoCloseable {
@@ -19,7 +18,7 @@ public final class SerialMonitor implements AutoCloseable {
     }
 
     public static SerialMonitor of(Emulator emulator, String board) throws LinkException {
-        return new SerialMonitor(SerialLink.opener(emulator.port(board)).open());
+        return new SerialMonitor(Host.link(emulator.port(board)).open());
     }
 
     public void type(String text) throws LinkException {

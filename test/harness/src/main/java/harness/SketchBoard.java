@@ -1,7 +1,5 @@
 package harness;
 
-import javino.link.SerialLink;
-
 /** A board of percepts and actions that runs one sketch: what a test needs of it, whatever its chip is. */
 public interface SketchBoard extends AutoCloseable {
 
@@ -23,7 +21,7 @@ public interface SketchBoard extends AutoCloseable {
     }
 
     default Host host() {
-        return Host.over(SerialLink.opener(port()));
+        return Host.over(Host.link(port()));
     }
 
     @Override

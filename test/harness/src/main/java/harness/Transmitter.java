@@ -3,7 +3,6 @@ package harness;
 import java.time.Duration;
 import javino.link.Link;
 import javino.link.LinkException;
-import javino.link.SerialLink;
 import javino.vectors.RadioVectors;
 
 /** The board with the sketch {@code Transmitter}, which sends any bytes as a packet. */
@@ -18,7 +17,7 @@ public final class Transmitter implements AutoCloseable {
     }
 
     public static Transmitter of(Emulator emulator, String board) throws LinkException {
-        return new Transmitter(SerialLink.opener(emulator.port(board)).open());
+        return new Transmitter(Host.link(emulator.port(board)).open());
     }
 
     /** Sends a payload with the right count and CRC, and waits until it has been on the air. */

@@ -6,11 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.Map;
 import javino.protocol.Address;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +18,7 @@ import trace.TraceEvent;
 
 /** A Mega that begins with Arduino's own boot loader after each reset, as it does where it is not emulated. */
 @Timeout(120)
+@InEmulatedTime
 class BootLoaderTest {
 
     /** The boot loader of Debian's arduino-core-avr, which the sketches are built with. */
@@ -46,7 +47,6 @@ class BootLoaderTest {
     }
 
     @Test
-    @Tag("verify")
     void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario("Station").start(folder); Host host = Host.of(emulator, "lamp")) {
             int boots = get(host.board.greeted()).bootEpoch();

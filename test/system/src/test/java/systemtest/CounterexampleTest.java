@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
@@ -20,7 +21,6 @@ import javino.protocol.Outcome;
 import javino.protocol.Payload;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -29,7 +29,7 @@ import trace.TraceEvent;
  * The attacks that the model of delivery finds where one check of a board is taken away (uppaal/README.md): the same
  * frames, played to boards that have them all.
  */
-@Tag("verify")
+@InEmulatedTime
 class CounterexampleTest {
 
     private static final int NONCE_END = 16;

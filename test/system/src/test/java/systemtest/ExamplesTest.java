@@ -6,23 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.SerialMonitor;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** The examples of the Arduino library that no other test uses. */
-@Tag("verify")
+@InEmulatedTime
 class ExamplesTest {
 
     @Test
-    @Tag("verify")
     void thermometer_tellsDegreesOnBoardsOfEachSupply(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario()
                 .board("warm", "Thermometer", reading("mega", 153))     // 747 mV of 5 V
@@ -63,7 +62,7 @@ class ExamplesTest {
             get(host.board.act("turn(180)"));
             host.percepts(List.of("angle(180)")::equals);
             for (String wrong : List.of("turn", "turn(181)", "turn(-1)", "turn(half)")) {
-                assertThrows(ExecutionException.class, () -> host.board.act(wrong).get(), wrong);
+                assertThrows(ExecutionException.class, () -> Host.await(host.board.act(wrong)), wrong);
             }
             double[] rose = {0};
             emulator.await("a pulse of 2.4 ms", event -> event.is("pin", "arm") && pulse(event, rose) > 0.0023);

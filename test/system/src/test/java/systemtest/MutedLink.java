@@ -1,11 +1,11 @@
 package systemtest;
 
+import harness.Host;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
-import javino.link.SerialLink;
 
 /** A real link whose host is not heard any more once it has heard a word: it gets a message, and never says so. */
 final class MutedLink extends ForwardedLink {
@@ -19,7 +19,7 @@ final class MutedLink extends ForwardedLink {
     }
 
     static LinkOpener opener(String port, String word) {
-        return opener(SerialLink.opener(port), link -> new MutedLink(link, word));
+        return opener(Host.link(port), link -> new MutedLink(link, word));
     }
 
     @Override

@@ -7,17 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Sketches do other things beside the library: wait, keep things in the EEPROM, hold up interrupts. */
-@Tag("verify")
+@InEmulatedTime
 class NeighboursTest {
 
     @TempDir

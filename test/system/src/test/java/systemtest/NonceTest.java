@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** The nonces that a board seals with over its life. */
+@InEmulatedTime
 class NonceTest {
 
     private static final int RUNS = 4;

@@ -6,6 +6,8 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import javino.link.Time;
+import simulation.Simulation;
 import trace.TraceEvent;
 
 /** Disturbs boards by commands to their emulator; each has taken effect when its method returns. */
@@ -14,6 +16,7 @@ final class Nuisance {
     static final String RESET = "reset";
     static final String POWER_CUT = "power-cut";
     private static final double POWER_CUT_SECONDS = 0.1;
+    private static final long MOMENT_NANOS = 1_000_000;
     private static final Predicate<TraceEvent> COMMANDS = event -> event.name().equals("command");
     /** A packet from somebody to somebody, as long as may be. */
     private static final String NOISE = HexFormat.of()
@@ -54,17 +57,19 @@ final class Nuisance {
                 : Map.of("do", what, "board", board, "duration", POWER_CUT_SECONDS));
     }
 
-    /** A slower run leaves a test more time to react. */
+    /** In real time a slower run leaves a test more time to react. */
     void speed(double times) throws InterruptedException {
-        command(Map.of("do", "speed", "value", times));
+        if (Simulation.here() == Time.REAL) {
+            command(Map.of("do", "speed", "value", times));
+        }
     }
 
     /** Waits until so much emulated time has passed. */
     void pass(double seconds) throws InterruptedException {
         double end = now() + seconds;
-        while (now() < end) {
-            Thread.onSpinWait();
-        }
+        do {
+            Simulation.here().pause(MOMENT_NANOS);
+        } while (now() < end);
     }
 
     /** Emulated time, by a command that changes nothing. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -15,9 +16,7 @@ import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import javino.board.Board;
-import javino.board.BoardConfig;
 import javino.board.BoardListener;
-import javino.link.SerialLink;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Counter;
@@ -35,6 +34,7 @@ import trace.TraceEvent;
  * Two cells out of each other's range. In each is a board without address and keys, which overhears: what one hears the
  * other relays.
  */
+@InEmulatedTime
 class OverhearingTest {
 
     private static final List<Double> WEST = List.of(0.0, 0.0);
@@ -62,7 +62,7 @@ class OverhearingTest {
     }
 
     private Board ear(String name, Consumer<PollReply.Overheard> hearer) {
-        return Board.open(SerialLink.opener(emulator.port(name)), BoardConfig.create(Host::patience),
+        return Board.open(Host.link(emulator.port(name)), Host.config(),
                 new BoardListener() {
                     @Override
                     public void overheard(PollReply.Overheard packet) {

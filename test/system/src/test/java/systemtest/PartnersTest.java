@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** A board that sends to several others, of which some are not there (SPEC 7.2). */
+@InEmulatedTime
 class PartnersTest {
 
     private static final double SOON = 2;

@@ -6,6 +6,7 @@ import static systemtest.Nuisance.RESET;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
@@ -21,7 +22,6 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -30,7 +30,7 @@ import trace.TraceEvent;
  * Resets, losses of power, noise and late hosts in each phase of a message, so that the runs take nearly all edges of
  * the model. It allows what the boards make of that, or {@link Emulator#close} fails.
  */
-@Tag("verify")
+@InEmulatedTime
 class PhasesTest {
 
     private static final int MOST_ATTEMPTS = 8;
@@ -46,6 +46,7 @@ class PhasesTest {
     private static final List<Integer> BEHIND = List.of(180, 0);
     /** Less than a packet, and more than the pause behind it. */
     private static final double A_WHILE = 0.1;
+    private static final double A_MOMENT = 0.001;
     private static final double PART_OF_A_FRAGMENT = 0.2;
     private static final double UNTIL_IT_IS_ANSWERED = 0.35;
     private static final double UNTIL_THE_NEXT_ATTEMPT = 0.55;
@@ -198,7 +199,7 @@ class PhasesTest {
         CompletableFuture<Outcome> lost = transmit("SUPP", LONG);
         next("rf-tx", "police", 0);
         nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
-        for (int known = 1; !lost.isDone(); nuisance.now()) {
+        for (int known = 1; !lost.isDone(); nuisance.pass(A_MOMENT)) {
             List<TraceEvent> sent = emulator.trace().stream().filter(event -> event.name().equals("rf-tx")).toList();
             for (; known < sent.size(); known++) {
                 // The lost fragment comes next behind an answer, and once after an attempt that had none.

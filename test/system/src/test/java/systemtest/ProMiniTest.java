@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.LineCode;
 import harness.TestKeys;
 import java.nio.file.Path;
@@ -13,13 +14,12 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** A Pro Mini, at half the clock of the Mega beside it. */
-@Tag("verify")
+@InEmulatedTime
 class ProMiniTest {
 
     private static final double BIT_SECONDS = 1 / 2000.0;

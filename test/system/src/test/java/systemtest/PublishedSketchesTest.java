@@ -8,18 +8,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AvrBoard;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.SketchBoard;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Sketches of the published library on an Uno: its examples and what public ones do, in our words. */
-@Tag("verify")
+@InEmulatedTime
 class PublishedSketchesTest {
 
     private static final String LAMP_ON = "lampOn";
@@ -63,7 +63,7 @@ class PublishedSketchesTest {
     }
 
     private static void refuses(Host host, String action) {
-        assertThrows(ExecutionException.class, () -> host.board.act(action).get());
+        assertThrows(ExecutionException.class, () -> Host.await(host.board.act(action)));
     }
 
     @Test

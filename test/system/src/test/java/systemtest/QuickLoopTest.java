@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,7 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import trace.TraceEvent;
 
 /** How often {@code loop()} turns, as the firmware's page says, and the example Stepper. */
-@Tag("verify")
+@InEmulatedTime
 class QuickLoopTest {
 
     private static final int EMULATED_SECONDS = 2;
@@ -38,6 +39,7 @@ class QuickLoopTest {
 
     /** Columns: board, call, whether the board has a radio, what the page says of that; N is the figure. */
     @ParameterizedTest
+    @Tag("verify")
     @CsvSource({"uno, run, false, `loop()` turns N times", "uno, run, true, `loop()` turns N times",
             "mega, run, false, `loop()` turns N times", "mega, run, true, `loop()` turns N times",
             "uno, serve, false, it turns N times on an Uno", "uno, serve, true, on an Uno (with a radio N)",

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** Two boards of a group, and a third of another group that hears all they send. */
+@InEmulatedTime
 class RadioExchangeTest {
 
     private Emulator emulator;

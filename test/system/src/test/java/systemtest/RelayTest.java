@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,12 +23,12 @@ import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Payload;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** A line of boards, each of which hears its neighbours only, and what relays between its ends make of messages. */
+@InEmulatedTime
 class RelayTest {
 
     private static final double STEP_METRES = 90;
@@ -141,7 +142,6 @@ class RelayTest {
     }
 
     @Test
-    @Tag("verify")
     void unicast_byARelayOnAnUno_isDelivered() throws Exception {
         line(2, "Relay", Map.of("model", "uno"));
         assertEquals(Outcome.DELIVERED, send("tell;help"));
@@ -149,7 +149,6 @@ class RelayTest {
     }
 
     @Test
-    @Tag("verify")
     void relay_switchedOff_carriesNothingAndRemembersIt() throws Exception {
         line(2, "Station", Map.of());
         Host relay = relay("relay1", true);
@@ -163,7 +162,6 @@ class RelayTest {
     }
 
     @Test
-    @Tag("verify")
     void relays_inEarshot_sendNoMoreThanOneWould() throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("from", "Station", at(0))
                 .board("one", "Station", at(1)).board("other", "Station", Map.of("position", List.of(STEP_METRES, 5)))
@@ -185,7 +183,6 @@ class RelayTest {
 
     /** It answers in the receiver's name, and sends what it hears again, changed and with a path that is not so. */
     @Test
-    @Tag("verify")
     void attacker_whoLies_hasNothingDeliveredTwiceOrWrongly() throws Exception {
         line(2, "Station", Map.of());
         relay("relay1", true);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import harness.Transmitter;
 import java.nio.file.Path;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 /**
  * An attacker between two devices that do not hear each other: what it lets through, changes or repeats is its choice.
  */
+@InEmulatedTime
 class SealedFrameTest {
 
     private static final Set<Counter> DROPPED = EnumSet.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AvrBoard;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.SketchBoard;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,15 +14,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import javino.JavinoException;
 import javino.board.SessionCounter;
-import javino.link.SerialLink;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A bad cable between host and board. */
+@InEmulatedTime
 class SerialDamageTest {
 
     private static final int ACTIONS = 200;
@@ -42,7 +42,7 @@ class SerialDamageTest {
         try (SketchBoard board = start(folder)) {
             List<String> failures = new ArrayList<>();
             try (Host host =
-                    Host.atUsualTimes(DamagedLink.opener(SerialLink.opener(board.port()), 4711, DAMAGED_BYTES))) {
+                    Host.atUsualTimes(DamagedLink.opener(Host.link(board.port()), 4711, DAMAGED_BYTES))) {
                 host.board.percepts(true);
                 for (int number = 1; number <= ACTIONS; number++) {
                     note(host, number, failures);
@@ -57,7 +57,7 @@ class SerialDamageTest {
     private static void note(Host host, int number, List<String> failures) throws Exception {
         CompletableFuture<Void> action = host.board.act("note(" + number + ")");
         try {
-            action.get(5, TimeUnit.MINUTES);
+            Host.await(action);
         } catch (ExecutionException failed) {
             assertTrue(failed.getCause() instanceof JavinoException, failed.toString());
             failures.add(failed.getCause().getMessage());

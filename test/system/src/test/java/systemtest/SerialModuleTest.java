@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,14 +15,13 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Stations with a serial module at their second UART. */
-@Tag("verify")
+@InEmulatedTime
 class SerialModuleTest {
 
     private static final Address TO = Address.parse("SUPO");

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AvrBoard;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.SketchBoard;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -17,12 +18,11 @@ import java.util.List;
 import java.util.Map;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A host and a board of percepts and actions, here an Uno or a Mega. */
-@Tag("verify")
+@InEmulatedTime
 class SerialSessionTest {
 
     private static final String LED_ON = "ledOn";

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.Transmitter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,11 +25,11 @@ import javino.protocol.Reply;
 import javino.protocol.Status;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Two boards without a key in EEPROM, whose hosts set session keys. */
+@InEmulatedTime
 class SessionKeysTest {
 
     private static final Address SUPO = Address.parse("SUPO");
@@ -82,7 +83,7 @@ class SessionKeysTest {
 
     private static Status refusal(Host host, Address device, Key key) {
         ExecutionException failed =
-                assertThrows(ExecutionException.class, () -> host.board.setSessionKey(device, key).get());
+                assertThrows(ExecutionException.class, () -> Host.await(host.board.setSessionKey(device, key)));
         return ((RequestFailedException) failed.getCause()).status();
     }
 
@@ -112,7 +113,7 @@ class SessionKeysTest {
     @Test
     void message_withoutAKey_isToldToTheHostAndDeliveredOnceBothHaveAKey() throws Exception {
         ExecutionException failed = assertThrows(ExecutionException.class,
-                () -> police.board.transmit(SUPP, Content.parse("tell;x")).taken().get());
+                () -> Host.await(police.board.transmit(SUPP, Content.parse("tell;x")).taken()));
         assertEquals(Status.NO_KEY, ((RequestFailedException) failed.getCause()).status());
         Host.get(police.board.setSessionKey(SUPP, key(1)));
         assertEquals(Outcome.UNDELIVERED, end(police, SUPP, "tell;early"));
@@ -124,7 +125,6 @@ class SessionKeysTest {
     }
 
     @Test
-    @Tag("verify")
     void recording_ofASessionKey_isRefusedAlsoAfterAReset() throws Exception {
         agree(1);
         exchange("a");
@@ -147,7 +147,6 @@ class SessionKeysTest {
     }
 
     @Test
-    @Tag("verify")
     void sessionKeys_moreThanPlaces_takeThatOfTheOneUsedLeastRecently() throws Exception {
         agree(1);
         for (int i = 2; i <= PLACES; i++) {

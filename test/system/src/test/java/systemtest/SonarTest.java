@@ -4,15 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The distance that the vehicle sees ahead. */
-@Tag("verify")
+@InEmulatedTime
 class SonarTest {
 
     private static final int RESETS = 25;

@@ -7,19 +7,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.CrossedPackets;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** The radio on the timer that a sketch names, beside what the other timers are for. */
-@Tag("verify")
+@InEmulatedTime
 class TimersTest {
 
     private static final double SERVO_PERIOD_SECONDS = 0.020;

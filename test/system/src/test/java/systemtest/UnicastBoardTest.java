@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** An Uno whose sketch makes a JavinoUnicastBoard, beside a Mega that has all. */
+@InEmulatedTime
 class UnicastBoardTest {
 
     private static final String LINE = "failed: UNICASTS_ONLY, the board has neither groups, broadcasts";
@@ -73,7 +75,7 @@ class UnicastBoardTest {
     @Test
     void renewal_isRefused() {
         ExecutionException refused = assertThrows(ExecutionException.class,
-                () -> uno.board.renewKey(Address.parse("ROMA"), Key.ofHex("11".repeat(16))).get());
+                () -> Host.await(uno.board.renewKey(Address.parse("ROMA"), Key.ofHex("11".repeat(16)))));
         assertTrue(refused.getCause().getMessage().contains(LINE), refused.getCause().getMessage());
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,11 +16,11 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** An Uno, a quarter of a Mega's RAM, beside a Mega. */
+@InEmulatedTime
 class UnoTest {
 
     /** The longest content that an Uno takes from its host (javino-firmware/src/Config.h). */
@@ -82,17 +83,12 @@ class UnoTest {
     }
 
     @Test
-    @Tag("verify")
     void unicastToBoardThatLostItsMemory_isSealedAnewAndDelivered() throws Exception {
         uno.send("ROMA", "tell;before");
         emulator.command(Map.of("do", "power-cut", "board", "mega", "duration", 0.2));
         mega.awaitOnline(2);
         get(mega.board.radio(true));
-        Nuisance clock = new Nuisance(emulator, List.of());
-        double up = clock.now();
-        while (clock.now() < up + LONG_UP_SECONDS) {
-            Thread.sleep(100);
-        }
+        new Nuisance(emulator, List.of()).pass(LONG_UP_SECONDS);
 
         uno.send("ROMA", "tell;after");
 
@@ -107,7 +103,6 @@ class UnoTest {
     }
 
     @Test
-    @Tag("verify")
     void longerContentFromTheAir_isDroppedAndUndelivered() throws Exception {
         mega.send("LAMP", text(MAX_SEALED_IN_A_PACKET + 1));
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.LineCode;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
@@ -15,7 +16,6 @@ import java.util.Random;
 import javino.board.ReceivedMessage;
 import javino.link.Link;
 import javino.link.LinkException;
-import javino.link.SerialLink;
 import javino.vectors.RadioVectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** Packets that our boards send and hear, against the line code's definition. */
+@InEmulatedTime
 class VirtualWireTest {
 
     private static final double BIT_SECONDS = 1 / 2000.0;
@@ -50,7 +51,7 @@ class VirtualWireTest {
         try (Emulator emulator = new Emulator.Scenario().board("other", "Transmitter").board("plain", "SampledModem")
                 .speed("max").start(folder);
                 Transmitter other = Transmitter.of(emulator, "other");
-                Link plain = SerialLink.opener(emulator.port("plain")).open()) {
+                Link plain = Host.link(emulator.port("plain")).open()) {
             for (int i = 1; i <= 40; i++) {
                 byte[] payload = new byte[77];
                 random.nextBytes(payload);

@@ -1,0 +1,42 @@
+package harness;
+
+import java.nio.file.Path;
+
+/** A run of a test in emulated time. */
+final class EmulatedRun {
+
+    private static EmulatedRun current;
+
+    private final long seed;
+    private final Path folder;
+    private int traces;
+
+    /** @param folder for its traces. */
+    EmulatedRun(long seed, Path folder) {
+        this.seed = seed;
+        this.folder = folder;
+    }
+
+    /** The run of this moment; null in real time. */
+    static EmulatedRun current() {
+        return current;
+    }
+
+    /** Has all emulators in lock-step from now on, each with the hosts of the thread that starts it; or none: null. */
+    static void use(EmulatedRun run) {
+        current = run;
+    }
+
+    long seed() {
+        return seed;
+    }
+
+    Path folder() {
+        return folder;
+    }
+
+    /** The file for the trace of its next emulator. */
+    Path newTrace() {
+        return folder.resolve("trace" + ++traces + ".jsonl");
+    }
+}

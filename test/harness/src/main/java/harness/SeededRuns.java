@@ -1,0 +1,137 @@
+package harness;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.logging.FileHandler;
+import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ClassTemplateInvocationContext;
+import org.junit.jupiter.api.extension.ClassTemplateInvocationContextProvider;
+import org.junit.jupiter.api.extension.Extension;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.TestWatcher;
+import simulation.Simulation;
+
+/** The runs of a class that is {@link InEmulatedTime}: by one seed or several, or one in real time. */
+final class SeededRuns implements ClassTemplateInvocationContextProvider {
+
+    /** Where a failed run leaves its traces, its log and what repeats it. */
+    private static final Path FAILURES = Path.of("build/failures");
+    private static final boolean REAL_TIME = Boolean.getBoolean("javino.realTime");
+    private static final boolean KEEP = Boolean.getBoolean("javino.keep");
+    private static final long FIRST_SEED = Long.getLong("javino.seed", 1);
+    private static final int SEEDS = Integer.getInteger("javino.seeds", 1);
+
+    private boolean failed;
+
+    @Override
+    public boolean supportsClassTemplate(ExtensionContext context) {
+        return true;
+    }
+
+    @Override
+    public Stream<ClassTemplateInvocationContext> provideClassTemplateInvocationContexts(ExtensionContext context) {
+        if (REAL_TIME) {
+            return Stream.of(run("in real time", List.of()));
+        }
+        return LongStream.range(FIRST_SEED, FIRST_SEED + SEEDS).takeWhile(seed -> !failed)
+                .mapToObj(seed -> run("seed " + seed, List.of(new Seeded(seed))));
+    }
+
+    private static ClassTemplateInvocationContext run(String name, List<Extension> extensions) {
+        return new ClassTemplateInvocationContext() {
+            @Override
+            public String getDisplayName(int index) {
+                return name;
+            }
+
+            @Override
+            public List<Extension> getAdditionalExtensions() {
+                return extensions;
+            }
+        };
+    }
+
+    private final class Seeded implements BeforeEachCallback, AfterEachCallback, TestWatcher {
+
+        private final long seed;
+        private EmulatedRun run;
+        private FileHandler log;
+
+        Seeded(long seed) {
+            this.seed = seed;
+        }
+
+        @Override
+        public void beforeEach(ExtensionContext test) throws IOException {
+            Path folder = FAILURES.resolve(name(test).replace('#', '.') + "-" + seed).toAbsolutePath();
+            delete(folder);
+            run = new EmulatedRun(seed, Files.createDirectories(folder));
+            EmulatedRun.use(run);
+            log = new FileHandler(folder.resolve("log").toString());
+            log.setFormatter(new SimpleFormatter());
+            Logger.getLogger("").addHandler(log);
+        }
+
+        private static String name(ExtensionContext test) {
+            String method = test.getRequiredTestClass().getSimpleName() + "#" + test.getRequiredTestMethod().getName();
+            // One of several runs of the method has a name of its own.
+            String shown = test.getDisplayName();
+            return shown.startsWith("[") ? method + shown.replaceAll("[^\\w]+", "_") : method;
+        }
+
+        @Override
+        public void afterEach(ExtensionContext test) {
+            EmulatedRun.use(null);
+            Logger.getLogger("").removeHandler(log);
+            log.close();
+            if (Simulation.here() instanceof Simulation left) {
+                left.close();
+                throw new AssertionError("the test has not closed its emulator");
+            }
+        }
+
+        @Override
+        public void testSuccessful(ExtensionContext test) {
+            if (!KEEP) {
+                delete(run.folder());
+            }
+        }
+
+        @Override
+        public void testFailed(ExtensionContext test, Throwable cause) {
+            failed = true;
+            String again = "gradle " + System.getProperty("javino.suite") + " --tests '"
+                    + test.getRequiredTestClass().getSimpleName() + "." + test.getRequiredTestMethod().getName()
+                    + "' -Pseed=" + seed;
+            System.out.println(test.getDisplayName() + " has failed with seed " + seed + ": " + cause
+                    + "\nits traces are in " + run.folder() + "\nthis runs it again: " + again);
+            try {
+                Files.writeString(run.folder().resolve("again"), again + "\n");
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+
+        private static void delete(Path folder) {
+            if (!Files.exists(folder)) {
+                return;
+            }
+            try (Stream<Path> all = Files.walk(folder)) {
+                for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
+                    Files.delete(each);
+                }
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+}
