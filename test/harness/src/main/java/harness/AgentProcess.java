@@ -3,6 +3,7 @@ package harness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -13,26 +14,90 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.board.Transitions;
 import javino.keyring.DeviceNotes;
+import simulation.AgentProgram;
+import simulation.Simulation;
 import trace.TransitionHandler;
 
-/** A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. */
+/**
+ * A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. In emulated time
+ * it is part of this one.
+ */
 public final class AgentProcess implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Long enough for a sketch to be built on a busy machine. */
     private static final long PATIENCE_SECONDS = 240;
 
-    private final Process process;
+    /** What runs the agents. */
+    private interface Engine extends AutoCloseable {
+
+        void kill() throws InterruptedException;
+
+        /** @return whether it has ended within some time. */
+        boolean awaitEnd() throws InterruptedException;
+
+        @Override
+        void close();
+    }
+
     private final List<String> lines = new ArrayList<>();
+    private final Changes changes = new Changes();
     private final Consumer<String> listener;
-    private final Thread reader;
+    private final Engine engine;
 
     private AgentProcess(Process process, Consumer<String> listener) {
-        this.process = process;
         this.listener = listener;
-        reader = new Thread(() -> process.inputReader().lines().forEach(this::printed), "agent output");
+        Thread reader = new Thread(() -> process.inputReader().lines().forEach(this::printed), "agent output");
         reader.setDaemon(true);
         reader.start();
+        engine = new Engine() {
+            @Override
+            public void kill() throws InterruptedException {
+                process.destroyForcibly().waitFor();
+            }
+
+            @Override
+            public boolean awaitEnd() throws InterruptedException {
+                reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+                return !reader.isAlive();
+            }
+
+            @Override
+            public void close() {
+                process.toHandle().destroy();
+                try {
+                    if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                        process.destroyForcibly();
+                    }
+                } catch (InterruptedException interrupted) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        };
+    }
+
+    private AgentProcess(Simulation simulation, Path program, List<String> options, Consumer<String> listener)
+            throws IOException {
+        this.listener = listener;
+        options.forEach(option -> System.setProperty(option.replaceFirst("-D(.*?)=.*", "$1"),
+                option.replaceFirst(".*?=", "")));
+        AgentProgram agents = AgentProgram.start(simulation, program, this::printed);
+        engine = new Engine() {
+            @Override
+            public void kill() {
+                throw new UnsupportedOperationException("only a process can be killed");
+            }
+
+            @Override
+            public boolean awaitEnd() {
+                throw new UnsupportedOperationException("only a process ends by itself");
+            }
+
+            @Override
+            public void close() {
+                agents.close();
+            }
+        };
     }
 
     /** Starts the {@code .mas2j} of that name in a folder, to which a copy of it and of its agent of that name goes. */
@@ -62,14 +127,21 @@ public final class AgentProcess implements AutoCloseable {
     /** The same on another platform, which takes the program of that name. */
     public static AgentProcess run(Platform platform, String name, Path folder, Consumer<String> listener)
             throws IOException {
-        return start(new ProcessBuilder(platform.command(name, logging(name, folder))).directory(folder.toFile()),
-                List.of(), listener);
+        return run(platform, name, folder, List.of(), listener);
     }
 
     /** The same, with options of Java. */
     public static AgentProcess run(String name, Path folder, List<String> options) throws IOException {
-        return start(new ProcessBuilder(Platform.USUAL.command(name, logging(name, folder)))
-                .directory(folder.toFile()), options, line -> {});
+        return run(Platform.USUAL, name, folder, options, line -> {});
+    }
+
+    private static AgentProcess run(Platform platform, String name, Path folder, List<String> options,
+            Consumer<String> listener) throws IOException {
+        if (Simulation.here() instanceof Simulation simulation && platform.equals(Platform.USUAL)) {
+            return new AgentProcess(simulation, folder.resolve(name + ".mas2j"), options, listener);
+        }
+        return start(new ProcessBuilder(platform.command(name, logging(name, folder))).directory(folder.toFile()),
+                options, listener);
     }
 
     /** Starts it by a command of its own. */
@@ -101,56 +173,42 @@ public final class AgentProcess implements AutoCloseable {
 
     private void printed(String line) {
         listener.accept(line);
-        synchronized (this) {
-            lines.add(line);
-            notifyAll();
-        }
+        changes.change(() -> lines.add(line));
     }
 
     /** Waits for the n-th line that ends in these words. */
-    public synchronized void await(String words, int nth) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (lines.stream().filter(line -> line.endsWith(words)).count() < nth) {
-            long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-            if (left <= 0) {
-                throw new AssertionError("not " + nth + " times '" + words + "':\n" + String.join("\n", lines));
-            }
-            wait(left);
-        }
+    public void await(String words, int nth) throws InterruptedException {
+        changes.await(() -> "not " + nth + " times '" + words + "':\n" + String.join("\n", lines()),
+                Duration.ofSeconds(PATIENCE_SECONDS),
+                () -> lines.stream().filter(line -> line.endsWith(words)).count() < nth ? null : words);
     }
 
-    public synchronized void await(String words) throws InterruptedException {
+    public void await(String words) throws InterruptedException {
         await(words, 1);
     }
 
     /** The lines that it has printed. */
-    public synchronized List<String> lines() {
-        return List.copyOf(lines);
+    public List<String> lines() {
+        synchronized (changes) {
+            return List.copyOf(lines);
+        }
     }
 
     /** Ends it as it stands, with SIGKILL. All that it has printed has been read when this returns. */
     public void kill() throws InterruptedException {
-        process.destroyForcibly().waitFor();
+        engine.kill();
         awaitEnd();
     }
 
     /** Waits until it has ended by itself, and all that it has printed has been read. */
     public void awaitEnd() throws InterruptedException {
-        reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
-        if (reader.isAlive()) {
+        if (!engine.awaitEnd()) {
             throw new AssertionError("it goes on:\n" + String.join("\n", lines()));
         }
     }
 
     @Override
     public void close() {
-        process.toHandle().destroy();
-        try {
-            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                process.destroyForcibly();
-            }
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-        }
+        engine.close();
     }
 }

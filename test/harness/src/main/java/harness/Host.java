@@ -33,73 +33,44 @@ public final class Host implements AutoCloseable {
     private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
-    private final Time time = Simulation.here();
+    private final Changes changes = new Changes();
     private final Deque<ReceivedMessage> messages = new ArrayDeque<>();
     private final Deque<HostMessage> hostMessages = new ArrayDeque<>();
     private final Deque<List<String>> percepts = new ArrayDeque<>();
     private final Deque<String> warnings = new ArrayDeque<>();
     private int greetings;
-    /** Completes when anything else comes. */
-    private CompletableFuture<Void> change = new CompletableFuture<>();
 
     private Host(LinkOpener link, BoardConfig config) {
-        board = Board.open(link, config.in(time), new BoardListener() {
+        board = Board.open(link, config.in(changes.time()), new BoardListener() {
             @Override
             public void online(BoardInfo info) {
-                changed(() -> greetings++);
+                changes.change(() -> greetings++);
             }
 
             @Override
             public void message(ReceivedMessage message) {
-                changed(() -> messages.add(message));
+                changes.change(() -> messages.add(message));
             }
 
             @Override
             public void hostMessage(Address from, Address to, HostMessage message) {
-                changed(() -> hostMessages.add(message));
+                changes.change(() -> hostMessages.add(message));
             }
 
             @Override
             public void percepts(List<String> literals) {
-                changed(() -> percepts.add(literals));
+                changes.change(() -> percepts.add(literals));
             }
 
             @Override
             public void warning(String what) {
-                changed(() -> warnings.add(what));
+                changes.change(() -> warnings.add(what));
             }
         });
     }
 
-    private synchronized void changed(Runnable how) {
-        how.run();
-        CompletableFuture<Void> told = change;
-        change = new CompletableFuture<>();
-        told.complete(null);
-    }
-
-    /** Waits until something is there to be taken, not null. */
     private <T> T await(String lack, Supplier<T> taken) throws InterruptedException {
-        long end = time.nanos() + LONGEST.toNanos();
-        while (true) {
-            CompletableFuture<Void> next;
-            synchronized (this) {
-                T now = taken.get();
-                if (now != null) {
-                    return now;
-                }
-                next = change.copy();
-            }
-            Duration left = Duration.ofNanos(end - time.nanos());
-            if (left.isNegative() || left.isZero()) {
-                throw new AssertionError(lack);
-            }
-            try {
-                time.get(time.completeOnTimeout(next, null, left));
-            } catch (ExecutionException impossible) {
-                throw new AssertionError(impossible);
-            }
-        }
+        return changes.await(() -> lack, LONGEST, taken);
     }
 
     /** The settings of {@link #over}. */
@@ -182,8 +153,10 @@ public final class Host implements AutoCloseable {
     }
 
     /** The messages that came and were not taken; does not wait. */
-    public synchronized List<ReceivedMessage> messages() {
-        return List.copyOf(messages);
+    public List<ReceivedMessage> messages() {
+        synchronized (changes) {
+            return List.copyOf(messages);
+        }
     }
 
     /** The first percepts from now on that are as wanted. */
@@ -198,8 +171,10 @@ public final class Host implements AutoCloseable {
     }
 
     /** All sets of percepts that came and were not taken; does not wait. */
-    public synchronized List<List<String>> perceptsSoFar() {
-        return List.copyOf(percepts);
+    public List<List<String>> perceptsSoFar() {
+        synchronized (changes) {
+            return List.copyOf(percepts);
+        }
     }
 
     /** A counter of the board; a small one does not tell those that are 0. */

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.logging.FileHandler;
+import java.util.logging.Handler;
 import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
 import java.util.stream.LongStream;
@@ -25,6 +26,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
 
     /** Where a failed run leaves its traces, its log and what repeats it. */
     private static final Path FAILURES = Path.of("build/failures");
+    private static final Logger ROOT = Logger.getLogger("");
     private static final boolean REAL_TIME = Boolean.getBoolean("javino.realTime");
     private static final boolean KEEP = Boolean.getBoolean("javino.keep");
     private static final long FIRST_SEED = Long.getLong("javino.seed", 1);
@@ -65,6 +67,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
         private final long seed;
         private EmulatedRun run;
         private FileHandler log;
+        private Handler[] usual;
 
         Seeded(long seed) {
             this.seed = seed;
@@ -78,7 +81,10 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
             EmulatedRun.use(run);
             log = new FileHandler(folder.resolve("log").toString());
             log.setFormatter(new SimpleFormatter());
-            Logger.getLogger("").addHandler(log);
+            // Nothing else tells what agents print.
+            usual = ROOT.getHandlers();
+            List.of(usual).forEach(ROOT::removeHandler);
+            ROOT.addHandler(log);
         }
 
         private static String name(ExtensionContext test) {
@@ -91,8 +97,9 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
         @Override
         public void afterEach(ExtensionContext test) {
             EmulatedRun.use(null);
-            Logger.getLogger("").removeHandler(log);
+            ROOT.removeHandler(log);
             log.close();
+            List.of(usual).forEach(ROOT::addHandler);
             if (Simulation.here() instanceof Simulation left) {
                 left.close();
                 throw new AssertionError("the test has not closed its emulator");

@@ -5,20 +5,20 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.AgentProcess;
 import harness.Emulator;
+import harness.InEmulatedTime;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** An agent that knows how open its MAS is, by a real board's radio. */
+@InEmulatedTime
 class OpennessTest {
 
     @Test
-    @Tag("verify")
     void boardGoesAndComes_agentGoesThroughAllTransitionsOfFigureOne(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("antenna", "Vehicle").start(folder);
                 AgentProcess agent = AgentProcess.start("wanderer", folder)) {

@@ -3,15 +3,15 @@ package systemtest;
 import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Agents as they are written for the public Difuser architecture. */
-@Tag("verify")
+@InEmulatedTime
 class PublicDifuserTest {
 
     @Test

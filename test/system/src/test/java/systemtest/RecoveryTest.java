@@ -4,23 +4,23 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.AgentProcess;
 import harness.Emulator;
+import harness.InEmulatedTime;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** An agent whose board goes and comes. */
+@InEmulatedTime
 class RecoveryTest {
 
     private static final Map<String, Object> SENSORS =
             Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
 
     @Test
-    @Tag("verify")
     void resetBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
         comesBack(folder, "reset");
     }

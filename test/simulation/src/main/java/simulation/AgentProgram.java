@@ -1,0 +1,141 @@
+package simulation;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.stream.Stream;
+
+/**
+ * A {@code .mas2j} in the time of a simulation: its agents' cycles are done by the coordinator. Jason and all that
+ * knows it are loaded anew for each program, as a process of its own would.
+ */
+public final class AgentProgram implements AutoCloseable {
+
+    /** What runs the program, loaded with it. It has a constructor without parameters. */
+    public interface Runner {
+
+        /** Creates and starts the agents. */
+        void start(Simulation simulation, Path program) throws IOException, ReflectiveOperationException;
+
+        /** Stops them. */
+        void stop();
+    }
+
+    private static final String RUNNER = "simulation.agents.JasonRunner";
+    /** What the programs share with the simulation. */
+    private static final List<String> SHARED = List.of("javino.", "simulation.");
+    private static final String OWN = "simulation.agents.";
+    /** Above the loggers of all agents; a field, as nobody else keeps it. */
+    private static final Logger AGENTS = Logger.getLogger("jason");
+
+    private static final class Loader extends URLClassLoader {
+
+        Loader(List<URL> classPath) {
+            super("program", classPath.toArray(URL[]::new), AgentProgram.class.getClassLoader());
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            synchronized (getClassLoadingLock(name)) {
+                Class<?> loaded = findLoadedClass(name);
+                if (loaded != null) {
+                    return loaded;
+                }
+                if (name.startsWith(OWN) || SHARED.stream().noneMatch(name::startsWith)) {
+                    try {
+                        return findClass(name);
+                    } catch (ClassNotFoundException notHere) {
+                        // It is one of Java's.
+                    }
+                }
+                return super.loadClass(name, resolve);
+            }
+        }
+    }
+
+    private final Handler printing;
+    private final Loader loader;
+    private final Runner runner;
+
+    private AgentProgram(Consumer<String> printed) throws IOException, ReflectiveOperationException {
+        loader = new Loader(classPath());
+        printing = new Handler() {
+            @Override
+            public void publish(LogRecord line) {
+                if (Thread.currentThread().getContextClassLoader() == loader) {
+                    String logger = line.getLoggerName();
+                    printed.accept("[" + logger.substring(logger.lastIndexOf('.') + 1) + "] " + line.getMessage());
+                }
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        AGENTS.addHandler(printing);
+        runner = (Runner) loader.loadClass(RUNNER).getConstructor().newInstance();
+    }
+
+    /**
+     * Starts a program.
+     *
+     * @param program its {@code .mas2j}, which has its sources beside it.
+     * @param printed is told each line that an agent prints, behind its name in brackets.
+     * @throws IOException why its agents cannot be made.
+     */
+    public static AgentProgram start(Simulation simulation, Path program, Consumer<String> printed)
+            throws IOException {
+        try {
+            AgentProgram started = new AgentProgram(printed);
+            started.inIts(() -> started.runner.start(simulation, program.toAbsolutePath()));
+            return started;
+        } catch (ReflectiveOperationException failed) {
+            throw new IOException(program + ": " + failed.getMessage(), failed);
+        }
+    }
+
+    private interface Task {
+        void run() throws IOException, ReflectiveOperationException;
+    }
+
+    /** Does something as one of the program's threads would. */
+    private void inIts(Task task) throws IOException, ReflectiveOperationException {
+        ClassLoader before = Thread.currentThread().getContextClassLoader();
+        Thread.currentThread().setContextClassLoader(loader);
+        try {
+            task.run();
+        } finally {
+            Thread.currentThread().setContextClassLoader(before);
+        }
+    }
+
+    private static List<URL> classPath() throws MalformedURLException {
+        List<URL> urls = new ArrayList<>();
+        for (String entry : Stream.of(System.getProperty("java.class.path").split(File.pathSeparator)).toList()) {
+            urls.add(Path.of(entry).toUri().toURL());
+        }
+        return urls;
+    }
+
+    @Override
+    public void close() {
+        try (loader) {
+            inIts(runner::stop);
+        } catch (IOException | ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        } finally {
+            AGENTS.removeHandler(printing);
+        }
+    }
+}
