@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.security.SecureRandom;
 import java.time.LocalDate;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
@@ -53,7 +52,7 @@ public final class CaCommand implements CommandPlugin {
     int init(@Option(names = "--ca", required = true, paramLabel = "FILE",
             description = "The authority's file; must not exist yet.") Path file, @Mixin ClockOption clock)
             throws IOException, JavinoException {
-        Authority authority = Authority.create(clock.day(), new SecureRandom());
+        Authority authority = Authority.create(clock.day(), clock.secureRandom());
         PrivateFile.create(file, authority.format());
         print("authority " + authority.keys().fingerprint() + " written to " + file);
         return 0;
@@ -88,7 +87,7 @@ public final class CaCommand implements CommandPlugin {
                 authority.revoke(authority.valid(asked.address(), today).stream().map(Certificate::serial).toList(),
                         null, today);
             }
-            answer.add(authority.issue(asked, last, groupKeyServer, today, new SecureRandom()));
+            answer.add(authority.issue(asked, last, groupKeyServer, today, clock.secureRandom()));
             return authority.format();
         });
         Files.writeString(out, answer.get(0).format(), StandardOpenOption.CREATE_NEW);

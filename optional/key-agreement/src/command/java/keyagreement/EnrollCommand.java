@@ -3,7 +3,6 @@ package keyagreement;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.SecureRandom;
 import javino.JavinoException;
 import javino.Printable;
 import javino.cli.AddressOption;
@@ -124,7 +123,7 @@ public final class EnrollCommand implements CommandPlugin {
     private String withRequest(String text) {
         Entries entries = Entries.parse(text, file());
         if (entries.get(Request.NAME).isEmpty()) {
-            P256.Pair pair = P256.generate(new SecureRandom());
+            P256.Pair pair = P256.generate(clock.secureRandom());
             entries.set(REQUEST_SECRET, pair.number()).set(Request.NAME, new Request(id, pair.point()).toBytes());
         }
         return entries.format();

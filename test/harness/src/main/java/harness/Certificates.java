@@ -6,12 +6,23 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import picocli.CommandLine;
+import javino.cli.ClockOption;
 import keyagreement.CaCommand;
 import keyagreement.EnrollCommand;
+import picocli.CommandLine;
+import simulation.Simulation;
 
 /** An authority, and the certificates that it gives, made by the commands that a user has. */
 public final class Certificates {
+
+    /** Makes commands in the time of the test. */
+    private static final CommandLine.IFactory FACTORY = new CommandLine.IFactory() {
+        @Override
+        public <K> K create(Class<K> type) throws Exception {
+            return type == ClockOption.class ? type.cast(new ClockOption(Simulation.here()))
+                    : CommandLine.defaultFactory().create(type);
+        }
+    };
 
     private final Path folder;
     private final String name;
@@ -34,7 +45,7 @@ public final class Certificates {
 
     private static void run(Object command, String... arguments) {
         StringWriter said = new StringWriter();
-        CommandLine line = new CommandLine(command).setOut(new PrintWriter(said)).setErr(new PrintWriter(said));
+        CommandLine line = new CommandLine(command, FACTORY).setOut(new PrintWriter(said)).setErr(new PrintWriter(said));
         if (line.execute(arguments) != 0) {
             throw new AssertionError(String.join(" ", arguments) + ": " + said);
         }

@@ -38,7 +38,8 @@ public final class Simulation implements Time, AutoCloseable {
 
     /** A run that stands still for so long by the wall's time has failed. */
     private static final Duration STANDSTILL = Duration.ofSeconds(30);
-    private static final Instant START = Instant.parse("2026-01-01T00:00:00Z");
+    /** At noon, so that it is the same day nearly everywhere. */
+    private static final Instant START = Instant.parse("2027-01-01T12:00:00Z");
     /** The most that the emulator runs on at once, so that a slow machine's answers do not look like none. */
     private static final long MOST_NANOS = 1_000_000_000;
     /** So much at one moment is an endless loop. */

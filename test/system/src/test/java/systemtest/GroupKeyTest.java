@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AgentProcess;
 import harness.Certificates;
 import harness.Emulator;
+import harness.Host;
+import harness.InEmulatedTime;
 import harness.Transmitter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -17,17 +19,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import javino.board.Board;
-import javino.board.BoardConfig;
-import javino.board.BoardListener;
-import javino.link.SerialLink;
 import keyagreement.BoardKeyAgreement;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A group whose boards have certificates only: its key comes from SUKE. Some boards lose their EEPROM. */
-@Tag("verify")
+@InEmulatedTime
 class GroupKeyTest {
 
     private static final String AGENT = """
@@ -88,9 +85,8 @@ class GroupKeyTest {
     }
 
     private String groupsKey(String board) throws Exception {
-        try (Board opened = Board.open(SerialLink.opener(emulator.port(board)), BoardConfig.create(),
-                new BoardListener() {})) {
-            return opened.keys().get().stream().filter(key -> key.address().toString().equals(GROUP))
+        try (Host opened = Host.of(emulator, board)) {
+            return Host.get(opened.board.keys()).stream().filter(key -> key.address().toString().equals(GROUP))
                     .map(key -> key.check().hex()).findFirst().orElse("none");
         }
     }
@@ -98,13 +94,13 @@ class GroupKeyTest {
     @Test
     void boardThatWasErased_getsAnotherKeyAndNoNonceAgain_andNoRecordingIsTaken() throws Exception {
         identities = folder.resolve("identities");
-        Certificates authority = new Certificates(folder, "authority");
-        authority.enroll("SUKE", identities, "--group-key-server");
-        authority.enroll("SUPO", identities);
         List<byte[]> first;
         String key;
         try (Emulator started = scenario().start(folder)) {
             emulator = started;
+            Certificates authority = new Certificates(folder, "authority");
+            authority.enroll("SUKE", identities, "--group-key-server");
+            authority.enroll("SUPO", identities);
             first = tell(1);
             key = groupsKey("police");
         }

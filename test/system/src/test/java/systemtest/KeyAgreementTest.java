@@ -7,12 +7,14 @@ import harness.AgentProcess;
 import harness.Certificates;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.TestKeys;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.time.ZoneId;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -24,9 +26,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simulation.Simulation;
 import keyagreement.BoardKeyAgreement;
 
 /** Agents on devices that have never met: a bus (ROMA) has a message for the police (SUPO). No board has a key. */
+@InEmulatedTime
 class KeyAgreementTest {
 
     private static final String BUS = """
@@ -88,6 +92,7 @@ class KeyAgreementTest {
                 program.replace("@PORT@", emulator.port(board)).replace("@THEN@", then));
         Files.writeString(folder.resolve(board + ".mas2j"),
                 "MAS " + board + " { agents: " + board + " agentArchClass diffuser.Diffuser; }");
+        TimeZone.setDefault(TimeZone.getTimeZone(EAST));  // of agents in this process
         return AgentProcess.run(board, folder, List.of("-D" + BoardKeyAgreement.FOLDER_PROPERTY + "=" + where,
                 "-Duser.timezone=" + EAST));
     }
@@ -129,7 +134,6 @@ class KeyAgreementTest {
     }
 
     @Test
-    @Tag("verify")
     void agents_betweenWhomARelayIs_talk() throws Exception {
         authority.enroll("SUPO", identities);
         emulator.command(Map.of("do", "move", "board", "bus", "position", List.of(-90, 0)));
@@ -146,7 +150,6 @@ class KeyAgreementTest {
 
     @ParameterizedTest
     @CsvSource({"revoked", "expired", "no_answer"})
-    @Tag("verify")
     void certifiedDevice_whoseCertificateDoesNotCount_getsNothing(String error) throws Exception {
         switch (error) {
             case "revoked" -> {
@@ -154,7 +157,7 @@ class KeyAgreementTest {
                 authority.revoke("SUPO", "ROMA", identities);
             }
             // This day ends later for the authority than for the agents.
-            case "expired" -> authority.enroll("SUPO", identities, "--until", LocalDate.now().toString());
+            case "expired" -> authority.enroll("SUPO", identities, "--until", LocalDate.ofInstant(Simulation.here().instant(), ZoneId.systemDefault()).toString());
             default -> new Certificates(folder, "other").enroll("SUPO", identities);
         }
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!call(1)")) {
@@ -197,7 +200,6 @@ class KeyAgreementTest {
     }
 
     @Test
-    @Tag("verify")
     void agentOnAnUno_withAPlaceForAKey_agreesOnAKey() throws Exception {
         takeAnUno("unowithsessionkey");
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(1); !ask")) {
@@ -208,7 +210,6 @@ class KeyAgreementTest {
     }
 
     @Test
-    @Tag("verify")
     void agentOnAnUno_withoutAPlace_isToldWhatToDo() throws Exception {
         takeAnUno("uno");
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!call(1)")) {

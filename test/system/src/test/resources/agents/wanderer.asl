@@ -9,6 +9,7 @@ network([as_it_is, up, as_it_is, down, up, as_it_is, down, as_it_is]).
     .setMyRFId(CAFE);
     .getRFMessages(open).
 
+@one_after_the_other[atomic]
 +openness(S) : network([What|Rest]) <- .print("openness ", S); -+network(Rest); !become(What).
 +openness(S)                        <- .print("openness ", S).
 

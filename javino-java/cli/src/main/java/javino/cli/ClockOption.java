@@ -1,14 +1,17 @@
 package javino.cli;
 
+import java.security.SecureRandom;
 import java.time.LocalDate;
 import javino.JavinoException;
 import javino.keyring.BoundedClock;
+import javino.link.Time;
 import picocli.CommandLine.Option;
 
 /** The option of a command that takes steps by this computer's clock which cannot be undone. */
 public final class ClockOption {
 
     private final BoundedClock clock;
+    private final Time time;
 
     @Option(names = "--clock-is-right",
             description = "Believe a day that is more than 20 years after this release.")
@@ -16,11 +19,22 @@ public final class ClockOption {
 
     /** An option by the system's clock. */
     public ClockOption() {
-        this(BoundedClock.SYSTEM);
+        this(Time.REAL);
     }
 
-    ClockOption(BoundedClock clock) {
+    /** An option by another time. */
+    public ClockOption(Time time) {
+        this(new BoundedClock(time, false), time);
+    }
+
+    ClockOption(BoundedClock clock, Time time) {
         this.clock = clock;
+        this.time = time;
+    }
+
+    /** Random numbers for keys, by the same time. */
+    public SecureRandom secureRandom() {
+        return time.secureRandom();
     }
 
     /** The clock. @throws JavinoException if it is not believed. */

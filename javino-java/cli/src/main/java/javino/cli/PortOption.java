@@ -55,7 +55,7 @@ final class PortOption {
         return new CommandLine.IFactory() {
             @Override
             public <K> K create(Class<K> type) throws Exception {
-                return type == ClockOption.class ? type.cast(new ClockOption(clock)) : rest.create(type);
+                return type == ClockOption.class ? type.cast(new ClockOption(clock, config.time())) : rest.create(type);
             }
         };
     }
