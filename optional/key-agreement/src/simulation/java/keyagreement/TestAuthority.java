@@ -59,7 +59,7 @@ final class TestAuthority {
         StringWriter said = new StringWriter();
         int status = new CommandLine(new EnrollCommand()).setOut(new PrintWriter(said))
                 .setErr(new PrintWriter(said)).execute("--id", id,
-                "--folder", folder.toString(), option, file.toString());
+                        "--folder", folder.toString(), option, file.toString());
         if (status != 0) {
             throw new IllegalStateException("javino enroll ended with " + status + ": " + said);
         }

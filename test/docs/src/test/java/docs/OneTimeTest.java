@@ -135,6 +135,22 @@ class OneTimeTest {
         }
     }
 
+    /** Keys of the seeded time can be guessed. */
+    @Test
+    void seededTime_isPartOfTestsAlone() {
+        List<String> users = Repository.files(".", "build.gradle").stream()
+                .filter(file -> Repository.text(file).contains(":test:lockstep"))
+                .map(file -> Repository.ROOT.relativize(file.normalize()).toString()).toList();
+        assertEquals(List.of("test/harness/build.gradle"), users);
+        Pattern times = Pattern.compile("(implements|extends) (\\w+, )*(Time|RealTime)\\b(?!\\.)");
+        List<String> kinds = Repository.files(".", ".java").stream()
+                .map(file -> file.normalize()).filter(file -> !file.toString().contains("/src/test/"))
+                .filter(file -> times.matcher(Repository.text(file)).find())
+                .map(file -> Repository.ROOT.relativize(file).toString()).sorted().toList();
+        assertEquals(List.of("javino-java/board/src/main/java/javino/link/RealTime.java",
+                "test/lockstep/src/main/java/lockstep/Simulation.java"), kinds);
+    }
+
     @Test
     void real_ofAClassThatAsks_tellsAllThatItAsks() throws IOException {
         String file = Asking.class.getName().replace('.', '/') + ".class";

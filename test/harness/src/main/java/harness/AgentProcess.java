@@ -14,8 +14,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.board.Transitions;
 import javino.keyring.DeviceNotes;
-import simulation.AgentProgram;
-import simulation.Simulation;
+import lockstep.AgentProgram;
+import lockstep.Simulation;
 import trace.TransitionHandler;
 
 /**
@@ -83,19 +83,24 @@ public final class AgentProcess implements AutoCloseable {
                 option.replaceFirst(".*?=", "")));
         AgentProgram agents = AgentProgram.start(simulation, program, this::printed);
         engine = new Engine() {
+            private boolean ended;
+
             @Override
             public void kill() {
-                throw new UnsupportedOperationException("only a process can be killed");
+                ended = true;
+                agents.kill();
             }
 
             @Override
             public boolean awaitEnd() {
-                throw new UnsupportedOperationException("only a process ends by itself");
+                return ended;
             }
 
             @Override
             public void close() {
-                agents.close();
+                if (!ended) {
+                    agents.close();
+                }
             }
         };
     }

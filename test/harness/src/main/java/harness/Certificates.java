@@ -10,7 +10,7 @@ import javino.cli.ClockOption;
 import keyagreement.CaCommand;
 import keyagreement.EnrollCommand;
 import picocli.CommandLine;
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** An authority, and the certificates that it gives, made by the commands that a user has. */
 public final class Certificates {
@@ -45,7 +45,8 @@ public final class Certificates {
 
     private static void run(Object command, String... arguments) {
         StringWriter said = new StringWriter();
-        CommandLine line = new CommandLine(command, FACTORY).setOut(new PrintWriter(said)).setErr(new PrintWriter(said));
+        CommandLine line =
+                new CommandLine(command, FACTORY).setOut(new PrintWriter(said)).setErr(new PrintWriter(said));
         if (line.execute(arguments) != 0) {
             throw new AssertionError(String.join(" ", arguments) + ": " + said);
         }

@@ -5,7 +5,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Supplier;
 import javino.link.Time;
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** Where a test waits, in its own time, for what other threads do. */
 final class Changes {

@@ -20,7 +20,7 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import javino.board.Transitions;
 import javino.link.Time;
-import simulation.Simulation;
+import lockstep.Simulation;
 import trace.TraceEvent;
 import trace.TransitionHandler;
 import uppaal.conformance.Replay;

@@ -23,7 +23,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** A board session that a test drives, in the time of the test's emulator, with what came from the board in queues. */
 public final class Host implements AutoCloseable {

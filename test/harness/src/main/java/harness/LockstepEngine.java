@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** An emulator in one time with the hosts of this thread's simulation. */
 final class LockstepEngine implements Engine {

@@ -3,11 +3,11 @@ package harness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javino.protocol.Address;
@@ -67,6 +67,7 @@ public final class MovingAgents implements AutoCloseable {
     private final int[] lives = new int[2];
     private final WalkerLog walk = new WalkerLog();
     private final List<String> lines = new ArrayList<>();
+    private final Changes changes = new Changes();
     private final Consumer<String> listener;
 
     /**
@@ -89,7 +90,7 @@ public final class MovingAgents implements AutoCloseable {
             processes.add(null);
             Map<String, String> words = Map.of("@PORT@", ports.get(side), "@HERE@", ids.get(side).toString(),
                     "@THERE@", ids.get(1 - side).toString());
-            String door = "door [moves=\"moves\"] agentArchClass diffuser.Diffuser;";
+            String door = "door [moves=\"" + place(side).resolve("moves") + "\"] agentArchClass diffuser.Diffuser;";
             write(side, "door.asl", admits.get(side) ? DOOR + ADMIT : DOOR, words);
             write(side, "mas.mas2j", "MAS mas { agents: " + door
                     + (side == HOME ? " walker agentArchClass mobility.Mobile;" : "") + " }", words);
@@ -139,10 +140,7 @@ public final class MovingAgents implements AutoCloseable {
     private void printed(int side, int life, String line) {
         walk.see(side, life, line);
         listener.accept(line);
-        synchronized (lines) {
-            lines.add((side == HOME ? "home" : "away") + life + " " + line);
-            lines.notifyAll();
-        }
+        changes.change(() -> lines.add((side == HOME ? "home" : "away") + life + " " + line));
     }
 
     /** Ends one MAS by SIGKILL. */
@@ -157,23 +155,16 @@ public final class MovingAgents implements AutoCloseable {
 
     /** All that both have printed, each line behind which of the two has and in which of its lives. */
     public List<String> lines() {
-        synchronized (lines) {
+        synchronized (changes) {
             return List.copyOf(lines);
         }
     }
 
     /** Waits for the n-th line, since the beginning, that is as wanted. */
     public void await(String what, int nth, Predicate<String> wanted) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        synchronized (lines) {
-            while (lines.stream().filter(wanted).count() < nth) {
-                long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-                if (left <= 0) {
-                    throw new AssertionError("not " + nth + " times " + what + ":\n" + String.join("\n", lines));
-                }
-                lines.wait(left);
-            }
-        }
+        changes.await(() -> "not " + nth + " times " + what + ":\n" + String.join("\n", lines()),
+                Duration.ofSeconds(PATIENCE_SECONDS),
+                () -> lines.stream().filter(wanted).count() < nth ? null : what);
     }
 
     /** Waits until the agent has shown so often from now on that it is awake. */

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.extension.ClassTemplateInvocationContextProvider;
 import org.junit.jupiter.api.extension.Extension;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.TestWatcher;
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** The runs of a class that is {@link InEmulatedTime}: by one seed or several, or one in real time. */
 final class SeededRuns implements ClassTemplateInvocationContextProvider {

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simulation.Simulation;
+import lockstep.Simulation;
 import keyagreement.BoardKeyAgreement;
 
 /** Agents on devices that have never met: a bus (ROMA) has a message for the police (SUPO). No board has a key. */
@@ -157,7 +157,8 @@ class KeyAgreementTest {
                 authority.revoke("SUPO", "ROMA", identities);
             }
             // This day ends later for the authority than for the agents.
-            case "expired" -> authority.enroll("SUPO", identities, "--until", LocalDate.ofInstant(Simulation.here().instant(), ZoneId.systemDefault()).toString());
+            case "expired" -> authority.enroll("SUPO", identities, "--until",
+                    LocalDate.ofInstant(Simulation.here().instant(), ZoneId.systemDefault()).toString());
             default -> new Certificates(folder, "other").enroll("SUPO", identities);
         }
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!call(1)")) {

@@ -6,8 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
-import harness.TestKeys;
+import harness.InEmulatedTime;
 import harness.MovingAgents;
+import harness.TestKeys;
 import harness.WalkerLog;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,6 +28,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import trace.TraceEvent;
 
 /** An agent that moves by emulated radio between two MAS, of which one may be killed: it is awake in one place only. */
+@InEmulatedTime
 class MovesTest {
 
     private static final List<String> BOARDS = List.of("home", "away");
@@ -83,7 +85,6 @@ class MovesTest {
     }
 
     @Test
-    @Tag("verify")
     void moveOut_noPlanAdmits_failsAndTheAgentGoesOnHere() throws Exception {
         begin(1, false);
         travels.await("end of the move", 1, line -> line.contains("stayed "));
@@ -94,7 +95,6 @@ class MovesTest {
     }
 
     @Test
-    @Tag("verify")
     void moveOut_senderKilledWhenGone_isAwakeThereAlone() throws Exception {
         killAt(MovingAgents.HOME, "the agent has gone", event -> said(event, "host-transmit", MovingAgents.HOME, "go"));
     }
@@ -119,7 +119,6 @@ class MovesTest {
     }
 
     @Test
-    @Tag("verify")
     void moveOut_receiverKilledWhenHere_isAwakeThereAlone() throws Exception {
         killAt(MovingAgents.AWAY, "that it is awake",
                 event -> said(event, "host-transmit", MovingAgents.AWAY, "awake"));
@@ -137,7 +136,7 @@ class MovesTest {
                 board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR, "SUHO", TestKeys.PAIR));
             }
             Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
-                    + " agentArchClass diffuser.Diffuser; " + (side == MovingAgents.AWAY ? String.join("", others) : "")
+                    + " [moves=\"" + place.resolve("moves") + "\"] agentArchClass diffuser.Diffuser; " + (side == MovingAgents.AWAY ? String.join("", others) : "")
                     + " }");
             Files.writeString(place.resolve("nurse.asl"), "+!care.");
             Files.writeString(place.resolve(DRIVERS.get(side) + ".asl"), """
@@ -152,7 +151,6 @@ class MovesTest {
 
     /** The police drives alone, and so has the board itself. */
     @Test
-    @Tag("verify")
     void moveOut_agentWithTheBoard_goesAndComesBack() throws Exception {
         List<AgentProcess> both = doors("""
                 +!go <- .wait(openness(closed)); .wait(3000); X = 7; .moveOut("SUBB", mutualism);
@@ -172,7 +170,6 @@ class MovesTest {
 
     /** The messages for a nurse of the program are for no other one. */
     @Test
-    @Tag("verify")
     void moveOut_toWhereOneOfItsNameIsAway_getsAnotherName() throws Exception {
         List<AgentProcess> both = doors("""
                 +!go <- .create_agent(nurse, "nurse.asl", [agentArchClass("mobility.Mobile")]).
@@ -194,7 +191,6 @@ class MovesTest {
     /** A device that both know, with all that anybody can know of the agent but its return token. */
     @ParameterizedTest
     @ValueSource(strings = {"m", "i", "c", "p"})
-    @Tag("verify")
     void offer_asTheAgentThatIsAway_isRefusedThoughNobodyIsThereToAsk(String protocol) throws Exception {
         List<AgentProcess> both = doors("""
                 +!go <- .wait(openness(closed)); .wait(3000); .moveOut("SUBB", mutualism); .print("I am here");
@@ -225,7 +221,6 @@ class MovesTest {
     }
 
     @Test
-    @Tag("verify")
     void moveOut_predation_isLetInByAPlanThatNamesItAlone() throws Exception {
         List<AgentProcess> both = doors("""
                 +!go <- .wait(openness(_)); .wait(3000); .moveOut("SUBB", predation); .my_name(Me);

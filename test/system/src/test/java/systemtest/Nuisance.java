@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import javino.link.Time;
-import simulation.Simulation;
+import lockstep.Simulation;
 import trace.TraceEvent;
 
 /** Disturbs boards by commands to their emulator; each has taken effect when its method returns. */

@@ -1,4 +1,4 @@
-package simulation;
+package lockstep;
 
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
@@ -20,6 +20,7 @@ final class PortLink implements Link {
     private final String name;
     private final ByteArrayOutputStream come = new ByteArrayOutputStream();
     private final Signal signal;
+    private final ClassLoader program = Thread.currentThread().getContextClassLoader();
     private boolean woken;
     private boolean gone;
     private boolean closed;
@@ -43,7 +44,7 @@ final class PortLink implements Link {
     /** Bytes are under way from the board, and overtake none. */
     void coming(byte[] bytes, long due) {
         lastDue = Math.max(lastDue, due);
-        simulation.at(lastDue, () -> {
+        simulation.at(lastDue, program, () -> {
             come.writeBytes(bytes);
             signal.tell();
         });

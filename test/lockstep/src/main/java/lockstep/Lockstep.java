@@ -1,4 +1,4 @@
-package simulation;
+package lockstep;
 
 import java.io.BufferedReader;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package simulation.agents;
+package lockstep.agents;
 
 import java.lang.reflect.Field;
 import java.time.ZoneOffset;
@@ -20,7 +20,7 @@ import jason.asSyntax.NumberTermImpl;
 import jason.asSyntax.Term;
 import jason.asSyntax.directives.FunctionRegister;
 
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** Jason's actions and functions that tell the time or throw dice, by the simulation; dates are those of UTC. */
 final class EmulatedActions {

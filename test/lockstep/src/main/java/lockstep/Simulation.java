@@ -1,4 +1,4 @@
-package simulation;
+package lockstep;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -47,7 +47,19 @@ public final class Simulation implements Time, AutoCloseable {
     private static final int MOST_UNWINDINGS = 100;
     private static final ThreadLocal<Simulation> HERE = new ThreadLocal<>();
 
-    private record Event(long at, long number, Runnable action) {}
+    /** @param program the context class loader of the thread that has it done: one program has one. */
+    private record Event(long at, long number, ClassLoader program, Runnable action) {
+
+        void run() {
+            ClassLoader before = Thread.currentThread().getContextClassLoader();
+            Thread.currentThread().setContextClassLoader(program);
+            try {
+                action.run();
+            } finally {
+                Thread.currentThread().setContextClassLoader(before);
+            }
+        }
+    }
 
     private final PriorityQueue<Event> queue =
             new PriorityQueue<>(Comparator.comparingLong(Event::at).thenComparingLong(Event::number));
@@ -141,10 +153,6 @@ public final class Simulation implements Time, AutoCloseable {
         }
     }
 
-    boolean isOver() {
-        return over;
-    }
-
     void begun(Coroutine coroutine) {
         check();
         coroutines.removeIf(Coroutine::hasEnded);
@@ -182,8 +190,22 @@ public final class Simulation implements Time, AutoCloseable {
 
     /** Has something done at a time in ns, or now if that has passed. */
     public void at(long nanos, Runnable action) {
+        at(nanos, Thread.currentThread().getContextClassLoader(), action);
+    }
+
+    /** The same, as a program does. */
+    void at(long nanos, ClassLoader program, Runnable action) {
         check();
-        queue.add(new Event(Math.max(nanos, now), ++numbers, action));
+        queue.add(new Event(Math.max(nanos, now), ++numbers, program, action));
+    }
+
+    /** Ends a program where it stands: it does nothing more, and its ports are closed. */
+    void kill(ClassLoader program) {
+        check();
+        List<Coroutine> its = coroutines().stream().filter(each -> each.getContextClassLoader() == program).toList();
+        its.forEach(Coroutine::kill);
+        its.forEach(this::handOver);
+        queue.removeIf(event -> event.program == program);
     }
 
     /** When that time from now on will have passed. */
@@ -221,7 +243,7 @@ public final class Simulation implements Time, AutoCloseable {
             Event next = queue.peek();
             if (next != null && next.at <= now) {
                 countAtThisMoment();
-                queue.poll().action.run();
+                queue.poll().run();
             } else if (now >= end) {
                 return false;
             } else {
@@ -300,6 +322,7 @@ public final class Simulation implements Time, AutoCloseable {
         watchdog.end();
         try {
             over = true;
+            coroutines.forEach(Coroutine::kill);
             for (int i = 0; i < MOST_UNWINDINGS && failure == null && !coroutines.isEmpty(); i++) {
                 coroutines.removeIf(Coroutine::hasEnded);
                 coroutines().forEach(this::handOver);

@@ -1,4 +1,4 @@
-package simulation;
+package lockstep;
 
 import java.io.File;
 import java.io.IOException;
@@ -30,10 +30,10 @@ public final class AgentProgram implements AutoCloseable {
         void stop();
     }
 
-    private static final String RUNNER = "simulation.agents.JasonRunner";
+    private static final String RUNNER = "lockstep.agents.JasonRunner";
     /** What the programs share with the simulation. */
-    private static final List<String> SHARED = List.of("javino.", "simulation.");
-    private static final String OWN = "simulation.agents.";
+    private static final List<String> SHARED = List.of("javino.", "lockstep.");
+    private static final String OWN = "lockstep.agents.";
     /** Above the loggers of all agents; a field, as nobody else keeps it. */
     private static final Logger AGENTS = Logger.getLogger("jason");
 
@@ -62,11 +62,14 @@ public final class AgentProgram implements AutoCloseable {
         }
     }
 
+    private final Simulation simulation;
     private final Handler printing;
     private final Loader loader;
     private final Runner runner;
 
-    private AgentProgram(Consumer<String> printed) throws IOException, ReflectiveOperationException {
+    private AgentProgram(Simulation simulation, Consumer<String> printed)
+            throws IOException, ReflectiveOperationException {
+        this.simulation = simulation;
         loader = new Loader(classPath());
         printing = new Handler() {
             @Override
@@ -97,7 +100,7 @@ public final class AgentProgram implements AutoCloseable {
     public static AgentProgram start(Simulation simulation, Path program, Consumer<String> printed)
             throws IOException {
         try {
-            AgentProgram started = new AgentProgram(printed);
+            AgentProgram started = new AgentProgram(simulation, printed);
             started.inIts(() -> started.runner.start(simulation, program.toAbsolutePath()));
             return started;
         } catch (ReflectiveOperationException failed) {
@@ -128,10 +131,17 @@ public final class AgentProgram implements AutoCloseable {
         return urls;
     }
 
+    /** Ends it where it stands, as SIGKILL does; so it leaves its locks. */
+    public void kill() {
+        simulation.kill(loader);
+        close();
+    }
+
     @Override
     public void close() {
         try (loader) {
             inIts(runner::stop);
+            simulation.kill(loader);
         } catch (IOException | ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         } finally {

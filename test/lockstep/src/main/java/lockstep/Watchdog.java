@@ -1,4 +1,4 @@
-package simulation;
+package lockstep;
 
 import java.time.Duration;
 import java.util.Arrays;

@@ -1,2 +1,2 @@
 /** Jason in the time of a simulation. One program has it, loaded anew. */
-package simulation.agents;
+package lockstep.agents;

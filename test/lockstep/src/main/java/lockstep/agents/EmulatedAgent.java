@@ -1,4 +1,4 @@
-package simulation.agents;
+package lockstep.agents;
 
 import diffuser.TimeSource;
 
@@ -7,7 +7,7 @@ import jason.infra.local.LocalAgArch;
 
 import javino.link.Time;
 
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** An agent whose cycles the coordinator does, by Jason's own rules of sleep. */
 final class EmulatedAgent extends LocalAgArch implements TimeSource {
@@ -20,7 +20,6 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
     private static final int LONGER_SLEEP = 100;
 
     private final transient Simulation simulation;
-    private final transient ClassLoader loader = getClass().getClassLoader();
     private boolean scheduled;
     private boolean inCycle;
     private boolean woken;
@@ -67,8 +66,6 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
         if (!isRunning()) {
             return;
         }
-        ClassLoader before = Thread.currentThread().getContextClassLoader();
-        Thread.currentThread().setContextClassLoader(loader);
         inCycle = true;
         woken = false;
         try {
@@ -76,7 +73,6 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
             reasoningCycle();
         } finally {
             inCycle = false;
-            Thread.currentThread().setContextClassLoader(before);
         }
         if (woken || !getTS().canSleep()) {
             schedule(simulation.nanos() + cost());

@@ -1,4 +1,4 @@
-package simulation.agents;
+package lockstep.agents;
 
 import java.io.IOException;
 import java.lang.reflect.Field;
@@ -15,8 +15,8 @@ import jason.infra.local.RunLocalMAS;
 import jason.mas2j.AgentParameters;
 import jason.runtime.RuntimeServicesFactory;
 
-import simulation.AgentProgram;
-import simulation.Simulation;
+import lockstep.AgentProgram;
+import lockstep.Simulation;
 
 /** Runs Jason's own launcher, but for its threads. */
 public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runner {

@@ -1,16 +1,16 @@
-package simulation;
+package lockstep;
 
 import java.util.concurrent.Semaphore;
 
 /** A thread of a host. It runs only in its turn, while the coordinator waits, and gives the turn back when it waits. */
 final class Coroutine extends Thread {
 
-    /** Unwinds a coroutine that still waits when its simulation ends. */
+    /** Unwinds a coroutine that still waits when its simulation, or its program, ends. */
     private static final class Unwound extends Error {
         private static final long serialVersionUID = 1;
 
         Unwound() {
-            super("the simulation has ended", null, false, false);
+            super("the program has ended", null, false, false);
         }
     }
 
@@ -18,6 +18,7 @@ final class Coroutine extends Thread {
     private final Runnable task;
     private final Semaphore turn = new Semaphore(0);
     private boolean started;
+    private boolean killed;
     private volatile boolean ended;
     /** Whether its next turn is in the queue. */
     private boolean queued;
@@ -51,6 +52,11 @@ final class Coroutine extends Thread {
         super.interrupt();
     }
 
+    /** Has it unwind in its next turn. */
+    void kill() {
+        killed = true;
+    }
+
     boolean hasEnded() {
         return ended;
     }
@@ -60,7 +66,7 @@ final class Coroutine extends Thread {
         if (!queued && !ended) {
             queued = true;
             waits++;
-            simulation.at(simulation.nanos(), this::takeTurn);
+            simulation.at(simulation.nanos(), getContextClassLoader(), this::takeTurn);
         }
     }
 
@@ -111,24 +117,24 @@ final class Coroutine extends Thread {
         }
     }
 
-    private void unwindIfOver() {
-        if (simulation.isOver()) {
+    private void unwindIfKilled() {
+        if (killed) {
             throw new Unwound();
         }
     }
 
     /** Waits until that time in ns at most; may end earlier. */
     void await(long end) {
-        unwindIfOver();
+        unwindIfKilled();
         setAlarm(end);
         simulation.giveBack();
         turn.acquireUninterruptibly();
-        unwindIfOver();
+        unwindIfKilled();
     }
 
     /** The same in a monitor, which it has. */
     void awaitIn(Object held, long end) throws InterruptedException {
-        unwindIfOver();
+        unwindIfKilled();
         if (interrupted()) {
             throw new InterruptedException();
         }
@@ -145,7 +151,7 @@ final class Coroutine extends Thread {
             }
         }
         monitor = null;
-        unwindIfOver();
+        unwindIfKilled();
         if (interrupt) {
             throw new InterruptedException();
         }

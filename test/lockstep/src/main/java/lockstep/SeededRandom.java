@@ -1,4 +1,4 @@
-package simulation;
+package lockstep;
 
 import java.security.SecureRandom;
 import java.security.SecureRandomSpi;

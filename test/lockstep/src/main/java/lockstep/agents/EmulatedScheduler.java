@@ -1,4 +1,4 @@
-package simulation.agents;
+package lockstep.agents;
 
 import java.util.List;
 import java.util.concurrent.AbstractExecutorService;
@@ -10,7 +10,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 
-import simulation.Simulation;
+import lockstep.Simulation;
 
 /** Jason's scheduler of deadlines and waits. */
 final class EmulatedScheduler extends AbstractExecutorService implements ScheduledExecutorService {
