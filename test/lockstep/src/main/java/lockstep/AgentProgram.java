@@ -2,6 +2,7 @@ package lockstep;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -34,6 +35,9 @@ public final class AgentProgram implements AutoCloseable {
     /** What the programs share with the simulation. */
     private static final List<String> SHARED = List.of("javino.", "lockstep.");
     private static final String OWN = "lockstep.agents.";
+    /** Tells an agent for how long it has waited. */
+    private static final String OF_THE_CLOCK = "jason.stdlib.wait$WaitEvent";
+    private static final String CLOCK = "lockstep/agents/Clock";
     /** Above the loggers of all agents; a field, as nobody else keeps it. */
     private static final Logger AGENTS = Logger.getLogger("jason");
 
@@ -41,6 +45,19 @@ public final class AgentProgram implements AutoCloseable {
 
         Loader(List<URL> classPath) {
             super("program", classPath.toArray(URL[]::new), AgentProgram.class.getClassLoader());
+        }
+
+        @Override
+        protected Class<?> findClass(String name) throws ClassNotFoundException {
+            if (!name.equals(OF_THE_CLOCK)) {
+                return super.findClass(name);
+            }
+            try (InputStream file = findResource(name.replace('.', '/') + ".class").openStream()) {
+                byte[] patched = ClassPatch.replace(file.readAllBytes(), "java/lang/System", CLOCK);
+                return defineClass(name, patched, 0, patched.length);
+            } catch (IOException e) {
+                throw new ClassNotFoundException(name, e);
+            }
         }
 
         @Override
@@ -141,6 +158,7 @@ public final class AgentProgram implements AutoCloseable {
     public void close() {
         try (loader) {
             inIts(runner::stop);
+            simulation.pause(1);  // What it has left to do at this moment.
             simulation.kill(loader);
         } catch (IOException | ReflectiveOperationException e) {
             throw new IllegalStateException(e);

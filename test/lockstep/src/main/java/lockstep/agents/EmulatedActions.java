@@ -56,16 +56,16 @@ final class EmulatedActions {
             throw new IllegalStateException("this Jason keeps its actions elsewhere", e);
         }
         Map.of(
-                ".time", new Told(terms -> {
+                "time", new Told(terms -> {
                     ZonedDateTime now = now(simulation);
                     return new double[] {now.getHour(), now.getMinute(), now.getSecond()};
                 }),
-                ".date", new Told(terms -> {
+                "date", new Told(terms -> {
                     ZonedDateTime now = now(simulation);
                     return new double[] {now.getYear(), now.getMonthValue(), now.getDayOfMonth()};
                 }),
-                ".nano_time", new Told(terms -> new double[] {simulation.nanos()}),
-                ".random", random(simulation)).forEach(agent::setIA);
+                "nano_time", new Told(terms -> new double[] {simulation.nanos()}),
+                "random", random(simulation)).forEach((name, action) -> agent.setIA("jason.stdlib." + name, action));
     }
 
     private static InternalAction random(Simulation simulation) {

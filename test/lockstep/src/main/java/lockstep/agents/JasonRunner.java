@@ -3,9 +3,11 @@ package lockstep.agents;
 import java.io.IOException;
 import java.lang.reflect.Field;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 import jason.JasonException;
+import jason.architecture.AgArch;
 import jason.asSemantics.Agent;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Trigger;
@@ -13,7 +15,9 @@ import jason.infra.local.LocalAgArch;
 import jason.infra.local.LocalRuntimeServices;
 import jason.infra.local.RunLocalMAS;
 import jason.mas2j.AgentParameters;
+import jason.mas2j.ClassParameters;
 import jason.runtime.RuntimeServicesFactory;
+import jason.runtime.Settings;
 
 import lockstep.AgentProgram;
 import lockstep.Simulation;
@@ -33,6 +37,19 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
         @Override
         protected LocalAgArch newAgInstance() {
             return new EmulatedAgent(simulation);
+        }
+
+        /** Of the creator's architectures this one's are not named: it comes by itself. */
+        @Override
+        public String createAgent(String name, String source, String type, List<String> architectures,
+                ClassParameters beliefs, Settings settings, Agent creator) throws Exception {
+            List<String> all = architectures;
+            if ((all == null || all.isEmpty()) && creator != null) {
+                all = new ArrayList<>(List.of(AgArch.class.getName()));
+                all.addAll(creator.getTS().getAgArch().getAgArchClassesChain());
+                all.remove(EmulatedAgent.class.getName());
+            }
+            return super.createAgent(name, source, type, all, beliefs, settings, creator);
         }
 
         @Override
@@ -70,6 +87,7 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
         scheduler.setAccessible(true);
         scheduler.set(null, new EmulatedScheduler(simulation));
         EmulatedActions.replaceFunctions(simulation);
+        Clock.set(simulation);
         RuntimeServicesFactory.set(new Services());
         init(new String[] {program.toString(), "--no-net"});
         project.getSourcePaths().addPath(program.getParent().toString());

@@ -1,0 +1,132 @@
+package lockstep;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Agents in the time of a simulation, without boards. */
+class AgentProgramTest {
+
+    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+
+    @TempDir
+    private Path folder;
+
+    private Simulation start(long seed) throws IOException {
+        Path scenario = Files.writeString(folder.resolve("scenario.json"), """
+                {"boards": [{"name": "board", "firmware": "%s", "port": "ports/board"}]}
+                """.formatted(ROOT.resolve("javino-firmware/build/station/Station.ino.elf")));
+        return Simulation.start(List.of(ROOT.resolve("emulator/build/javino-emulator").toString(),
+                scenario.toString(), "--directory", folder.toString()), List.of("ports/board"), seed,
+                Simulation.JITTER);
+    }
+
+    private AgentProgram program(Simulation simulation, String name, String plans, List<String> printed)
+            throws IOException {
+        Files.writeString(folder.resolve(name + ".asl"), plans);
+        Path mas = Files.writeString(folder.resolve(name + ".mas2j"), "MAS %s { agents: %s; }".formatted(name, name));
+        return AgentProgram.start(simulation, mas, printed::add);
+    }
+
+    /** All that a program prints within some emulated seconds. */
+    private List<String> printed(long seed, String plans, int seconds) throws IOException {
+        List<String> printed = new ArrayList<>();
+        try (Simulation simulation = start(seed)) {
+            AgentProgram program = program(simulation, "one", plans, printed);
+            simulation.pause(Duration.ofSeconds(seconds).toNanos());
+            program.close();
+        }
+        return printed;
+    }
+
+    @Test
+    void timesAndDates_areThoseOfTheSimulation() throws Exception {
+        List<String> printed = printed(1, """
+                !start.
+                +!start <- .date(Y, M, D); .time(H, Min, _); .print(Y, "-", M, "-", D, " ", H, ":", Min);
+                    T = system.time; .wait(61000); .print(math.round((system.time - T) / 1000)); .time(_, Later, _);
+                    .print(Later).
+                """, 70);
+        assertEquals(List.of("[one] 2027-1-1 12:0", "[one] 61", "[one] 1"), printed);
+    }
+
+    @Test
+    void dice_areThoseOfTheSeed() throws Exception {
+        String plans = "!start. +!start <- .random(X); Y = math.random; .print(X, \" \", Y).";
+        List<String> first = printed(1, plans, 1);
+        assertEquals(1, first.size(), first.toString());
+        assertEquals(first, printed(1, plans, 1));
+        assertNotEquals(first, printed(2, plans, 1));
+    }
+
+    @Test
+    void agents_areCreatedTalkAndAreKilled() throws Exception {
+        Files.writeString(folder.resolve("child.asl"), "+hello[source(S)] <- .print(\"hello\"); .send(S, tell, hello).");
+        List<String> printed = printed(1, """
+                !start.
+                +!start <- .create_agent(child, "child.asl"); .send(child, tell, hello).
+                +hello[source(child)] <- .print("answered"); .kill_agent(child); .wait(1000); !again.
+                +!again <- .send(child, tell, hello).
+                -!again[error(E)] <- .print(E).
+                """, 3);
+        assertEquals(List.of("[child] hello", "[one] answered"), printed.subList(0, 2));
+        assertTrue(printed.contains("[one] receiver_not_found"), printed.toString());
+    }
+
+    @Test
+    void deadlineOfAWait_passesInEmulatedTime() throws Exception {
+        List<String> printed = printed(1, """
+                !start.
+                +!start <- .wait(never, 5000, Passed); .print("waited ", math.round(Passed / 1000)).
+                """, 6);
+        assertEquals(List.of("[one] waited 5"), printed);
+    }
+
+    @Test
+    void programs_haveAJasonEach() throws Exception {
+        List<String> one = new ArrayList<>();
+        List<String> other = new ArrayList<>();
+        String plans = "!start. +!start <- .all_names(All); .print(All).";
+        try (Simulation simulation = start(1)) {
+            List<AgentProgram> both =
+                    List.of(program(simulation, "one", plans, one), program(simulation, "other", plans, other));
+            simulation.pause(1_000_000_000);
+            both.forEach(AgentProgram::close);
+        }
+        assertEquals(List.of("[one] [one]"), one);
+        assertEquals(List.of("[other] [other]"), other);
+    }
+
+    @Test
+    void programThatIsKilled_doesNothingMore() throws Exception {
+        List<String> printed = new ArrayList<>();
+        try (Simulation simulation = start(1)) {
+            AgentProgram program =
+                    program(simulation, "one", "!count(0). +!count(N) <- .print(N); .wait(1000); !count(N + 1).", printed);
+            simulation.pause(Duration.ofMillis(2500).toNanos());
+            program.kill();
+            simulation.pause(Duration.ofSeconds(5).toNanos());
+        }
+        assertEquals(List.of("[one] 0", "[one] 1", "[one] 2"), printed);
+    }
+
+    @Test
+    void programWithoutItsAgent_saysSo() throws Exception {
+        Path mas = Files.writeString(folder.resolve("one.mas2j"), "MAS one { agents: absent; }");
+        try (Simulation simulation = start(1)) {
+            Exception failed =
+                    assertThrows(Exception.class, () -> AgentProgram.start(simulation, mas, line -> {}));
+            assertTrue(failed.getMessage().contains("absent"), failed.getMessage());
+        }
+    }
+}
