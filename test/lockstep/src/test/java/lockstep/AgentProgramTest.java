@@ -71,7 +71,8 @@ class AgentProgramTest {
 
     @Test
     void agents_areCreatedTalkAndAreKilled() throws Exception {
-        Files.writeString(folder.resolve("child.asl"), "+hello[source(S)] <- .print(\"hello\"); .send(S, tell, hello).");
+        Files.writeString(folder.resolve("child.asl"),
+                "+hello[source(S)] <- .print(\"hello\"); .send(S, tell, hello).");
         List<String> printed = printed(1, """
                 !start.
                 +!start <- .create_agent(child, "child.asl"); .send(child, tell, hello).
@@ -112,7 +113,8 @@ class AgentProgramTest {
         List<String> printed = new ArrayList<>();
         try (Simulation simulation = start(1)) {
             AgentProgram program =
-                    program(simulation, "one", "!count(0). +!count(N) <- .print(N); .wait(1000); !count(N + 1).", printed);
+                    program(simulation, "one", "!count(0). +!count(N) <- .print(N); .wait(1000); !count(N + 1).",
+                            printed);
             simulation.pause(Duration.ofMillis(2500).toNanos());
             program.kill();
             simulation.pause(Duration.ofSeconds(5).toNanos());

@@ -136,7 +136,8 @@ class MovesTest {
                 board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR, "SUHO", TestKeys.PAIR));
             }
             Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
-                    + " [moves=\"" + place.resolve("moves") + "\"] agentArchClass diffuser.Diffuser; " + (side == MovingAgents.AWAY ? String.join("", others) : "")
+                    + " [moves=\"" + place.resolve("moves") + "\"] agentArchClass diffuser.Diffuser; "
+                    + (side == MovingAgents.AWAY ? String.join("", others) : "")
                     + " }");
             Files.writeString(place.resolve("nurse.asl"), "+!care.");
             Files.writeString(place.resolve(DRIVERS.get(side) + ".asl"), """
