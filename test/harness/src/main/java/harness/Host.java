@@ -5,6 +5,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Predicate;
@@ -127,7 +128,8 @@ public final class Host implements AutoCloseable {
     /** Gives the board an id and keys, and opens its radio. */
     public Host as(String id, Map<String, byte[]> keys) {
         get(board.setRfId(Address.parse(id)));
-        keys.forEach((address, key) -> get(board.setKey(Address.parse(address), Key.of(Bytes.copyOf(key)))));
+        // In an order that is the same in each virtual machine.
+        new TreeMap<>(keys).forEach((address, key) -> get(board.setKey(Address.parse(address), Key.of(Bytes.copyOf(key)))));
         get(board.radio(true));
         return this;
     }

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import lockstep.Simulation;
 
@@ -78,7 +79,8 @@ final class LockstepEngine implements Engine {
 
     @Override
     public void perform(Map<String, ?> command) throws IOException {
-        simulation.command(new Gson().toJson(command));
+        // The trace repeats it: in an order that is the same in each virtual machine.
+        simulation.command(new Gson().toJson(new TreeMap<>(command)));
     }
 
     @Override

@@ -16,7 +16,6 @@ final class Nuisance {
     static final String RESET = "reset";
     static final String POWER_CUT = "power-cut";
     private static final double POWER_CUT_SECONDS = 0.1;
-    private static final long MOMENT_NANOS = 1_000_000;
     private static final Predicate<TraceEvent> COMMANDS = event -> event.name().equals("command");
     /** A packet from somebody to somebody, as long as may be. */
     private static final String NOISE = HexFormat.of()
@@ -66,10 +65,14 @@ final class Nuisance {
 
     /** Waits until so much emulated time has passed. */
     void pass(double seconds) throws InterruptedException {
+        if (Simulation.here() != Time.REAL) {
+            Simulation.here().pause((long) (1e9 * seconds));
+            return;
+        }
         double end = now() + seconds;
-        do {
-            Simulation.here().pause(MOMENT_NANOS);
-        } while (now() < end);
+        while (now() < end) {
+            Thread.onSpinWait();
+        }
     }
 
     /** Emulated time, by a command that changes nothing. */
