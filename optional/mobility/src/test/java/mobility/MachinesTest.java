@@ -146,7 +146,7 @@ class MachinesTest {
         TEXTS.forEach(text -> side.moves.folder.keep(Part.hash(text), text));
         side.reached.clear();
         long said = simulation.messages;
-        long dropped = side.moves.count(Moves.Count.DROPPED);
+        long dropped = side.moves.counts.of(Moves.Count.DROPPED);
         Move.Key key = machine instanceof Arrival arrival ? arrival.key() : new Move.Key(true, Simulation.BUS, 1);
         Course course = new Course(side.moves, key, machine, Optional.of(new CompletableFuture<>()));
         try {
@@ -156,7 +156,8 @@ class MachinesTest {
         }
         if (ignored) {
             assertEquals(List.of(machine, said), List.of(course.machine(), simulation.messages));
-            assertEquals(dropped + (event instanceof MoveMessage.Said ? 1 : 0), side.moves.count(Moves.Count.DROPPED));
+            assertEquals(dropped + (event instanceof MoveMessage.Said ? 1 : 0),
+                    side.moves.counts.of(Moves.Count.DROPPED));
         }
         return side.reached.stream().limit(1).toList();
     }

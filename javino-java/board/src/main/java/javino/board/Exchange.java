@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
+import javino.Counts;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.protocol.Bytes;
@@ -36,7 +37,7 @@ final class Exchange {
 
     private final Link link;
     private final SessionContext context;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
     private final PacketDecoder decoder = new PacketDecoder();
     private final byte[] buffer = new byte[1024];
     private int sequence;

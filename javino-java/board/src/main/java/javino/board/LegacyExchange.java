@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import javino.Counts;
 import javino.legacy.LegacyDecoder;
 import javino.legacy.LegacyMessage;
 import javino.link.Link;
@@ -24,7 +25,7 @@ final class LegacyExchange {
     private static final Duration STEP = Duration.ofMillis(50);
 
     private final Link link;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
     private final LegacyDecoder decoder = new LegacyDecoder();
     private final byte[] buffer = new byte[1024];
     private Deadline mayWrite = Deadline.in(Duration.ZERO);
@@ -33,7 +34,7 @@ final class LegacyExchange {
     /** Whether an answer is missing that may still come, and must not be taken for the next one. */
     private boolean awaitsLateOne;
 
-    LegacyExchange(Link link, SessionCounters counters) {
+    LegacyExchange(Link link, Counts<SessionCounter> counters) {
         this.link = link;
         this.counters = counters;
     }

@@ -9,6 +9,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import javino.Counts;
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
@@ -19,7 +20,7 @@ import javino.protocol.ProtocolException;
 final class Perception {
 
     private final ListenerGuard listener;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
     private volatile boolean wanted;
     private volatile Duration interval = Duration.ZERO;
     private final Queue<Reading> waiting = new ConcurrentLinkedQueue<>();
@@ -36,7 +37,7 @@ final class Perception {
     private record Reading(Duration within, CompletableFuture<Void> taken) {
     }
 
-    Perception(ListenerGuard listener, SessionCounters counters) {
+    Perception(ListenerGuard listener, Counts<SessionCounter> counters) {
         this.listener = listener;
         this.counters = counters;
     }

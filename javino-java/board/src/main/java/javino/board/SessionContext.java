@@ -1,6 +1,7 @@
 package javino.board;
 
 import java.util.concurrent.atomic.AtomicReference;
+import javino.Counts;
 
 /**
  * The objects that the parts of a session share.
@@ -15,11 +16,11 @@ import java.util.concurrent.atomic.AtomicReference;
  * @param listener   told what happens.
  */
 record SessionContext(String name, BoardConfig config, RequestQueue queue, Perception perception,
-        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, SessionCounters counters,
+        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, Counts<SessionCounter> counters,
         ListenerGuard listener) {
 
     static SessionContext of(String name, BoardConfig config, BoardListener listener) {
-        SessionCounters counters = new SessionCounters();
+        Counts<SessionCounter> counters = new Counts<>();
         ListenerGuard guard = new ListenerGuard(listener, counters);
         return new SessionContext(name, config, new RequestQueue(config.queueCapacity()),
                 new Perception(guard, counters),
