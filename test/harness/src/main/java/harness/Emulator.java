@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -63,6 +64,7 @@ public final class Emulator implements AutoCloseable {
     private final boolean modelled;
     /** The handler for hosts in this process. */
     private final TransitionHandler transitions;
+    private final List<Runnable> closings = new CopyOnWriteArrayList<>();
     private Thread reader;
     private int lines;
     private boolean keeping = true;
@@ -332,13 +334,20 @@ public final class Emulator implements AutoCloseable {
         }
     }
 
+    /** Has it closed before the emulator, if it is not closed by then. */
+    public <T> T closing(T made, Consumer<T> close) {
+        closings.add(() -> close.accept(made));
+        return made;
+    }
+
     /**
-     * Ends the emulator; EEPROM contents stay in the folder.
+     * Ends what has its boards' ports, and the emulator; EEPROM contents stay in the folder.
      *
      * @throws AssertionError where it had failed, or the model does not allow what the boards did
      */
     @Override
     public void close() {
+        closings.forEach(Runnable::run);
         TRANSITIONS.removeHandler(transitions);
         process.toHandle().destroy();
         RUNNING.remove(process);

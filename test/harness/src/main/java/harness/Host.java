@@ -64,7 +64,7 @@ public final class Host implements AutoCloseable {
     }
 
     public static Host of(Emulator emulator, String board) {
-        return over(SerialLink.opener(emulator.port(board)));
+        return emulator.closing(over(SerialLink.opener(emulator.port(board))), Host::close);
     }
 
     public static Host over(LinkOpener link) {
@@ -75,7 +75,7 @@ public final class Host implements AutoCloseable {
      * For boards that write much to their EEPROM: on a busy machine their answers come late by the clock on the wall.
      */
     public static Host patient(Emulator emulator, String board) {
-        return patient(SerialLink.opener(emulator.port(board)));
+        return emulator.closing(patient(SerialLink.opener(emulator.port(board))), Host::close);
     }
 
     public static Host patient(LinkOpener link) {
@@ -84,8 +84,8 @@ public final class Host implements AutoCloseable {
 
     /** A host as {@link #patient}, with the notes that an agent's host has. */
     public static Host noting(Emulator emulator, String board) {
-        return new Host(SerialLink.opener(emulator.port(board)), BoardConfig.create(
-                config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost()))));
+        return emulator.closing(new Host(SerialLink.opener(emulator.port(board)), BoardConfig.create(
+                config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost())))), Host::close);
     }
 
     /** A host for boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */

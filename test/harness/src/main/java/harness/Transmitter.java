@@ -18,7 +18,7 @@ public final class Transmitter implements AutoCloseable {
     }
 
     public static Transmitter of(Emulator emulator, String board) throws LinkException {
-        return new Transmitter(SerialLink.opener(emulator.port(board)).open());
+        return emulator.closing(new Transmitter(SerialLink.opener(emulator.port(board)).open()), Transmitter::close);
     }
 
     /** Sends a payload with the right count and CRC, and waits until it has been on the air. */

@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +24,7 @@ import trace.TraceEvent;
 /** Two boards of a group, and a third of another group that hears all they send. */
 class RadioExchangeTest {
 
+    @AutoClose
     private Emulator emulator;
     private Host police;
     private Host support;
@@ -37,12 +38,6 @@ class RadioExchangeTest {
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         bus = Host.of(emulator, "bus").as("ROMA", Map.of());
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(police, support, bus).forEach(Host::close);
-        emulator.close();
     }
 
     @Test

@@ -21,7 +21,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Payload;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,10 +35,10 @@ class RelayTest {
 
     @TempDir
     private Path folder;
+    @AutoClose
     private Emulator emulator;
     private Host sender;
     private Host receiver;
-    private final List<Host> relays = new ArrayList<>();
 
     /** Boards on a line; those between the first and the last one are relays with a host, or run the sketch Relay. */
     private void line(int hops, String sketch, Map<String, Object> more) throws Exception {
@@ -64,21 +64,12 @@ class RelayTest {
 
     private Host relay(String board, boolean on) {
         Host host = Host.of(emulator, board);
-        relays.add(host);
         assertEquals(on, Host.get(host.board.relaying(on)));
         return host;
     }
 
     private Outcome send(String content) {
         return Host.get(sender.board.transmit(TO, Content.parse(content)).end());
-    }
-
-    @AfterEach
-    void switchOff() {
-        relays.forEach(Host::close);
-        sender.close();
-        receiver.close();
-        emulator.close();
     }
 
     @Test
@@ -127,7 +118,6 @@ class RelayTest {
         sender.as("ROMA", key);
         receiver.as("SUPO", key);
         Host near = Host.of(emulator, "near").as("SUHO", key);
-        relays.add(near);
         for (String message : List.of("//// a", "//SU b", "//// c")) {
             String content = "tell;n(" + message.substring(5) + ")";
             sender.send(message.substring(0, 4), content);
