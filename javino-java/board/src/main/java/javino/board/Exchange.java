@@ -35,6 +35,9 @@ final class Exchange {
 
     private static final int MOST_SHOWN = 80;
 
+    /** How often bytes are read that are there when their time is over: a device that babbles is not heard for ever. */
+    private static final int MOST_LATE_READS = 100;
+
     private final Link link;
     private final SessionContext context;
     private final Counts<SessionCounter> counters;
@@ -207,7 +210,10 @@ final class Exchange {
         }
 
         Optional<SerialPacket> await(BooleanSupplier leaves) throws LinkException {
-            while (!deadline.passed()) {
+            int late = 0;
+            while (late < MOST_LATE_READS) {
+                // If this thread stood still, the reply may be here: the board is not late by that.
+                boolean isLate = deadline.passed();
                 if (!hold.isZero() && leaves.getAsBoolean()) {
                     left.add(sequence);
                     leftTaken = taken;
@@ -234,6 +240,7 @@ final class Exchange {
                 if (context.queue().isClosed()) {
                     deadline = deadline.orBefore(usual);
                 }
+                late = !isLate ? 0 : count == 0 ? MOST_LATE_READS : late + 1;
             }
             overdue |= taken && deadline.equals(end);
             // A text goes on to the zero of a request that is taken.
