@@ -18,7 +18,7 @@ final class LiveRun implements AutoCloseable {
 
     static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final Path HIGHWAY = ROOT.resolve("examples/highway");
-    private static final long PATIENCE_SECONDS = 120;
+    private static final long PATIENCE_SECONDS = 240;
 
     private final Path folder;
     private final Process process;

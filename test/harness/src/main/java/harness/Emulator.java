@@ -39,7 +39,7 @@ public final class Emulator implements AutoCloseable {
     static final String CONTROL = "control";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 240;
     /**
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
      */

@@ -29,8 +29,9 @@ import javino.protocol.Key;
 /** A board session that a test drives, with what came from the board in queues. */
 public final class Host implements AutoCloseable {
 
-    private static final long PATIENCE_SECONDS = 60;
-    private static final Duration LONGEST = Duration.ofSeconds(PATIENCE_SECONDS);
+    /** Far above what anything takes, on a busy machine too. */
+    private static final long PATIENCE_SECONDS = 240;
+    private static final Duration LONGEST = Duration.ofSeconds(60);
     private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
@@ -143,7 +144,7 @@ public final class Host implements AutoCloseable {
 
     /** The first percepts from now on that are as wanted. */
     public List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
-        long end = System.nanoTime() + LONGEST.toNanos();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         List<String> now;
         do {
             now = percepts.poll(end - System.nanoTime(), TimeUnit.NANOSECONDS);

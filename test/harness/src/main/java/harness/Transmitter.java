@@ -40,7 +40,7 @@ public final class Transmitter implements AutoCloseable {
         System.arraycopy(trailer, 0, request, 2 + packet.length, trailer.length);
         link.write(request);
         byte[] answer = new byte[1];
-        if (link.read(answer, Duration.ofSeconds(60)) != 1 || answer[0] != SENT) {
+        if (link.read(answer, Duration.ofSeconds(240)) != 1 || answer[0] != SENT) {
             throw new AssertionError("the transmitter is silent");
         }
     }
