@@ -18,7 +18,11 @@
 // The capabilities stand behind it; where a board of an earlier library has its name is a byte of NAME_FROM or more.
 #define CAPABILITIES_AT 8
 #define NAME_FROM 0x20
-#define UNICASTS_ONLY 0x04
+enum {
+#define CAPABILITY(name, bit, title, meaning) CAPABILITY_##name = bit,
+#include "Capabilities.def"
+#undef CAPABILITY
+};
 // Places in a message record, behind the number.
 #define DESTINATION_AT 1
 #define ORIGIN_AT 5
@@ -288,8 +292,8 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
       if (length < EPOCH_AT + SERIAL_EPOCH_LENGTH) break;
       memcpy(s->id, body + 1, ADDRESS_LENGTH);
       memcpy(s->epoch, body + EPOCH_AT, SERIAL_EPOCH_LENGTH);
-      s->unicasts_only =
-          length > CAPABILITIES_AT && body[CAPABILITIES_AT] < NAME_FROM && body[CAPABILITIES_AT] & UNICASTS_ONLY;
+      s->unicasts_only = length > CAPABILITIES_AT && body[CAPABILITIES_AT] < NAME_FROM &&
+                         body[CAPABILITIES_AT] & CAPABILITY_UNICASTS_ONLY;
       write_id(s, at);
       break;
     case 'I':

@@ -13,11 +13,13 @@ const uint8_t MAX_FIRMWARE_NAME = 100;
 // Commands that only a board with a radio performs.
 #define ANY(letter)
 #define RADIO(letter) letter,
+#define WHOLE_RADIO(letter) letter,
 #define COMMAND(name, letter, text, boards, writesEeprom, meaning) boards(letter)
 const char RADIOS[] JAVINO_FLASH = {
 #include "Commands.def"
     0};
 #undef COMMAND
+#undef WHOLE_RADIO
 #undef RADIO
 #undef ANY
 

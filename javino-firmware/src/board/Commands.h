@@ -19,13 +19,15 @@ struct Identity {
   uint8_t version;
   uint8_t id[Address::TEXT_LENGTH];  ///< `++++` where none is set
   uint8_t bootEpoch[3];              ///< 0 where none is kept
-  uint8_t capabilities;              ///< of enum Capability
+  uint8_t capabilities;              ///< of Capability::Bit
 };
 
-enum Capability : uint8_t {
-  HAS_RADIO = 1,
-  HAS_MEMORY = 2,    ///< RF id, keys and boot epoch outlive a boot
-  UNICASTS_ONLY = 4  ///< it has sealed unicasts only: no messages to many, no renewal of keys
+struct Capability {
+  enum Bit : uint8_t {
+#define CAPABILITY(name, bit, title, meaning) name = bit,
+#include "../support/Capabilities.def"
+#undef CAPABILITY
+  };
 };
 
 /// Performs the requests that every board knows: hello, poll, actions, counters (SPEC 4.3).

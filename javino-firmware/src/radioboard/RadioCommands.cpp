@@ -121,7 +121,8 @@ template <typename Scope>
 Status RadioCommands::hello(const Request &request, Reply &reply) {
   news_.tellAgain();
   if (!retained::holds()) state_->count(Counter::MEMORY_DAMAGED);
-  Identity identity = {PROTOCOL_VERSION, {}, {}, HAS_RADIO | HAS_MEMORY | (Scope::MANY ? 0 : UNICASTS_ONLY)};
+  const uint8_t lacks = Scope::MANY ? 0 : Capability::UNICASTS_ONLY;
+  Identity identity = {PROTOCOL_VERSION, {}, {}, Capability::RADIO | Capability::MEMORY | lacks};
   writeUint24(identity.bootEpoch, keyCommands_.epoch());
   state_->id.address().write(identity.id);
   return commands_->hello(request, identity, reply);

@@ -1,6 +1,7 @@
 #include <Arduino.h>
 #include <gtest/gtest.h>
 
+#include "support/CommandLetters.h"
 #include "support/Keys.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
@@ -22,9 +23,10 @@ TEST(RadioBoard, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks)
   board.board->poll().setSource([](javinolib::Percepts &percepts) { percepts.add(F("dark")); });
   board.setKey("SUHO", KEY);
   RandomBytes random(15);
+  const std::string commands = commandLetters() + "ZX";
   for (int i = 0; i < 5000; i++) {
     Bytes message = random.bytes(random.number(40));
-    if (!message.empty()) message[0] = static_cast<uint8_t>("HPAIRELSZX"[random.number(10)]);
+    if (!message.empty()) message[0] = static_cast<uint8_t>(commands[random.number(commands.size())]);
     board.request(message);
   }
   Bytes everything = board.port.everWritten();

@@ -16,9 +16,11 @@ inline std::string radioCommandLetters() {
   std::string letters;
 #define ANY(letter)
 #define RADIO(letter) letters += letter;
+#define WHOLE_RADIO(letter) letters += letter;
 #define COMMAND(name, letter, text, boards, writesEeprom, meaning) boards(letter)
 #include "board/Commands.def"
 #undef COMMAND
+#undef WHOLE_RADIO
 #undef RADIO
 #undef ANY
   return letters;

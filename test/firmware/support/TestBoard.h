@@ -94,8 +94,6 @@ class TestHost {
   /// Lets time pass, and the board run in each millisecond.
   void pass(uint32_t millis);
 
-  uint8_t lastSequence() const { return sequence_; }
-
   FakePort port;
   FakeClock clock;
 

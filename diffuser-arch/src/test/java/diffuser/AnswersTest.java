@@ -23,7 +23,9 @@ class AnswersTest {
             +!probe <- diffuser.note(probed).
             """.formatted("x".repeat(600));
 
-    private static RunningAgent ready(FakeBoard board) {
+    private final FakeBoard board = new FakeBoard("antenna");
+
+    private RunningAgent ready() {
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
@@ -44,8 +46,7 @@ class AnswersTest {
             "askHow#AbC;\"+!stop\"  | tellHow#AbC;[]",
     })
     void ask_unicast_isAnsweredInItsConversation(String question, String answer) {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("SUPO", "ROMA", question);
         RunningAgent.asked(board, "ROMA " + answer);
         agent.notesNothingElse();
@@ -53,8 +54,7 @@ class AnswersTest {
 
     @Test
     void askHow_planWithStrings_isTheWholePlan() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("SUPO", "ROMA", "askHow#AbC;{ +!go(_) }");
         String answer = RunningAgent.next(board.requests, "an answer");
         assertTrue(answer.matches("ROMA tellHow#AbC;\\[\\{ @go \\+!go\\((\\w+)\\) : near\\(\\1,\\w+\\) <- "
@@ -64,16 +64,14 @@ class AnswersTest {
 
     @Test
     void askHow_planWithoutALabelOfItsOwn_travelsWithoutOne() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("SUPO", "ROMA", "askHow#AbC;{ +!probe }");
         RunningAgent.asked(board, "ROMA tellHow#AbC;[{ +!probe <- diffuser.note(probed) }]");
     }
 
     @Test
     void ask_group_isAnsweredToTheAskerAloneWhereSomethingIsKnown() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("//SU", "ROMA", "askOne#AAA;unknown");
         board.receive("//SU", "ROMA", "askAll#AAB;unknown");
         board.receive("//SU", "ROMA", "askHow#AAC;{ +!stop }");
@@ -85,8 +83,7 @@ class AnswersTest {
     @ParameterizedTest
     @ValueSource(strings = {"askOne#AAA;speed(X)", "askAll#AAA;speed(X)", "askHow#AAA;{ +!go(_) }"})
     void ask_broadcast_isRefusedAndCounted(String question) throws Exception {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("////", "ROMA", question);
         agent.warns(
                 "dropped " + question.split("#")[0] + " from ROMA: it came as a broadcast, which anyone can send"
@@ -98,8 +95,7 @@ class AnswersTest {
 
     @Test
     void ask_answerIsTooLong_askerIsToldBothLengths() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("SUPO", "ROMA", "askOne#AbC;long(X)");
         RunningAgent.asked(board, "ROMA sorry#AbC;\"a content has at most 494 bytes of UTF-8, not 617\"");
         agent.notesNothingElse();

@@ -31,15 +31,17 @@ class DeliverTest {
             +undelivered(_,_,_) <- diffuser.note(event).
             """;
 
-    private static RunningAgent ready(String program, FakeBoard board) {
+    private final FakeBoard board = new FakeBoard("antenna");
+
+    private RunningAgent ready(String program) {
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
         return agent;
     }
 
-    private static RunningAgent waiting(String program, FakeBoard board) {
-        RunningAgent agent = ready(program, board);
+    private RunningAgent waiting(String program) {
+        RunningAgent agent = ready(program);
         agent.achieve("do");
         RunningAgent.asked(board, "ROMA tell;help");
         return agent;
@@ -47,8 +49,7 @@ class DeliverTest {
 
     @Test
     void deliver_delivered_goesOnWithoutAnEvent() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         agent.notesNothingElse();
         board.end("ROMA tell;help", Outcome.DELIVERED);
         agent.notes("done");
@@ -57,8 +58,7 @@ class DeliverTest {
 
     @Test
     void deliver_undelivered_failsWithoutAnEvent() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         board.end("ROMA tell;help", Outcome.UNDELIVERED);
         agent.notes(UNDELIVERED);
         agent.notesNothingElse();
@@ -68,14 +68,14 @@ class DeliverTest {
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
             "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
     void deliver_boardRefuses_failsWithItsError(Status status, String error) {
-        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", status);
-        RunningAgent agent = waiting(PROGRAM, board);
+        board.refuse("ROMA tell;help", status);
+        RunningAgent agent = waiting(PROGRAM);
         agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
     }
 
     @Test
     void deliver_boardIsAway_failsWithPortOff() {
-        FakeBoard board = new FakeBoard("antenna").unplug();
+        board.unplug();
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notes("ready");
         agent.achieve("do");
@@ -84,8 +84,7 @@ class DeliverTest {
 
     @Test
     void deliver_cyclesGoOnMeanwhile() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         for (int i = 0; i < 20; i++) {
             agent.believe("seen(" + i + ")");
             agent.notes("seen " + i);
@@ -96,8 +95,7 @@ class DeliverTest {
 
     @Test
     void deliver_boardIsReset_undelivered() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         agent.notesNothingElse();
         board.reset();
         agent.notes(UNDELIVERED);
@@ -109,8 +107,7 @@ class DeliverTest {
 
     @Test
     void deliver_boardIsUnpluggedAndComesBackReset_undelivered() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         agent.notesNothingElse();
         board.port.unplug();
         agent.warns("the board is off");
@@ -121,17 +118,15 @@ class DeliverTest {
 
     @Test
     void deliver_boardIsLostBeforeItAnswers_outcomeUnknown() {
-        FakeBoard board = new FakeBoard("antenna");
         board.swallow("ROMA tell;help");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         String note = agent.nextNote();
         assertTrue(note.startsWith("outcome_unknown : "), note);
     }
 
     @Test
     void deliver_anotherPortIsOpened_undelivered() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         agent.notesNothingElse();
         agent.achieve("other");
         agent.notes(UNDELIVERED);
@@ -141,9 +136,8 @@ class DeliverTest {
     @CsvSource(delimiter = '|', value = {".drop_intention(do)", ".drop_desire(do)", ".drop_all_intentions",
             ".succeed_goal(do)"})
     void deliver_droppedMeanwhile_nothingIsLeft(String drop) {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!drop <- diffuser.note(dropping); " + drop + ".";
-        RunningAgent agent = waiting(program, board);
+        RunningAgent agent = waiting(program);
         agent.notesNothingElse();
         assertEquals(1, agent.body().getTS().getC().getPendingIntentions().size());
         agent.achieve("drop");
@@ -161,9 +155,8 @@ class DeliverTest {
 
     @Test
     void deliver_goalFailedMeanwhile_failsOnce() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "-!do <- diffuser.note(failed). +!drop <- .fail_goal(do).";
-        RunningAgent agent = waiting(program, board);
+        RunningAgent agent = waiting(program);
         agent.notesNothingElse();
         agent.achieve("drop");
         agent.notes("failed");
@@ -173,8 +166,7 @@ class DeliverTest {
 
     @Test
     void deliver_agentStopsMeanwhile_sessionEnds() throws Exception {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = waiting(PROGRAM, board);
+        RunningAgent agent = waiting(PROGRAM);
         agent.notesNothingElse();
         agent.close();
         ScriptedDiffuser.join(ScriptedDiffuser.session("antenna"));
@@ -183,12 +175,11 @@ class DeliverTest {
 
     @Test
     void deliver_severalAtOnce_eachGoesOnByItself() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + """
                 +!all <- !to("ROMA") |&| !to("SUHO") |&| !to("SUAM"); diffuser.note(all).
                 +!to(X) <- .deliver(X,tell,a); diffuser.note(X).
                 """;
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         agent.achieve("all");
         for (int i = 0; i < 3; i++) {
             RunningAgent.next(board.requests, "a request");
@@ -204,33 +195,32 @@ class DeliverTest {
 
     @Test
     void deliver_inAnAtomicPlan_goesOn() {
-        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.DELIVERED);
+        board.endAll(Outcome.DELIVERED);
         String program = PROGRAM + "@a[atomic] +!atomic <- .deliver(\"ROMA\",tell,help); diffuser.note(atomic).";
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         agent.achieve("atomic");
         agent.notes("atomic");
     }
 
     @Test
     void deliver_undeliveredInAnAtomicPlan_fails() {
-        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.UNDELIVERED);
+        board.endAll(Outcome.UNDELIVERED);
         String program = PROGRAM + """
                 @a[atomic] +!atomic <- .deliver("ROMA",tell,help).
                 -!atomic[error(E)] <- diffuser.note(E).
                 """;
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         agent.achieve("atomic");
         agent.notes("undelivered");
     }
 
     @Test
     void deliver_triedAgainAfterFailure_secondSucceeds() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + """
                 +!insist <- .deliver("ROMA",tell,help); diffuser.note(insisted).
                 -!insist[error(undelivered)] <- !insist.
                 """;
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         agent.achieve("insist");
         RunningAgent.asked(board, "ROMA tell;help");
         board.end("ROMA tell;help", Outcome.UNDELIVERED);

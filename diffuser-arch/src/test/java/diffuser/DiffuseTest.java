@@ -11,6 +11,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class DiffuseTest {
 
+    private final FakeBoard board = new FakeBoard("antenna");
+
     private static String program(String action) {
         return """
                 !start.
@@ -20,7 +22,7 @@ class DiffuseTest {
                 """.formatted(action);
     }
 
-    private static RunningAgent run(String action, FakeBoard board) {
+    private RunningAgent run(String action) {
         RunningAgent agent = RunningAgent.run(program(action), board);
         RunningAgent.asked(board, "id SUPO");
         return agent;
@@ -46,8 +48,7 @@ class DiffuseTest {
             ".send(\"//SU\",achieve,go(1))              | //SU achieve;go(1)",
     })
     void diffuse_anyDestination_boardIsAsked(String action, String expected) {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = run(action, board);
+        RunningAgent agent = run(action);
         RunningAgent.asked(board, expected);
         agent.notes("done");
     }
@@ -56,15 +57,15 @@ class DiffuseTest {
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id", "BAD_DESTINATION,bad_destination",
             "NONCE_EXHAUSTED,nonce_exhausted"})
     void diffuse_boardRefuses_failsWithItsError(Status status, String error) {
-        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", status);
-        RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board);
+        board.refuse("ROMA tell;help", status);
+        RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)");
         agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
     }
 
     @Test
     void diffuse_tooLongForTheBoard_saysBothLengths() {
-        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", Status.TOO_LONG);
-        RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board);
+        board.refuse("ROMA tell;help", Status.TOO_LONG);
+        RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)");
         agent.notes("too_long : transmit to ROMA: tell;help failed: TOO_LONG, " + Status.TOO_LONG.explanation()
                 + "; this one has 9");
     }
@@ -79,15 +80,14 @@ class DiffuseTest {
 
     @Test
     void diffuse_boardIsAway_failsWithPortOff() {
-        FakeBoard board = new FakeBoard("antenna").unplug();
+        board.unplug();
         RunningAgent agent = RunningAgent.run(program(".diffuse(broadcast,tell,help)"), board);
         agent.notes("port_off : transmit to ////: tell;help was not performed: antenna: there is no such port");
     }
 
     @Test
     void diffuse_deviceThatLooksLikeAGroup_goesToTheDeviceAndWarnsOnce() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = run(".diffuse(\"SU//\",tell,a); .diffuse(\"SU//\",tell,b)", board);
+        RunningAgent agent = run(".diffuse(\"SU//\",tell,a); .diffuse(\"SU//\",tell,b)");
         RunningAgent.asked(board, "SU// tell;a");
         RunningAgent.asked(board, "SU// tell;b");
         agent.notes("done");
@@ -97,24 +97,22 @@ class DiffuseTest {
 
     @Test
     void diffuse_contentHasNoTextThatReadsBack_fails() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = run(".substring(\"\\\\\",X,0,1); .diffuse(broadcast,tell,p(X))", board);
+        RunningAgent agent = run(".substring(\"\\\\\",X,0,1); .diffuse(broadcast,tell,p(X))");
         String note = agent.nextNote();
         assertTrue(note.startsWith("bad_content : this cannot be sent:"), note);
     }
 
     @Test
     void send_boardRefuses_warns() {
-        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", Status.NO_KEY);
-        RunningAgent agent = run(".send(\"ROMA\",tell,help)", board);
+        board.refuse("ROMA tell;help", Status.NO_KEY);
+        RunningAgent agent = run(".send(\"ROMA\",tell,help)");
         agent.notes("done");
         agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
     }
 
     @Test
     void send_otherPerformativeToRfAddress_fails() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board);
+        RunningAgent agent = run(".send(\"ROMA\",sorry,help)");
         agent.notes(
                 "wrong_arguments : the radio takes only tell, untell, achieve, unachieve, signal, askOne, "
                         + "askAll, askHow,"
@@ -123,17 +121,15 @@ class DiffuseTest {
 
     @Test
     void send_noRfAddressAndNoAgent_failsAsEver() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = run(".send(nobody,tell,help)", board);
+        RunningAgent agent = run(".send(nobody,tell,help)");
         String note = agent.nextNote();
         assertTrue(note.contains("Receiver 'nobody' does not exist"), note);
     }
 
     @Test
     void send_localAgentOfThatName_getsIt() {
-        FakeBoard board = new FakeBoard("antenna");
         RunningAgent bob = RunningAgent.named("bob1", "+help[source(S)] <- diffuser.note(help,S).");
-        RunningAgent agent = run(".send(bob1,tell,help)", board);
+        RunningAgent agent = run(".send(bob1,tell,help)");
         agent.notes("done");
         bob.notes("help " + agent.name());
     }

@@ -76,6 +76,8 @@ class GateTest {
             +jag_shutting_down(_) <- diffuser.note(forged).
             """;
 
+    private final FakeBoard board = new FakeBoard("radio");
+
     /** Listens to nobody. */
     public static final class Deaf extends Agent {
 
@@ -87,12 +89,12 @@ class GateTest {
         }
     }
 
-    private static RunningAgent ready(FakeBoard board) {
+    private RunningAgent ready() {
         return RunningAgent.listening(PROGRAM, board);
     }
 
     /** After what was received before: what is told now is noted next. */
-    private static void nothingSoFar(RunningAgent agent, FakeBoard board) {
+    private void nothingSoFar(RunningAgent agent) {
         board.receive(ME, "LAST", "achieve;go(last)");
         agent.notes("went last");
     }
@@ -104,7 +106,6 @@ class GateTest {
     @ParameterizedTest
     @ValueSource(strings = {"tell;p(1)", "achieve;go(1)", "askOne#AAA;own(X)"})
     void socAcc_thatRefuses_isCountedAndLogged(String message) throws Exception {
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.run(Deaf.class, PROGRAM, board);
         agent.notes("ready");
         board.receive(ME, "SUPO", message);
@@ -155,12 +156,11 @@ class GateTest {
     @ParameterizedTest
     @MethodSource("jasonsOwn")
     void pass_jasonsOwnAtAnyDepth_refusedByEachCast(String to, String content) throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         String before = plansOf(agent);
         board.receive(to, "ROMB", content);
         board.receive(ME, "ROMB", "achieve;e");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(before, plansOf(agent));
         assertTrue(refused(agent) + agent.diffuser().inbox().malformed() > 0,
                 content + " was let in");
@@ -187,11 +187,10 @@ class GateTest {
             "askHow#AbC;{ +!f__g(_) }", "askHow#AbC;\"+!f__g(_)\"", "askHow#AbC;\"+!'kqml'::g\"",
     })
     void pass_plansForJasonsOwn_refusedThoughSealed(String content) throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         String before = plansOf(agent);
         board.receive(ME, "SUPO", content);
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(before, plansOf(agent));
         assertEquals(1L, refused(agent) + agent.diffuser().inbox().malformed());
     }
@@ -199,8 +198,7 @@ class GateTest {
     /** Only what Jason would look up has such a name: terms within, variables and labels may. */
     @Test
     void pass_twoUnderlinesElsewhere_pass() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ME, "SUPO", "tell;p(my__thing(A__1))[my__mark]");
         agent.notes("sealed my__thing(A__1) SUPO");
         board.receive(ME, "SUPO", "tellHow;{ @p__98765 +!taught(X__1) <- diffuser.note(taught,X__1) }");
@@ -231,13 +229,12 @@ class GateTest {
             "tellHow;{ +!e <- diffuser.note(taught) }", "untellHow;x", "tell#AbC;p(1)", "sorry#AbC;\"no\"",
     })
     void pass_broadcastThatPretends_nothingItShouldNotDo(String content) throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         String before = plansOf(agent);
         board.receive(ALL, "ROMB", content);
         board.receive(ALL, "ROMB", "achieve;e");
         board.receive(ALL, "ROMB", "achieve;open(g)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(before, plansOf(agent));
         assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
         assertEquals("trusted(\"SUPO\")[source(self)]", belief(agent, "trusted(\"SUPO\")"));
@@ -262,15 +259,14 @@ class GateTest {
 
     @Test
     void pass_goalOfABroadcastThatAPlanAsksFor_runsThatPlanOnly() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ALL, "ROMB", "achieve;[opened(1),opened(2)]");
         agent.notesAll("opened 1 ROMB", "opened 2 ROMB");
         board.receive(ALL, "ROMB", "achieve;maybe(never)");
         agent.notes("maybe never ROMB");
         board.receive(ALL, "ROMB", "tell;festival(now)");
         board.receive(ALL, "ROMB", "achieve;maybe(now)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(1, refused(agent));
         agent.warns("dropped achieve from ROMB: no plan that asks for it by [cast(broadcast,_)] is applicable now");
         board.receive(ME, "SUPO", "achieve;opened(3)");
@@ -279,11 +275,10 @@ class GateTest {
 
     @Test
     void pass_goalOfABroadcastThatNoPlanAsksFor_reportedOnceWithTheLineToWrite() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ALL, "ROMB", "achieve;go(1)");
         board.receive(ALL, "ROMB", "achieve;any(2)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         agent.warns("dropped achieve from ROMB: it came as a broadcast, which anyone can send in anyone's name; if"
                 + " the agent is to take it, write a plan that asks for it: +!go(X1)[cast(broadcast,S)] <- ...");
         assertEquals(List.of(), List.copyOf(agent.warnings));
@@ -299,14 +294,13 @@ class GateTest {
                 -!risky(2)[cast(broadcast,S)] <- diffuser.note(rescued,S).
                 -!risky(X) <- diffuser.note(shut).
                 """;
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
         board.receive(ALL, "ROMB", "achieve;risky(1)");
         agent.notes("risky 1");
         board.receive(ALL, "ROMB", "achieve;risky(2)");
         agent.notes("risky 2");
         agent.notes("rescued ROMB");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         agent.warns("a goal risky has failed; if a plan is to handle that, write one that asks for it:"
                 + " -!risky[cast(broadcast,S)]");
     }
@@ -316,9 +310,9 @@ class GateTest {
         String program = PROGRAM + DOOR + """
                 +!kqml_received(S,untell,q(X),_)[peer(certified,S)] <- diffuser.note(kept,X).
                 """;
-        FakeBoard board = withACertifiedDevice();
+        withACertifiedDevice(board);
         RunningAgent agent = RunningAgent.listening(program, board);
-        assertRefusesTheCertifiedDevicesQuestion(agent, board);
+        assertRefusesTheCertifiedDevicesQuestion(agent);
         board.receive(ME, "ROMB", "tell;q(1)");
         board.receive(ME, "ROMB", "untell;q(1)");
         agent.notes("kept 1");
@@ -332,19 +326,18 @@ class GateTest {
                 door(1).
                 +!kqml_received(S,askOne,Content,M) <- -door(1); ?Content; .send(S,tell,Content,M).
                 """;
-        FakeBoard board = withACertifiedDevice();
-        assertRefusesTheCertifiedDevicesQuestion(RunningAgent.listening(program, board), board);
+        withACertifiedDevice(board);
+        assertRefusesTheCertifiedDevicesQuestion(RunningAgent.listening(program, board));
     }
 
-    private static void assertRefusesTheCertifiedDevicesQuestion(RunningAgent agent, FakeBoard board) {
+    private void assertRefusesTheCertifiedDevicesQuestion(RunningAgent agent) {
         board.receive(ME, "ROMB", "askOne#AbC;door(X)");
         agent.notes("certified ROMB");
         board.receive(ME, "SUPO", "askOne#AbD;door(X)");
         agent.notes("partner");
     }
 
-    private static FakeBoard withACertifiedDevice() {
-        FakeBoard board = new FakeBoard("radio");
+    private static FakeBoard withACertifiedDevice(FakeBoard board) {
         board.keys.set("SUPO", Bytes.of(1, 2, 3));
         board.keys.setSession("ROMB", Bytes.of(1, 2, 3));
         return board;
@@ -357,7 +350,7 @@ class GateTest {
                 +r(X)[peer(certified,S)] <- diffuser.note(certified,X,S).
                 +r(X) <- diffuser.note(neither,X).
                 """;
-        FakeBoard board = withACertifiedDevice();
+        withACertifiedDevice(board);
         RunningAgent agent = RunningAgent.listening(program, board);
         board.receive(ME, "SUPO", "tell;r(1)[peer(certified,\"SUPO\")]");
         agent.notes("known 1 SUPO");
@@ -373,7 +366,7 @@ class GateTest {
     @ParameterizedTest
     @ValueSource(strings = {"tellHow;{ +!go(2) <- diffuser.note(taught) }", "untellHow;mine"})
     void pass_plansOfACertifiedDevice_refusedUnlessAPlanAsksForThem(String content) throws Exception {
-        FakeBoard board = withACertifiedDevice();
+        withACertifiedDevice(board);
         String performative = content.split(";")[0];
         RunningAgent agent = RunningAgent.listening(PROGRAM + "@mine +!own <- true.", board);
         String before = plansOf(agent);
@@ -383,13 +376,13 @@ class GateTest {
                         + " if the agent is to take it,"
                         + " write a plan that asks for it: +!kqml_received(S," + performative
                         + ",X,_)[peer(certified,S)] <- ...");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(before, plansOf(agent));
         assertEquals(1, refused(agent));
         agent.close();
         String open =
                 "+!kqml_received(S,%s,X,_)[peer(certified,S)] <- diffuser.note(opened,S).".formatted(performative);
-        FakeBoard again = withACertifiedDevice();
+        FakeBoard again = withACertifiedDevice(new FakeBoard("radio"));
         RunningAgent asking = RunningAgent.listening(PROGRAM + open, again);
         again.receive(ME, "ROMB", content);
         asking.notes("opened ROMB");
@@ -400,20 +393,19 @@ class GateTest {
     void peers_withStoredKeys_areBelieved() {
         String program = "!start. +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready)."
                 + "+peer(S,K)[source(percept)] <- diffuser.note(S,K).";
-        RunningAgent agent = RunningAgent.run(program, withACertifiedDevice());
+        RunningAgent agent = RunningAgent.run(program, withACertifiedDevice(board));
         agent.notesAll("ready", "SUPO provisioned");
     }
 
     @Test
     void pass_untellOfABroadcast_takesBackOnlyWhatABroadcastOfTheSameSenderTold() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ME, "SUPO", "tell;q(1)");
         board.receive(ALL, "SUAM", "tell;q(1)");
         board.receive(ALL, "ROMB", "tell;q(1)");
         board.receive(ALL, "SUPO", "untell;q(_)");
         board.receive(ALL, "ROMB", "untell;q(_)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(
                 "q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
                 belief(agent, "q(_)"));
@@ -421,42 +413,39 @@ class GateTest {
         board.receive(ALL, "SUPO", "tell;q(1)");
         board.receive(ALL, "SUPO", "untell;q(1)");
         board.receive(ALL, "SUAM", "untell;q(1)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals("q(1)[cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]", belief(agent, "q(_)"));
         board.receive(ME, "SUPO", "untell;q(1)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals("null", belief(agent, "q(_)"));
     }
 
     /** Jason looks anew for a belief with variables, and may find another. */
     @Test
     void pass_untellOfABroadcastOfWhatHasVariables_leavesWhatWasToldSealed() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ALL, "SUPO", "tell;q(X,Y)");
         board.receive(ME, "SUPO", "tell;q(1,2)");
         board.receive(ALL, "SUPO", "tell;q(1,2)");
         board.receive(ALL, "SUPO", "untell;q(A,A)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]",
                 belief(agent, "q(1,2)[cast(unicast,SUPO)]"));
     }
 
     @Test
     void pass_untellOfABroadcastOfSeveral_eachIsTakenBack() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ALL, "ROMB", "tell;[q(1),q(2)]");
         board.receive(ALL, "ROMB", "untell;[q(1),q(2)]");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals("null", belief(agent, "q(_)"));
     }
 
     /** Many at once: each is looked at when the one before has had its effect. */
     @Test
     void pass_tellAndUntellAtOnce_eachIsTakenBack() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         Inbox inbox = agent.diffuser().inbox();
         for (int i = 0; i < 20; i++) {
             for (String content : List.of("tell;q(" + i + ")", "untell;q(" + i + ")")) {
@@ -464,7 +453,7 @@ class GateTest {
                         TrustLevel.PROVISIONED, agent.name());
             }
         }
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals("null", belief(agent, "q(_)"));
         assertEquals(0, refused(agent));
     }
@@ -472,7 +461,6 @@ class GateTest {
     @Test
     void pass_unachieveOfABroadcast_dropsOnlyWhatABroadcastOfTheSameSenderSet() {
         String program = PROGRAM + "+!keep(X) <- diffuser.note(keeping,X,own); .suspend.";
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
         board.receive(ME, "SUPO", "achieve;keep(1)");
         agent.notes("keeping 1 unicast");
@@ -483,7 +471,7 @@ class GateTest {
         board.receive(ALL, "ROMB", "unachieve;keep(_)");
         board.receive(ALL, "SUPO", "unachieve;keep(1)");
         board.receive(ALL, "SUPO", "unachieve;keep(3)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         board.receive(ALL, "SUPO", "unachieve;keep(2)");
         agent.notes("dropped 2");
         board.receive(ME, "SUPO", "unachieve;keep(1)");
@@ -493,25 +481,23 @@ class GateTest {
     /** Jason drops goals at their deadline, and stumbles over one that is no number. */
     @Test
     void pass_goalWithADeadline_isTakenWithoutIt() {
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent =
                 RunningAgent.listening(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board);
         board.receive(ME, "SUPO", "achieve;keep(1)[hard_deadline(0)]");
         agent.notes("keeping 1 unicast");
         board.receive(ME, "SUPO", "achieve;keep(2)[hard_deadline(x)]");
         agent.notes("keeping 2 unicast");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals(List.of(), List.copyOf(agent.warnings));
     }
 
     @Test
     void pass_originIsAnAgentOfThisMas_refused() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         RunningAgent beside = RunningAgent.named("suam", "");
         board.receive(ME, beside.name(), "tell;p(1)");
         board.receive(ALL, beside.name(), "achieve;opened(1)");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         agent.warns("dropped tell from suam: an agent of this MAS has that name; give the agent or the device"
                 + " another");
         assertEquals(2, refused(agent));
@@ -520,11 +506,10 @@ class GateTest {
     @ParameterizedTest
     @CsvSource({"tell;p(1)", "untell;own(1)", "achieve;go(1)"})
     void pass_originIsSelf_neverReachesTheAgent(String content) throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive(ALL, "self", content);
         board.receive(ME, "self", content);
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
         assertEquals("null", belief(agent, "p(_)"));
     }
@@ -535,7 +520,6 @@ class GateTest {
                 +!ask <- .setMyRFId("CAFE"); .send("SUPO",askOne,x(_),A); diffuser.note(A).
                 -!ask[error(E)] <- diffuser.note(E).
                 """;
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
         agent.achieve("ask");
         RunningAgent.asked(board, "id CAFE");
@@ -559,7 +543,6 @@ class GateTest {
                 +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready).
                 +!go(X) <- diffuser.note(went,X).
                 """ + guard;
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
         for (String told : List.of("trusted('ROMB')", "trusted(romb)", "trusted('ROMB')[source(self)]",
                 "trusted(X)", "trusted(X)[source(self)]", "trusted('ROMB')[|T]")) {
@@ -569,7 +552,7 @@ class GateTest {
         board.receive(ME, "ROMB", "achieve;open(gate)");
         board.receive(ALL, "SUPO", "achieve;open(gate)");
         board.receive(ALL, "SUPO", "achieve;open(gate)[cast(unicast,'SUPO')]");
-        nothingSoFar(agent, board);
+        nothingSoFar(agent);
         assertTrue(board.requests.isEmpty());
         board.receive(ME, "SUPO", "achieve;open(gate)");
         RunningAgent.asked(board, "act open(gate)");
@@ -596,12 +579,11 @@ class GateTest {
                 +p(X) <- .print("told ", X); .println(X); .printf("%s", X); .log(info, X); !sum(X).
                 +!sum(X) <- Y = X * 2.
                 """;
-        FakeBoard board = new FakeBoard("radio");
         try (PlainLog log = new PlainLog()) {
             RunningAgent agent = RunningAgent.listening(program, board);
             board.receive(ME, "ROMB", content);
             board.receive(ALL, "ROMB", content);
-            nothingSoFar(agent, board);
+            nothingSoFar(agent);
             for (LogRecord line : log.lines) {
                 assertPlain(line);
                 assertFalse(line.getThrown() != null, line.getMessage());
@@ -612,9 +594,8 @@ class GateTest {
     /** Jason adds where in its code that came to light; what the sender wrote stays in one line, also there. */
     @Test
     void pass_planWithAnActionThatNobodyHas_writesOneLineAndWhereItFailed() {
-        FakeBoard board = new FakeBoard("radio");
         try (PlainLog log = new PlainLog()) {
-            RunningAgent agent = ready(board);
+            RunningAgent agent = ready();
             board.receive(ME, "ROMB", "tellHow;{ +!e <- dang.er }");
             // The agent may see to a goal before it has learnt the plan.
             for (int i = 0; i < 100 && log.lines.stream().noneMatch(line -> line.getThrown() != null); i++) {

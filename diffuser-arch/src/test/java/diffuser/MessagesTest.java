@@ -20,14 +20,15 @@ class MessagesTest {
             ^!go(X)[state(dropped)] <- diffuser.note(dropped,X).
             """;
 
-    private static RunningAgent ready(FakeBoard board) {
+    private final FakeBoard board = new FakeBoard("radio");
+
+    private RunningAgent ready() {
         return RunningAgent.listening(PROGRAM, board);
     }
 
     @Test
     void checkMail_tellAndUntell_beliefOfTheSenderComesAndGoes() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("////", "ROMA", "tell;p(1)");
         agent.notes("plus 1 ROMA");
         board.receive("//SU", "SUPO", "tell;p(1)");
@@ -38,8 +39,7 @@ class MessagesTest {
 
     @Test
     void checkMail_achieveAndUnachieve_goalIsAdoptedAndDropped() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("CAFE", "ROMA", "achieve;go(12)");
         agent.notes("going 12 ROMA");
         board.receive("CAFE", "ROMA", "unachieve;go(12)");
@@ -48,8 +48,7 @@ class MessagesTest {
 
     @Test
     void checkMail_listOfBeliefs_eachIsBelieved() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("////", "ROMA", "tell;[p(1),p(2)]");
         agent.notesAll("plus 1 ROMA", "plus 2 ROMA");
     }
@@ -62,7 +61,6 @@ class MessagesTest {
                 +!run(X)[cast(broadcast,S)] <- diffuser.note(broadcast,S,X).
                 +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
                 """;
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
         board.receive(to, "ROMA", "tell;q(1)");
         agent.notes(cast + " ROMA");
@@ -73,7 +71,7 @@ class MessagesTest {
     }
 
     /** Among forgeries of all kinds, of one belief that several devices share. */
-    private static void sealedAmongForged(FakeBoard board) {
+    private void sealedAmongForged() {
         board.receive("////", "SUPO", "tell;help");
         board.receive("////", "SUPO", "tell;help[cast(unicast,\"SUPO\")]");
         board.receive("////", "SUPO", "tell;help[cast(unicast,'SUPO'),source('SUPO')]");
@@ -86,9 +84,8 @@ class MessagesTest {
     @Test
     void checkMail_triggerDemandsUnicast_onlySealedOnesCount() {
         String program = PROGRAM + "+help[cast(unicast,S)] <- diffuser.note(S).";
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
-        sealedAmongForged(board);
+        sealedAmongForged();
         agent.notes("ROMA");
         agent.notes("SUHO");
         board.receive("CAFE", "SUPO", "tell;help");
@@ -98,9 +95,8 @@ class MessagesTest {
     @Test
     void checkMail_triggerDemandsUnicastOfAnybody_onlySealedOnesCount() {
         String program = PROGRAM + "+help[source(S),cast(unicast,_)] <- diffuser.note(S).";
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
-        sealedAmongForged(board);
+        sealedAmongForged();
         agent.notes("ROMA");
         agent.notes("SUHO");
     }
@@ -112,25 +108,22 @@ class MessagesTest {
                     .setof(S, help[source(S)], All);
                     diffuser.note(Sealed,All).
                 """;
-        FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
-        sealedAmongForged(board);
+        sealedAmongForged();
         board.receive("////", "SUAM", "tell;check");
         agent.notes("[ROMA,SUHO] [ROMA,SUAM,SUHO,SUPO]");
     }
 
     @Test
     void checkMail_contentHasSemicolonAndStrings_arrivesWhole() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("////", "ROMA", "tell;p(\"a;b ü\")");
         agent.notes("plus a;b ü ROMA");
     }
 
     @Test
     void checkMail_malformedContent_droppedCountedAndTheNextArrives() throws Exception {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("////", "ROMA", "tell;p(");
         board.receive("////", "ROMA", "tell;3");
         board.receive("////", "ROMA", "achieve;.stopMAS");
@@ -149,8 +142,7 @@ class MessagesTest {
 
     @Test
     void wake_agentSleeps_messageEndsItsSleep() {
-        FakeBoard board = new FakeBoard("radio");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         agent.cycles(3);
         assertTrue(agent.body().getTS().canSleep(), "an idle agent can sleep");
         board.receive("////", "ROMA", "tell;p(1)");

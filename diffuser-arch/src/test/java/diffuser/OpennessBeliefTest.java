@@ -55,6 +55,15 @@ class OpennessBeliefTest {
         return agent;
     }
 
+    /** From now on nobody is told to be silent, however late the agent is to see that somebody was heard. */
+    private static void stopCounting(FakeBoard board) {
+        board.refuse("statistics", Status.UNKNOWN_COMMAND);
+    }
+
+    private static void goOnCounting(FakeBoard board) {
+        board.refuse("statistics", Status.UNKNOWN_COMMAND, 0);
+    }
+
     private static void changes(RunningAgent agent, String from, String to) {
         agent.notesAll("no " + from, to);
     }
@@ -192,10 +201,12 @@ class OpennessBeliefTest {
     void silence_messageComes_isHeardAtOnceAndForAWhile() {
         FakeBoard board = board();
         RunningAgent agent = open(board);
-        agent.achieve("silence(500)");
+        agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
+        stopCounting(board);
         board.receive("////", "ROMA", "tell;x");
         changes(agent, "totallyClosed", "closed");
+        goOnCounting(board);
         changes(agent, "closed", "totallyClosed");
     }
 
@@ -203,8 +214,9 @@ class OpennessBeliefTest {
     void silence_messageIsDelivered_isHeard() {
         FakeBoard board = board().endAll(Outcome.DELIVERED);
         RunningAgent agent = open(board);
-        agent.achieve("silence(500)");
+        agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
+        stopCounting(board);
         agent.achieve("send");
         changes(agent, "totallyClosed", "closed");
     }
@@ -235,11 +247,13 @@ class OpennessBeliefTest {
     void silence_boardGoesAndComes_listensAnew() {
         FakeBoard board = board();
         RunningAgent agent = open(board);
-        agent.achieve("silence(500)");
+        agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
+        stopCounting(board);
         board.port.unplug();
         board.port.plug();
         changes(agent, "totallyClosed", "closed");
+        goOnCounting(board);
         changes(agent, "closed", "totallyClosed");
     }
 }

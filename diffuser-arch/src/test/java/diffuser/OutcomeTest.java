@@ -31,7 +31,9 @@ class OutcomeTest {
             +!probe <- diffuser.note(probed).
             """.replace("{To}", "quoted(To)");
 
-    private static RunningAgent doing(String action, FakeBoard board) {
+    private final FakeBoard board = new FakeBoard("antenna");
+
+    private RunningAgent doing(String action) {
         RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action), board);
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
@@ -39,8 +41,8 @@ class OutcomeTest {
         return agent;
     }
 
-    private static RunningAgent taken(String action, String request, FakeBoard board) {
-        RunningAgent agent = doing(action, board);
+    private RunningAgent taken(String action, String request) {
+        RunningAgent agent = doing(action);
         RunningAgent.asked(board, request);
         agent.notes("taken");
         return agent;
@@ -58,8 +60,7 @@ class OutcomeTest {
             ".send(bus1,achieve,[a,b])                | bus1 achieve;[a,b]         | quoted(\"bus1\") achieve [a,b]",
     })
     void unicast_ended_isAnEventOfWhatWasGivenAndNoBelief(String action, String request, String event) {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = taken(action, request, board);
+        RunningAgent agent = taken(action, request);
         board.end(request, Outcome.DELIVERED);
         agent.notes("delivered " + event);
         agent.achieve("do");
@@ -72,8 +73,8 @@ class OutcomeTest {
 
     @Test
     void unicast_undeliveredBySlowSketch_warnsOfWhatIsSlow() {
-        FakeBoard board = new FakeBoard("antenna").setCounter(Counter.PERCEPTS_MILLIS, 250);
-        RunningAgent agent = taken(".diffuse(ROMA,tell,help)", "ROMA tell;help", board);
+        board.setCounter(Counter.PERCEPTS_MILLIS, 250);
+        RunningAgent agent = taken(".diffuse(ROMA,tell,help)", "ROMA tell;help");
         board.end("ROMA tell;help", Outcome.UNDELIVERED);
         agent.warns(
                 "the sketch on antenna is slow, percepts: up to 250 ms passed in the sketch's function of percepts; "
@@ -82,9 +83,8 @@ class OutcomeTest {
 
     @Test
     void unicast_variableInIt_isOneInTheEventToo() {
-        FakeBoard board = new FakeBoard("antenna");
         String request = "ROMA achieve;find(F)";
-        RunningAgent agent = taken(".diffuse(\"ROMA\",achieve,find(F))", request, board);
+        RunningAgent agent = taken(".diffuse(\"ROMA\",achieve,find(F))", request);
         board.end(request, Outcome.DELIVERED);
         String note = agent.nextNote();
         assertTrue(note.startsWith("delivered quoted(\"ROMA\") achieve find(_"), note);
@@ -92,7 +92,6 @@ class OutcomeTest {
 
     @Test
     void unicast_waitedFor_waitEnds() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + """
                 +!go <- !!do; .wait({+delivered("ROMA",tell,a)}); diffuser.note(waited).
                 """;
@@ -106,9 +105,8 @@ class OutcomeTest {
 
     @Test
     void unicast_severalUnderWay_eachHasItsOwnOutcome() {
-        FakeBoard board = new FakeBoard("antenna");
         String action = ".diffuse(ROMA,tell,a); .diffuse(SUHO,tell,a); .diffuse(ROMA,tell,b)";
-        RunningAgent agent = doing(action, board);
+        RunningAgent agent = doing(action);
         agent.notes("taken");
         board.end("ROMA tell;b", Outcome.UNDELIVERED);
         agent.notes("undelivered quoted(\"ROMA\") tell b undelivered");
@@ -120,8 +118,8 @@ class OutcomeTest {
 
     @Test
     void unicast_moreThanThereAreNumbers_eachHasItsOwnOutcome() throws Exception {
-        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.DELIVERED);
-        RunningAgent agent = doing("for (.range(I,1,300)) { .diffuse(ROMA,tell,p(I)) }", board);
+        board.endAll(Outcome.DELIVERED);
+        RunningAgent agent = doing("for (.range(I,1,300)) { .diffuse(ROMA,tell,p(I)) }");
         for (int i = 1, heard = 0; heard < 300; i++) {
             String note = agent.nextNote();
             if (!note.equals("taken")) {
@@ -136,8 +134,7 @@ class OutcomeTest {
 
     @Test
     void unicast_outcomeOfNobodysMessage_isIgnored() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board);
+        RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a");
         board.end(200, Outcome.DELIVERED);
         agent.notesNothingElse();
     }
@@ -145,8 +142,7 @@ class OutcomeTest {
     @ParameterizedTest
     @CsvSource({"broadcast,////", "\"//SU\",//SU"})
     void unacknowledged_sent_isNoEvent(String to, String address) {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board);
+        RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a");
         board.end(address + " tell;a", Outcome.SENT);
         agent.notesNothingElse();
     }
@@ -155,8 +151,7 @@ class OutcomeTest {
     @CsvSource(delimiter = '|', quoteCharacter = '\0',
             value = {"\"ROMA\" | ROMA", "\"//SU\" | //SU", "broadcast | ////"})
     void underWay_boardIsReset_undelivered(String to, String address) {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board);
+        RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a");
         board.reset();
         agent.notes("undelivered quoted(" + to + ") tell a undelivered");
         agent.achieve("do");
@@ -168,8 +163,7 @@ class OutcomeTest {
 
     @Test
     void underWay_anotherPortIsOpened_undelivered() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board);
+        RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a");
         agent.achieve("other");
         agent.notes("undelivered quoted(\"ROMA\") tell a undelivered");
     }
@@ -180,7 +174,7 @@ class OutcomeTest {
             "broadcast,////,was not sent yet when the board was lost",
     })
     void undelivered_errorAndItsMessage_areAnnotations(String to, String address, String why) {
-        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.UNDELIVERED);
+        board.endAll(Outcome.UNDELIVERED);
         String program = """
                 !start.
                 +!start <- .port(antenna); .setMyRFId("SUPO"); .diffuse(%s,tell,a).
@@ -192,7 +186,7 @@ class OutcomeTest {
 
     @Test
     void outcomes_agentHasNoPlansForThem_nothingIsBelievedNorLogged() throws Exception {
-        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.UNDELIVERED);
+        board.endAll(Outcome.UNDELIVERED);
         String program = """
                 !start.
                 +!start <- .port(antenna); .setMyRFId("SUPO");
@@ -211,7 +205,6 @@ class OutcomeTest {
 
     @Test
     void outcome_tellsTheAgentByRadio_isNotTheBodysWord() {
-        FakeBoard board = new FakeBoard("antenna");
         RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board);
         agent.notes("ready");
         agent.achieve("do");
@@ -226,16 +219,15 @@ class OutcomeTest {
 
     @Test
     void send_refused_isAnEventWithItsError() {
-        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", Status.NO_KEY);
-        RunningAgent agent = doing(".send(\"ROMA\",tell,help)", board);
+        board.refuse("ROMA tell;help", Status.NO_KEY);
+        RunningAgent agent = doing(".send(\"ROMA\",tell,help)");
         agent.notesAll("taken", "undelivered quoted(\"ROMA\") tell help no_key");
         agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
     }
 
     @Test
     void send_toSeveral_eachHasItsOwnOutcome() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = doing(".send([\"ROMA\",\"SUHO\"],tell,a)", board);
+        RunningAgent agent = doing(".send([\"ROMA\",\"SUHO\"],tell,a)");
         RunningAgent.asked(board, "ROMA tell;a");
         RunningAgent.asked(board, "SUHO tell;a");
         agent.notes("taken");
@@ -247,7 +239,7 @@ class OutcomeTest {
 
     @Test
     void diffuse_refused_failsThePlanAndIsNoEvent() {
-        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;a", Status.QUEUE_FULL);
+        board.refuse("ROMA tell;a", Status.QUEUE_FULL);
         String program = PROGRAM + "-!do[error(E)] <- diffuser.note(failed,E).";
         RunningAgent agent = RunningAgent.run(program.formatted(".diffuse(ROMA,tell,a)"), board);
         agent.notes("ready");
@@ -258,9 +250,8 @@ class OutcomeTest {
 
     @Test
     void diffuse_longestContent_isTaken() {
-        FakeBoard board = new FakeBoard("antenna");
         String longest = "a".repeat(494 - "tell;".length());
-        RunningAgent agent = doing(".diffuse(ROMA,tell," + longest + ")", board);
+        RunningAgent agent = doing(".diffuse(ROMA,tell," + longest + ")");
         RunningAgent.asked(board, "ROMA tell;" + longest);
         agent.notes("taken");
         assertNull(note.of(agent.name()).peek());

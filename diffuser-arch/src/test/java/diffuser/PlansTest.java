@@ -21,7 +21,9 @@ class PlansTest {
             """;
     private static final String PLAN = "{ @run +!run(X) : X > 1 <- diffuser.note(\"a \\\"b\\\"\\n\u00e9\",X) }";
 
-    private static RunningAgent ready(String program, FakeBoard board) {
+    private final FakeBoard board = new FakeBoard("antenna");
+
+    private RunningAgent ready(String program) {
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
@@ -29,16 +31,15 @@ class PlansTest {
         return agent;
     }
 
-    private static RunningAgent ready(FakeBoard board) {
-        return ready(PROGRAM, board);
+    private RunningAgent ready() {
+        return ready(PROGRAM);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"SUPO", "//SU"})
     void tellHow_sealed_planRunsUntilItIsTakenBack(String to) {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "-!run(_) <- diffuser.note(unable).";
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         board.receive(to, "ROMA", "tellHow;" + PLAN);
         agent.cycles(5);
         agent.achieve("run(2)");
@@ -53,8 +54,7 @@ class PlansTest {
     @ValueSource(strings = {"\"+!run(X) <- diffuser.note(X).\"",
             "[\"+!run(X) <- diffuser.note(X).\",{ @other +!stay <- true }]", "[{ +!run(X) <- diffuser.note(X) }]"})
     void tellHow_stringOrList_planRuns(String plans) {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("SUPO", "ROMA", "tellHow;" + plans);
         agent.cycles(5);
         agent.achieve("run(2)");
@@ -63,8 +63,7 @@ class PlansTest {
 
     @Test
     void tellHow_broadcast_isRefusedCountedAndReportedOnce() throws Exception {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         for (int i = 0; i < 3; i++) {
             board.receive("////", "ROMA", "tellHow;{ @p" + i + " +!go <- diffuser.note(theirs) }");
         }
@@ -82,9 +81,8 @@ class PlansTest {
 
     @Test
     void tellHow_agentHasAPlanAgainstIt_isNotTaught() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!kqml_received(S,tellHow,_,_) <- diffuser.note(S,refused).";
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         board.receive("SUPO", "ROMA", "tellHow;{ @p +!run(_) <- diffuser.note(theirs) }");
         agent.notes("ROMA refused");
         agent.achieve("count({ +!run(_) })");
@@ -93,9 +91,8 @@ class PlansTest {
 
     @Test
     void untellHow_planOfTheAgentItself_stays() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "@mine +!stay <- diffuser.note(stayed).";
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         board.receive("SUPO", "ROMA", "untellHow;mine");
         agent.notesNothingElse();
         agent.achieve("stay");
@@ -104,9 +101,8 @@ class PlansTest {
 
     @Test
     void askHow_answered_plansArriveAtTheAskerAndRun() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!learn <- .send(\"ROMA\",askHow,{ +!run(_) },P); .add_plan(P,roma); !run(2).";
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         agent.achieve("learn");
         String id = Conversing.asked(board, "ROMA askHow;\\{ \\+!run\\(\\w+\\) }");
         board.receive("SUPO", "ROMA", "tellHow#" + id + ";[" + PLAN + "]");
@@ -115,9 +111,8 @@ class PlansTest {
 
     @Test
     void askHow_notAwaited_answerIsLearnt() {
-        FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!learn <- .send(\"ROMA\",askHow,\"+!run(_)\").";
-        RunningAgent agent = ready(program, board);
+        RunningAgent agent = ready(program);
         agent.achieve("learn");
         String id = Conversing.asked(board, "ROMA askHow;\"\\+!run\\(_\\)\"");
         board.receive("SUPO", "ROMA", "tellHow#" + id + ";[" + PLAN + "]");
@@ -128,8 +123,7 @@ class PlansTest {
 
     @Test
     void signal_anyCast_isAnEventAndNoBelief() {
-        FakeBoard board = new FakeBoard("antenna");
-        RunningAgent agent = ready(board);
+        RunningAgent agent = ready();
         board.receive("////", "ROMA", "signal;bell(1)");
         agent.notes("bell 1 ROMA broadcast");
         board.receive("SUPO", "ROMA", "signal;bell(2)");

@@ -28,6 +28,8 @@ class SuspendTest {
             +!probe <- diffuser.note(probed).
             """;
 
+    private final FakeBoard board = new FakeBoard("body");
+
     /** Waits for a board as long as a test lets it. */
     public static class Patient extends ScriptedDiffuser {
 
@@ -39,12 +41,12 @@ class SuspendTest {
         }
     }
 
-    private static RunningAgent run(String program, FakeBoard board) {
+    private RunningAgent run(String program) {
         return RunningAgent.run(program, null, List.of(Patient.class.getName()), board);
     }
 
-    private static RunningAgent waiting(String action, String request, FakeBoard board) {
-        RunningAgent agent = run(PROGRAM.formatted(action), board);
+    private RunningAgent waiting(String action, String request) {
+        RunningAgent agent = run(PROGRAM.formatted(action));
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
         board.stallAt(request);
@@ -66,11 +68,10 @@ class SuspendTest {
     @ParameterizedTest
     @CsvSource({".act(stop),do", ".act(stop),outer", "stop,do", "stop,outer"})
     void suspend_boardHasDoneIt_goesOnAfterResumeOnly(String action, String goal) {
-        FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "act stop", board);
+        RunningAgent agent = waiting(action, "act stop");
         suspend(agent, goal);
         board.resume();
-        answerToAnother(agent, board);
+        answerToAnother(agent);
         resume(agent, goal);
         agent.notes("done");
         agent.notes("outer");
@@ -78,7 +79,7 @@ class SuspendTest {
     }
 
     /** When the board has answered this, the answer before is there too. */
-    private static void answerToAnother(RunningAgent agent, FakeBoard board) {
+    private void answerToAnother(RunningAgent agent) {
         agent.achieve("other");
         RunningAgent.asked(board, "act go");
         agent.notes("other");
@@ -88,8 +89,7 @@ class SuspendTest {
     @ParameterizedTest
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_boardIsLost_failsAfterResumeOnly(String action) {
-        FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "act stop", board);
+        RunningAgent agent = waiting(action, "act stop");
         suspend(agent, "do");
         board.port.unplug();
         board.resume();
@@ -104,12 +104,11 @@ class SuspendTest {
     @ParameterizedTest
     @CsvSource({"DELIVERED,done", "UNDELIVERED,failed"})
     void suspend_messageHasEnded_goesOnAfterResumeOnly(Outcome outcome, String note) {
-        FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(".deliver(\"ROMA\",tell,help)", "ROMA tell;help", board);
+        RunningAgent agent = waiting(".deliver(\"ROMA\",tell,help)", "ROMA tell;help");
         board.resume();
         suspend(agent, "do");
         board.end("ROMA tell;help", outcome);
-        answerToAnother(agent, board);
+        answerToAnother(agent);
         resume(agent, "do");
         agent.notes(note);
         agent.notes("outer");
@@ -117,17 +116,17 @@ class SuspendTest {
 
     @Test
     void suspend_questionThatCannotBeAnswered_failsAfterResumeOnly() {
-        FakeBoard board = new FakeBoard("body").endAll(Outcome.UNDELIVERED);
+        board.endAll(Outcome.UNDELIVERED);
         String ask = ".send(\"ROMA\",askOne,p(_),_)";
         board.stallAt("ROMA askOne");
-        RunningAgent agent = run(PROGRAM.formatted(ask), board);
+        RunningAgent agent = run(PROGRAM.formatted(ask));
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
         agent.achieve("outer");
         Conversing.asked(board, "ROMA askOne;p\\(\\w+\\)");
         suspend(agent, "do");
         board.resume();
-        answerToAnother(agent, board);
+        answerToAnother(agent);
         resume(agent, "do");
         agent.notes("failed");
         agent.notes("outer");
@@ -136,8 +135,7 @@ class SuspendTest {
     @ParameterizedTest
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_resumedBeforeTheBoardAnswers_goesOnWhenItHas(String action) {
-        FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "act stop", board);
+        RunningAgent agent = waiting(action, "act stop");
         suspend(agent, "do");
         resume(agent, "do");
         agent.notesNothingElse();
@@ -149,11 +147,10 @@ class SuspendTest {
     @ParameterizedTest
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_droppedMeanwhile_nothingElseHappens(String action) {
-        FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "act stop", board);
+        RunningAgent agent = waiting(action, "act stop");
         suspend(agent, "do");
         board.resume();
-        answerToAnother(agent, board);
+        answerToAnother(agent);
         agent.achieve("drop");
         agent.notes("dropped");
         resume(agent, "do");
@@ -162,9 +159,8 @@ class SuspendTest {
 
     @Test
     void suspend_plainActionBesideAnother_onlyTheOtherGoesOn() {
-        FakeBoard board = new FakeBoard("body");
         String more = "+!second <- go; diffuser.note(second).";
-        RunningAgent agent = run(PROGRAM.formatted("stop") + more, board);
+        RunningAgent agent = run(PROGRAM.formatted("stop") + more);
         agent.notes("ready");
         RunningAgent.asked(board, "id SUPO");
         board.stallAt("act stop");

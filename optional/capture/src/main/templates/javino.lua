@@ -43,6 +43,10 @@ local RECORDS = {P = "percept", M = "message", T = "transmission", N = "no key",
 local COMMANDS = {
   @Commands.def: [$2] = "$3",
   transmit = "transmit"}
+-- Names of bits, titles, bits.
+local CAPABILITIES = {
+  @Capabilities.def: {("$1"):lower(), "$3", $2},
+}
 local COUNTERS = {
   @Counters.def: "$camel",
 }
@@ -184,9 +188,7 @@ field(serial, "protocol_version", "uint8", "Protocol version")
 field(serial, "rf_id", "string", "RF id")
 field(serial, "boot_epoch", "uint24", "Boot epoch")
 field(serial, "capabilities", "uint8", "Capabilities", base.HEX)
-field(serial, "capabilities.radio", "bool", "Has a radio", 8, nil, 0x01)
-field(serial, "capabilities.memory", "bool", "Has a memory", 8, nil, 0x02)
-field(serial, "capabilities.unicasts_only", "bool", "Has sealed unicasts only", 8, nil, 0x04)
+for _, row in ipairs(CAPABILITIES) do field(serial, "capabilities." .. row[1], "bool", row[2], 8, nil, row[3]) end
 field(serial, "firmware", "string", "Firmware name")
 field(serial, "poll.flags", "uint8", "Flags", base.HEX)
 field(serial, "poll.percepts", "bool", "Percepts are wanted", 8, nil, 0x01)
@@ -1215,7 +1217,7 @@ local REPLIES = {
     -- A board of an earlier library has its name there.
     if r.left() > 0 and range(r.at, 1):uint() < 0x20 then
       local item, _, bits = r.take("serial.capabilities", 1)
-      for _, name in ipairs({"radio", "memory", "unicasts_only"}) do item:add(f["serial.capabilities." .. name], bits) end
+      for _, row in ipairs(CAPABILITIES) do item:add(f["serial.capabilities." .. row[1]], bits) end
     end
     return (r.left() == 0 or is_utf8(select(2, r.text("serial.firmware", r.left()))))
   end,

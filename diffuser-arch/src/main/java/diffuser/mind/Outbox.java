@@ -3,7 +3,6 @@ package diffuser.mind;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.function.Consumer;
 
 import jason.JasonException;
@@ -14,14 +13,14 @@ import diffuser.board.Device;
 import diffuser.report.Failure;
 import diffuser.report.Warnings;
 
+import javino.Counts;
 import javino.board.Transmission;
 import javino.protocol.Outcome;
 
 /** Messages on their way from the agent to the radio, and what becomes of them: counted, and told as events. */
 public final class Outbox {
 
-    /** How many messages ended so, by the outcomes' ordinals. */
-    private final AtomicLongArray ended = new AtomicLongArray(Outcome.values().length);
+    private final Counts<Outcome> ended = new Counts<>();
     private final Warnings warnings;
     private final Consumer<Literal> signal;
 
@@ -98,7 +97,7 @@ public final class Outbox {
     }
 
     private Outcome counted(Outcome outcome) {
-        ended.incrementAndGet(outcome.ordinal());
+        ended.count(outcome);
         return outcome;
     }
 
@@ -121,6 +120,6 @@ public final class Outbox {
 
     /** How many of the messages that the board has taken have ended so. */
     public long ended(Outcome outcome) {
-        return ended.get(outcome.ordinal());
+        return ended.of(outcome);
     }
 }

@@ -4,6 +4,7 @@ import gateway.Router.Whom;
 import gateway.RouterEffect.Publish;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.List;
@@ -15,6 +16,8 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import javino.Counts;
 import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -33,7 +36,7 @@ final class Gateway implements AutoCloseable {
     private final Consumer<String> log;
     private final String name;
     private final Topics topics;
-    private final GatewayCounters counters = new GatewayCounters();
+    private final Counts<GatewayCounter> counters = new Counts<>();
     private final Router router;
     private final Broker broker;
     private final CellGateways cellGateways;
@@ -115,15 +118,16 @@ final class Gateway implements AutoCloseable {
         return TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
     }
 
-    /** Its counters. */
-    GatewayCounters counters() {
-        return counters;
+    /** Its counters as a JSON object in one line. */
+    String counters() {
+        return Arrays.stream(GatewayCounter.values()).map(counter -> "\"" + counter + "\":" + counters.of(counter))
+                .collect(Collectors.joining(",", "{", "}"));
     }
 
     /** Tells the broker, and the other gateways of the cell, that this one works, and what it has counted. */
     private void sayThere() {
         if (isOnline()) {
-            broker.publish(Broker.Message.kept(topics.gateway(name), counters.json(),
+            broker.publish(Broker.Message.kept(topics.gateway(name), counters(),
                     TimeUnit.MILLISECONDS.toSeconds(CellGateways.GONE_MILLIS)));
         }
     }

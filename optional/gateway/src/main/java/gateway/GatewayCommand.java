@@ -125,7 +125,7 @@ public final class GatewayCommand implements CommandPlugin {
         try {
             new CountDownLatch(1).await();
         } finally {
-            log(gateway.counters().json());
+            log(gateway.counters());
         }
     }
 

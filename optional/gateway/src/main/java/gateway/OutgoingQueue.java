@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import javino.Counts;
 import javino.protocol.Address;
 import javino.protocol.Frame;
 
@@ -15,7 +16,7 @@ final class OutgoingQueue {
 
     private static final int MOST = 16;
 
-    private final GatewayCounters counters;
+    private final Counts<GatewayCounter> counters;
     private final Deque<Waiting> waiting = new ArrayDeque<>();
     private Frame underWay;
 
@@ -29,7 +30,7 @@ final class OutgoingQueue {
         }
     }
 
-    OutgoingQueue(GatewayCounters counters) {
+    OutgoingQueue(Counts<GatewayCounter> counters) {
         this.counters = counters;
     }
 

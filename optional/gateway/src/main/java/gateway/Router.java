@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javino.Counts;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
@@ -48,7 +49,7 @@ final class Router {
     private final String cell;
     private final boolean broadcasts;
     private final Set<Address> groups;
-    private final GatewayCounters counters;
+    private final Counts<GatewayCounter> counters;
     private final FrameHistory frameHistory = new FrameHistory();
     private final Exchanges exchanges = new Exchanges();
     private final DeviceLocations locations = new DeviceLocations();
@@ -77,7 +78,7 @@ final class Router {
      * @param broadcasts whether broadcasts of other cells are relayed.
      * @param groups     groups whose multicasts are relayed even if no member was heard here.
      */
-    Router(String cell, boolean broadcasts, Set<Address> groups, GatewayCounters counters, long now) {
+    Router(String cell, boolean broadcasts, Set<Address> groups, Counts<GatewayCounter> counters, long now) {
         this.cell = cell;
         this.broadcasts = broadcasts;
         this.groups = groups;

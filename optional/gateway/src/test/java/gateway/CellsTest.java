@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import javino.Counts;
 import javino.protocol.Bytes;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -46,7 +47,7 @@ class CellsTest {
         Node(String cell, String name) {
             this.cell = cell;
             this.name = name;
-            router = new Router(cell, true, Set.of(), new GatewayCounters(), now);
+            router = new Router(cell, true, Set.of(), new Counts<>(), now);
         }
 
         void hears(Bytes frame) {

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.function.Consumer;
+import javino.Counts;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
@@ -69,7 +70,7 @@ class FalseGatewayTest implements PlayedCell.Clock {
             name = "c" + number;
             cell = new PlayedCell(number, CELLS, FalseGatewayTest.this, 1, () -> RECEIVER);
             radio = cell.open(this);
-            router = new Router(name, false, Set.of(), new GatewayCounters(), now);
+            router = new Router(name, false, Set.of(), new Counts<>(), now);
         }
 
         @Override

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import javino.Counts;
 import javino.protocol.Address;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
@@ -19,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The small parts of a gateway. */
 class PartsTest {
 
-    private final GatewayCounters counters = new GatewayCounters();
+    private final Counts<GatewayCounter> counters = new Counts<>();
 
     private static Frame frame(int nonce) throws ProtocolException {
         return Frame.decode(Frames.sealed("SUPO", "ROMA", nonce));

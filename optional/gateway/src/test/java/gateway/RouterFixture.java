@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import javino.Counts;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
@@ -13,7 +14,7 @@ abstract class RouterFixture {
 
     static final long STEP = 600;
 
-    final GatewayCounters counters = new GatewayCounters();
+    final Counts<GatewayCounter> counters = new Counts<>();
     final List<Bytes> relayed = new ArrayList<>();
     /** All other effects, such as {@code CELL east 1}, {@code seek ROMA}, {@code serve ROMA}. */
     final List<String> done = new ArrayList<>();

@@ -57,9 +57,9 @@ final class TestAuthority {
 
     private void enroll(String id, String option, Path file) {
         StringWriter said = new StringWriter();
-        int status = new CommandLine(new EnrollCommand()).setOut(new PrintWriter(said))
-                .setErr(new PrintWriter(said)).execute("--id", id,
-                        "--folder", folder.toString(), option, file.toString());
+        PrintWriter out = new PrintWriter(said);
+        int status = new CommandLine(new EnrollCommand()).setOut(out).setErr(out).execute("--id", id, "--folder",
+                folder.toString(), option, file.toString());
         if (status != 0) {
             throw new IllegalStateException("javino enroll ended with " + status + ": " + said);
         }

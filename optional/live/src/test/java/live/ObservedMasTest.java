@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import jason.asSemantics.Message;
 import jason.util.Config;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -91,9 +92,10 @@ class ObservedMasTest {
 
     @Test
     void belief_goneAndIntentionEnded_areTold() throws Exception {
-        run("!go. +!go <- +light(1); .wait(3000); -light(1); +dark.");
+        run("!go. +!go <- +light(1); .wait({+over}); -light(1); +dark.");
 
-        await(Set.of("light(1)[source(self)]"), "[\"+!go[source(self)] / .wait(3000)\"]");
+        await(Set.of("light(1)[source(self)]"), "[\"+!go[source(self)] / .wait({ +over })\"]");
+        mas.getAgs().values().forEach(agent -> agent.receiveMsg(new Message("tell", "test", "tester", "over")));
         await(Set.of("dark[source(self)]"), "[]");
         assertTrue(beliefs.stream().noneMatch(belief -> belief.startsWith("light")), beliefs.toString());
     }

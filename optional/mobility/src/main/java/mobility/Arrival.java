@@ -34,7 +34,7 @@ record Arrival(State state, Move.Key key, Move move, MoveMessage.Offer offer) im
     private static final Set<State> OPEN = EnumSet.range(State.ASKED, State.REPEATING);
     private static final Set<State> OVER = EnumSet.of(State.NONE);
 
-    static final Table<State, Arrival> TABLE = new Table<State, Arrival>()
+    static final HandlerTable<State, Arrival> TABLE = new HandlerTable<State, Arrival>()
             .on(EnumSet.of(State.NONE), MoveMessage.Offer.class, EnumSet.of(State.ASKED), "", Arrival::offered)
             .on(EnumSet.of(State.ASKED), Event.Accepted.class, EnumSet.of(State.COMING), "want, or a check",
                     (asked, event, moves) -> List.of(asked.become(State.COMING), Course::await, asked.look()))

@@ -161,7 +161,7 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
     @Override
     public Map<String, Object> status() {
         Moves known = moves;
-        return BoardService.status("moves", Moves.Count.class, count -> known == null ? 0 : known.count(count));
+        return BoardService.status("moves", Moves.Count.class, count -> known == null ? 0 : known.counts.of(count));
     }
 
     @Override

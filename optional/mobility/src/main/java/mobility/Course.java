@@ -123,7 +123,7 @@ final class Course {
 
     /** Counts a message that is of no use. */
     void drop() {
-        moves.note(Moves.Count.DROPPED);
+        moves.counts.count(Moves.Count.DROPPED);
     }
 
     /** Forgets what no record needs. */
@@ -153,14 +153,14 @@ final class Course {
 
     /** @param name the agent's name there. */
     void arrived(String name) {
-        moves.note(Moves.Count.LEFT);
+        moves.counts.count(Moves.Count.LEFT);
         end.ifPresent(waiting -> waiting.complete(name));
         tidy();
     }
 
     /** The agent lives on here, and its plan fails. */
     void stay(Failure why, Departure.Parts parts) {
-        moves.note(Moves.Count.STAYED);
+        moves.counts.count(Moves.Count.STAYED);
         end.ifPresentOrElse(waiting -> waiting.completeExceptionally(why.toException()),
                 () -> moves.mas.stays(machine.move(), parts.texts(), why));
     }
@@ -175,7 +175,7 @@ final class Course {
     }
 
     void refuse(RefusedException why, List<Part> unneeded) {
-        moves.note(Moves.Count.REFUSED);
+        moves.counts.count(Moves.Count.REFUSED);
         moves.mas.warn("an agent from " + key.peer() + " was not taken in: " + why.getMessage());
         answer(new MoveMessage.Refused(why.error(), why.getMessage()));
         unneeded.forEach(part -> moves.folder.forget(part.hash()));
@@ -236,7 +236,7 @@ final class Course {
 
     /** The agent has come, and so has gone no longer; it wakes. */
     void come(List<Move> absences) {
-        moves.note(Moves.Count.CAME);
+        moves.counts.count(Moves.Count.CAME);
         for (Move absence : absences) {
             moves.step(absence.key(), new Event.Superseded());
             moves.folder.delete(absence.key());

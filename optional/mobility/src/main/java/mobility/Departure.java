@@ -51,7 +51,7 @@ record Departure(State state, Move move, Parts parts, List<Integer> there, long 
     private static final Set<State> ON_DATA = EnumSet.of(State.SENDING, State.SENT);
     private static final Set<State> OVER = EnumSet.of(State.NONE);
 
-    static final Table<State, Departure> TABLE = new Table<State, Departure>()
+    static final HandlerTable<State, Departure> TABLE = new HandlerTable<State, Departure>()
             .on(OPEN, MoveMessage.Want.class, ON_DATA, "", Departure::wanted)
             .on(EnumSet.of(State.SENDING), Event.Delivered.class, ON_DATA, "", Departure::delivered)
             .on(EnumSet.of(State.SENDING), Event.Undelivered.class, EnumSet.of(State.OFFERED), "",

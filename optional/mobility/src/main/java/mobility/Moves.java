@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.random.RandomGenerator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -18,6 +17,7 @@ import diffuser.gate.Policy;
 import diffuser.gate.Provenance;
 import diffuser.report.Failure;
 
+import javino.Counts;
 import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -63,7 +63,7 @@ final class Moves {
     private final RandomGenerator random;
     /** All that are recorded or under way, in the order in which they began. */
     private final Map<Move.Key, Course> courses = new LinkedHashMap<>();
-    private final Map<Count, Long> counts = new ConcurrentHashMap<>();
+    final Counts<Count> counts = new Counts<>();
 
     Moves(Time.Timer clock, MoveStore folder, Mas mas, Limits limits, RandomGenerator random) {
         this.clock = clock;
@@ -71,15 +71,6 @@ final class Moves {
         this.mas = mas;
         this.limits = limits;
         this.random = random;
-    }
-
-    void note(Count count) {
-        counts.merge(count, 1L, Long::sum);
-    }
-
-    /** How often that has happened. For any thread. */
-    long count(Count count) {
-        return counts.getOrDefault(count, 0L);
     }
 
     /** Goes on from the records. */
@@ -196,10 +187,10 @@ final class Moves {
                 step(key, read.said());
             } else {
                 // It is damaged: whatever is answered could be wrong.
-                note(Count.DROPPED);
+                counts.count(Count.DROPPED);
             }
         } catch (ProtocolException e) {
-            note(Count.DROPPED);
+            counts.count(Count.DROPPED);
             mas.warn("dropped a message of a move from " + from + ": " + e.getMessage());
         }
     }

@@ -63,13 +63,13 @@ class MachinesTest {
     @Test
     void spec_hasTheTables() throws IOException {
         String spec = Files.readString(Path.of(System.getProperty("javino.root"), "SPEC.md"));
-        for (Table<?, ?> table : List.of(Departure.TABLE, Arrival.TABLE)) {
+        for (HandlerTable<?, ?> table : List.of(Departure.TABLE, Arrival.TABLE)) {
             String text = table.rows().stream().map(MachinesTest::text).collect(Collectors.joining());
             assertTrue(spec.contains("```\n" + text + "```\n"), () -> "SPEC 9.3 differs; it should have\n" + text);
         }
     }
 
-    private static String text(Table.Row<?, ?> row) {
+    private static String text(HandlerTable.Row<?, ?> row) {
         return String.format("%-31s %-32s %s\n", row.in().isEmpty() ? "else" : lower(row.in().stream()),
                 lower(row.at().stream().map(event -> event.getSimpleName().replaceAll("(?<=.)(?=[A-Z])", " "))),
                 Stream.of(lower(row.next().stream()), row.words()).filter(part -> !part.isEmpty())
@@ -118,13 +118,14 @@ class MachinesTest {
         return new Move.Identity(home, "inspector", Bytes.copyOf(new byte[Move.Identity.TOKEN_LENGTH]));
     }
 
-    private <S extends Enum<S>, M extends Machine> void check(Table<S, M> table, S[] states, List<Machine> machines) {
-        Map<Table.Row<S, M>, Set<Enum<?>>> followed = new HashMap<>();
+    private <S extends Enum<S>, M extends Machine> void check(HandlerTable<S, M> table, S[] states,
+            List<Machine> machines) {
+        Map<HandlerTable.Row<S, M>, Set<Enum<?>>> followed = new HashMap<>();
         Set<List<Object>> tried = new HashSet<>();
         for (Event event : EVENTS) {
             for (Machine machine : machines) {
                 if (table.events().contains(event.getClass())) {
-                    List<Table.Row<S, M>> rows = table.rows(machine.state(), event.getClass());
+                    List<HandlerTable.Row<S, M>> rows = table.rows(machine.state(), event.getClass());
                     assertEquals(1, rows.size(), machine.state() + " at " + event);
                     tried.add(List.of(machine.state(), event.getClass()));
                     followed.computeIfAbsent(rows.get(0), row -> new HashSet<>())
@@ -145,7 +146,7 @@ class MachinesTest {
         TEXTS.forEach(text -> side.moves.folder.keep(Part.hash(text), text));
         side.reached.clear();
         long said = simulation.messages;
-        long dropped = side.moves.count(Moves.Count.DROPPED);
+        long dropped = side.moves.counts.of(Moves.Count.DROPPED);
         Move.Key key = machine instanceof Arrival arrival ? arrival.key() : new Move.Key(true, Simulation.BUS, 1);
         Course course = new Course(side.moves, key, machine, Optional.of(new CompletableFuture<>()));
         try {
@@ -155,7 +156,8 @@ class MachinesTest {
         }
         if (ignored) {
             assertEquals(List.of(machine, said), List.of(course.machine(), simulation.messages));
-            assertEquals(dropped + (event instanceof MoveMessage.Said ? 1 : 0), side.moves.count(Moves.Count.DROPPED));
+            assertEquals(dropped + (event instanceof MoveMessage.Said ? 1 : 0),
+                    side.moves.counts.of(Moves.Count.DROPPED));
         }
         return side.reached.stream().limit(1).toList();
     }

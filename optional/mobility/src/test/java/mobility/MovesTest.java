@@ -68,8 +68,8 @@ class MovesTest {
         simulation.runUntil(30_000);
         assertEquals(AGENT, end.join());
         assertOnlyAt(bus, station);
-        assertEquals(1, station.moves.count(Moves.Count.LEFT));
-        assertEquals(1, bus.moves.count(Moves.Count.CAME));
+        assertEquals(1, station.moves.counts.of(Moves.Count.LEFT));
+        assertEquals(1, bus.moves.counts.of(Moves.Count.CAME));
         // Offer, want, a data for each text, ready, go, awake: nothing twice.
         assertEquals(7, simulation.messages);
     }
@@ -121,7 +121,7 @@ class MovesTest {
     @Test
     void depart_contactLostBeforeGo_staysAndOtherSideForgets() {
         move();
-        while (bus.moves.count(Moves.Count.CAME) == 0 && simulation.millis() < 60_000 && simulation.messages < 6) {
+        while (bus.moves.counts.of(Moves.Count.CAME) == 0 && simulation.millis() < 60_000 && simulation.messages < 6) {
             simulation.runUntil(simulation.millis() + 1);
         }
         simulation.contact = false;
@@ -449,7 +449,7 @@ class MovesTest {
             assertTrue(parts.count() <= 64, "they do not fill the disk");
         }
         assertEquals(List.of(), MoveStore.records(folder.resolve("SUBB")));
-        assertTrue(bus.moves.count(Moves.Count.REFUSED) >= 150, "" + bus.moves.count(Moves.Count.REFUSED));
+        assertTrue(bus.moves.counts.of(Moves.Count.REFUSED) >= 150, "" + bus.moves.counts.of(Moves.Count.REFUSED));
         station.awake.put(AGENT, TEXTS);
         move();
         simulation.runUntil(simulation.millis() + 60_000);

@@ -203,7 +203,7 @@ class ReturnsTest {
         move(station, Protocol.INQUILINISM, bus);
         move(bus, protocol, hospital);
         assertEquals("stayed guest", bus.told.get(bus.told.size() - 1));
-        assertEquals(0, hospital.moves.count(Moves.Count.CAME));
+        assertEquals(0, hospital.moves.counts.of(Moves.Count.CAME));
         assertOnlyAt(bus);
     }
 

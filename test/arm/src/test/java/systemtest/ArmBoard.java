@@ -19,7 +19,7 @@ final class ArmBoard implements SketchBoard {
     private static final Path PROGRAMS = Path.of(System.getProperty("javino.root"), "test/arm/build");
     private static final Pattern PTY = Pattern.compile("char device redirected to (\\S+) .*");
     private static final String LIT = "pin 13 1";
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 240;
 
     private final Process process;
     private final PrintWriter input;

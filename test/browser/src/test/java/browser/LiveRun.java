@@ -1,5 +1,6 @@
 package browser;
 
+import harness.Platform;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -18,7 +19,7 @@ final class LiveRun implements AutoCloseable {
 
     static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final Path HIGHWAY = ROOT.resolve("examples/highway");
-    private static final long PATIENCE_SECONDS = 120;
+    private static final long PATIENCE_SECONDS = 240;
 
     private final Path folder;
     private final Process process;
@@ -31,10 +32,8 @@ final class LiveRun implements AutoCloseable {
 
     private LiveRun(Path folder, List<String> arguments) throws IOException {
         this.folder = folder;
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin/java").toString(),
-                "-Djava.awt.headless=true", "-Djavino.identities=" + System.getProperty("javino.identities"),
-                "--enable-native-access=ALL-UNNAMED", "-cp",
-                System.getProperty("java.class.path")));
+        List<String> command = Platform.smallJava(Platform.USUAL.java(), "-cp", Platform.USUAL.classPath(),
+                "-Djavino.identities=" + System.getProperty("javino.identities"));
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
         builder.environment().keySet().removeAll(List.of("DISPLAY", "WAYLAND_DISPLAY"));

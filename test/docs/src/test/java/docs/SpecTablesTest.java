@@ -81,6 +81,29 @@ class SpecTablesTest {
                 .map(row -> row.replaceAll("\\w+, '(.)', \"(.*)", "| `$1` $2")).sorted().toList());
     }
 
+    private static List<String> letters(String boards) {
+        return found("'\\w'(?=, \"[^\"]+\", " + boards + ",)",
+                Repository.text("javino-firmware/src/board/Commands.def"))
+                .map(letter -> letter.substring(1, 2)).sorted().toList();
+    }
+
+    @Test
+    void capabilities_areThoseOfTheTable() {
+        List<String> rows = found("^\\| \\d \\| .*",
+                section("4.3 Commands").split("capabilities: if set")[1].split("\n\n")[0]).toList();
+        List<MatchResult> listed = Pattern.compile("^CAPABILITY\\(\\w+, (\\d+), \"Has ([^\"]+)", Pattern.MULTILINE)
+                .matcher(Repository.text("javino-firmware/src/support/Capabilities.def")).results().toList();
+        assertEquals(rows.size(), listed.size());
+        for (int bit = 0; bit < rows.size(); bit++) {
+            assertEquals(1 << bit, Integer.parseInt(listed.get(bit).group(1)));
+            assertTrue(rows.get(bit).startsWith("| " + bit) && rows.get(bit).contains(listed.get(bit).group(2)),
+                    rows.get(bit));
+        }
+        assertEquals(found("(?<=, |for )[A-Z](?=, |$| \\|)", rows.get(0)).sorted().toList(),
+                letters("(?:WHOLE_)?RADIO"));
+        assertEquals(found("(?<=, |for )[A-Z](?=, |;)", rows.get(2)).sorted().toList(), letters("WHOLE_RADIO"));
+    }
+
     @Test
     void performatives_inJava_areThoseOfTheTable() {
         List<String> rows = found("^\\| `.*?` \\|", section("3 Content")).toList();

@@ -25,6 +25,7 @@ import trace.TransitionHandler;
 public final class AgentProcess implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+    private static final String DIFFUSER = "diffuser.Diffuser";
     /** Long enough for a sketch to be built on a busy machine. */
     private static final long PATIENCE_SECONDS = 240;
 
@@ -105,12 +106,19 @@ public final class AgentProcess implements AutoCloseable {
         };
     }
 
-    /** Starts the {@code .mas2j} of that name in a folder, to which a copy of it and of its agent of that name goes. */
+    /** Starts the agent of that name in a folder, to which a copy of its program goes. */
     public static AgentProcess start(String name, Path folder) throws IOException {
-        return start(Platform.USUAL, name, List.of(name), folder);
+        return start(name, DIFFUSER, folder);
     }
 
-    /** The same on another platform, which takes the program of that name, with agents of other names. */
+    /** The same with an architecture of that class. */
+    public static AgentProcess start(String name, String architecture, Path folder) throws IOException {
+        copy(name + ".asl", folder);
+        writeMas(name, architecture, folder);
+        return run(name, folder, line -> {});
+    }
+
+    /** Starts the MAS of that name on a platform, with copies of it and of its agents' programs. */
     public static AgentProcess start(Platform platform, String name, List<String> agents, Path folder)
             throws IOException {
         copy(name + platform.suffix(), folder);
@@ -135,8 +143,9 @@ public final class AgentProcess implements AutoCloseable {
         return run(platform, name, folder, List.of(), listener);
     }
 
-    /** The same, with options of Java. */
+    /** Starts the agent of that name, whose program is in a folder, with options of Java. */
     public static AgentProcess run(String name, Path folder, List<String> options) throws IOException {
+        writeMas(name, DIFFUSER, folder);
         return run(Platform.USUAL, name, folder, options, line -> {});
     }
 
@@ -170,6 +179,11 @@ public final class AgentProcess implements AutoCloseable {
                 .map(above -> above.resolve(RealTimeEngine.CONTROL)).filter(Files::exists).findFirst();
         return Files.writeString(folder.resolve(name + ".properties"), usual + control
                 .map(socket -> TransitionHandler.configuration(Transitions.LOGGER, socket)).orElse(""));
+    }
+
+    private static void writeMas(String agent, String architecture, Path folder) throws IOException {
+        Files.writeString(folder.resolve(agent + ".mas2j"),
+                "MAS %1$s { agents: %1$s agentArchClass %2$s; }".formatted(agent, architecture));
     }
 
     private static void copy(String file, Path folder) throws IOException {

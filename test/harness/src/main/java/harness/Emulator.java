@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -34,7 +35,7 @@ public final class Emulator implements AutoCloseable {
     private static final String MEGA = "mega";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Time after which what a test awaits is taken to be lost; far above what anything takes. */
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 240;
     /**
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
      */
@@ -52,6 +53,7 @@ public final class Emulator implements AutoCloseable {
     private final boolean modelled;
     /** The handler for hosts in this process. */
     private final TransitionHandler transitions;
+    private final List<Runnable> closings = new CopyOnWriteArrayList<>();
     private int lines;
     private boolean keeping = true;
 
@@ -317,13 +319,20 @@ public final class Emulator implements AutoCloseable {
         }
     }
 
+    /** Has it closed before the emulator, if it is not closed by then. */
+    public <T> T closing(T made, Consumer<T> close) {
+        closings.add(() -> close.accept(made));
+        return made;
+    }
+
     /**
-     * Ends the emulator; EEPROM contents stay in the folder.
+     * Ends what has its boards' ports, and the emulator; EEPROM contents stay in the folder.
      *
      * @throws AssertionError where it had failed, or the model does not allow what the boards did
      */
     @Override
     public void close() {
+        closings.forEach(Runnable::run);
         TRANSITIONS.removeHandler(transitions);
         try {
             engine.end();

@@ -52,9 +52,8 @@ public final class GatewayProcess implements AutoCloseable {
 
     /** Starts one, with the password of the test's broker in its environment. */
     public static GatewayProcess start(List<String> options) throws IOException {
-        List<String> command = new ArrayList<>(List.of(ProcessHandle.current().info().command().orElse("java"),
-                "-Xmx16m", "-XX:+UseSerialGC", "-XX:+ExitOnOutOfMemoryError", "-cp",
-                System.getProperty("java.class.path"), "javino.cli.Main", "gateway"));
+        List<String> command = Platform.smallJava(Platform.USUAL.java(), "-Xmx16m", "-XX:+ExitOnOutOfMemoryError",
+                "-cp", Platform.USUAL.classPath(), "javino.cli.Main", "gateway");
         command.addAll(options);
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().putAll(Map.of("JAVINO_MQTT_PASSWORD", Mosquitto.PASSWORD));

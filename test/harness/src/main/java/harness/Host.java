@@ -29,8 +29,9 @@ import lockstep.Simulation;
 /** A board session that a test drives, in the time of the test's emulator, with what came from the board in queues. */
 public final class Host implements AutoCloseable {
 
-    private static final long PATIENCE_SECONDS = 60;
-    private static final Duration LONGEST = Duration.ofSeconds(PATIENCE_SECONDS);
+    /** Far above what anything takes, on a busy machine too. */
+    private static final long PATIENCE_SECONDS = 240;
+    private static final Duration LONGEST = Duration.ofSeconds(60);
     private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
@@ -71,7 +72,7 @@ public final class Host implements AutoCloseable {
     }
 
     private <T> T await(String lack, Supplier<T> taken) throws InterruptedException {
-        return changes.await(() -> lack, LONGEST, taken);
+        return changes.await(() -> lack, Duration.ofSeconds(PATIENCE_SECONDS), taken);
     }
 
     /** The settings of {@link #over}. */
@@ -85,7 +86,7 @@ public final class Host implements AutoCloseable {
     }
 
     public static Host of(Emulator emulator, String board) {
-        return over(link(emulator.port(board)));
+        return emulator.closing(over(link(emulator.port(board))), Host::close);
     }
 
     public static Host over(LinkOpener link) {
@@ -96,7 +97,7 @@ public final class Host implements AutoCloseable {
      * For boards that write much to their EEPROM: on a busy machine their answers come late by the clock on the wall.
      */
     public static Host patient(Emulator emulator, String board) {
-        return patient(link(emulator.port(board)));
+        return emulator.closing(patient(link(emulator.port(board))), Host::close);
     }
 
     public static Host patient(LinkOpener link) {
@@ -105,8 +106,8 @@ public final class Host implements AutoCloseable {
 
     /** A host as {@link #patient}, with the notes that an agent's host has. */
     public static Host noting(Emulator emulator, String board) {
-        return new Host(link(emulator.port(board)), BoardConfig.create(
-                config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost()))));
+        return emulator.closing(new Host(link(emulator.port(board)), BoardConfig.create(
+                config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost())))), Host::close);
     }
 
     /** A host for boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */
@@ -197,7 +198,7 @@ public final class Host implements AutoCloseable {
     public static <T> T await(CompletableFuture<T> request) throws ExecutionException {
         Time time = Simulation.here();
         try {
-            return time.get(time.orTimeout(request.copy(), LONGEST));
+            return time.get(time.orTimeout(request.copy(), Duration.ofSeconds(PATIENCE_SECONDS)));
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw new AssertionError(interrupted);

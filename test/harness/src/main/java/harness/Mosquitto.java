@@ -29,28 +29,29 @@ public final class Mosquitto implements AutoCloseable {
             pattern read javino/seek/#
             pattern read javino/broadcast/#
             """;
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 240;
     private static final long PAUSE_MILLIS = 20;
 
     private final Path folder;
-    private final int port;
+    private int port;
     private Process process;
 
-    private Mosquitto(Path folder, int port) {
+    private Mosquitto(Path folder) {
         this.folder = folder;
-        this.port = port;
     }
 
     /** Starts one whose files are in that folder, for its owner and these cells. */
     public static Mosquitto start(Path folder, String... cells) throws IOException, InterruptedException {
         Files.createDirectories(folder);
-        Mosquitto broker = new Mosquitto(folder, freePort());
+        Mosquitto broker = new Mosquitto(folder);
         broker.certify();
         broker.run("mosquitto_passwd", "-b", "-c", broker.path("passwords"), OWNER, PASSWORD);
         for (String cell : cells) {
             broker.run("mosquitto_passwd", "-b", broker.path("passwords"), cell, PASSWORD);
         }
         Files.writeString(folder.resolve("acl"), "user " + OWNER + "\ntopic readwrite #\ntopic read $SYS/#\n" + ACCESS);
+        // Only now: another program may take a port that is free before this one does.
+        broker.port = freePort();
         Files.writeString(folder.resolve("mosquitto.conf"),
                 """
                 user %s

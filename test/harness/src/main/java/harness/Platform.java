@@ -2,6 +2,7 @@ package harness;
 
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -33,10 +34,15 @@ public record Platform(Path java, String classPath, String launcher, String suff
         return new Platform(java, classPath, otherLauncher, otherSuffix);
     }
 
-    /** The command that starts that program in a small Java, which is up soon: a campaign has a dozen. */
+    /** The command that starts that program. */
     List<String> command(String name, Path logging) {
-        return List.of(java.resolve("bin/java").toString(), "-Djava.awt.headless=true", "-XX:+UseSerialGC",
-                "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp", classPath, launcher,
-                name + suffix, "--log-conf", logging.toString(), "--no-net");
+        return smallJava(java, "-cp", classPath, launcher, name + suffix, "--log-conf", logging.toString(), "--no-net");
+    }
+
+    /** The beginning of a command that starts a small Java, which is up soon: a campaign has a dozen. */
+    public static List<String> smallJava(Path home, String... options) {
+        return Stream.concat(Stream.of(home.resolve("bin/java").toString(), "-Djava.awt.headless=true",
+                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED"),
+                Stream.of(options)).collect(Collectors.toCollection(ArrayList::new));
     }
 }

@@ -12,7 +12,6 @@ import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ClassTemplateInvocationContext;
 import org.junit.jupiter.api.extension.ClassTemplateInvocationContextProvider;
@@ -62,7 +61,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
         };
     }
 
-    private final class Seeded implements BeforeEachCallback, AfterEachCallback, TestWatcher {
+    private final class Seeded implements BeforeEachCallback, TestWatcher {
 
         private final long seed;
         private EmulatedRun run;
@@ -79,6 +78,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
             delete(folder);
             run = new EmulatedRun(seed, Files.createDirectories(folder));
             EmulatedRun.use(run);
+            test.getStore(ExtensionContext.Namespace.create(Seeded.class)).put(run, (AutoCloseable) this::end);
             log = new FileHandler(folder.resolve("log").toString());
             log.setFormatter(new SimpleFormatter());
             // Nothing else tells what agents print.
@@ -94,8 +94,8 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
             return shown.startsWith("[") ? method + shown.replaceAll("[^\\w]+", "_") : method;
         }
 
-        @Override
-        public void afterEach(ExtensionContext test) {
+        /** Behind all that the test itself closes. */
+        private void end() {
             EmulatedRun.use(null);
             ROOT.removeHandler(log);
             log.close();

@@ -9,7 +9,7 @@ import javino.link.LinkException;
 /** A serial monitor, as the Arduino IDE has one: lines of text to and from a board. */
 public final class SerialMonitor implements AutoCloseable {
 
-    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration PATIENCE = Duration.ofSeconds(240);
 
     private final Link link;
 

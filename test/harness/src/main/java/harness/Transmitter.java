@@ -17,7 +17,7 @@ public final class Transmitter implements AutoCloseable {
     }
 
     public static Transmitter of(Emulator emulator, String board) throws LinkException {
-        return new Transmitter(Host.link(emulator.port(board)).open());
+        return emulator.closing(new Transmitter(Host.link(emulator.port(board)).open()), Transmitter::close);
     }
 
     /** Sends a payload with the right count and CRC, and waits until it has been on the air. */
@@ -39,7 +39,7 @@ public final class Transmitter implements AutoCloseable {
         System.arraycopy(trailer, 0, request, 2 + packet.length, trailer.length);
         link.write(request);
         byte[] answer = new byte[1];
-        if (link.read(answer, Duration.ofSeconds(60)) != 1 || answer[0] != SENT) {
+        if (link.read(answer, Duration.ofSeconds(240)) != 1 || answer[0] != SENT) {
             throw new AssertionError("the transmitter is silent");
         }
     }

@@ -19,7 +19,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Payload;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +37,7 @@ class CounterexampleTest {
     private static final int ANSWERED_ATTEMPTS = 4;
     private static final int MOST_PLAYS = 10;
 
+    @AutoClose
     private Emulator emulator;
     private Transmitter thief;
     private Host police;
@@ -50,13 +51,6 @@ class CounterexampleTest {
         thief = Transmitter.of(emulator, "thief");
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(police, support).forEach(Host::close);
-        thief.close();
-        emulator.close();
     }
 
     /** Faults "no nonce check" and "no duplicate check". */

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import javino.keyring.DeviceNotes;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -27,6 +27,7 @@ class DriveCommandsTest {
 
     private static final int ENDED_BY_SIGTERM = 143;
 
+    @AutoClose
     private Emulator emulator;
 
     @BeforeEach
@@ -34,11 +35,6 @@ class DriveCommandsTest {
         emulator = new Emulator.Scenario().board("police", "Vehicle").board("support", "Station").start(folder);
         Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR)).close();
         Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR)).close();
-    }
-
-    @AfterEach
-    void switchOff() {
-        emulator.close();
     }
 
     /** Starts the command on a board's port. */

@@ -50,8 +50,6 @@ class GroupKeyTest {
     private AgentProcess start(String board, String then) throws IOException {
         Files.writeString(folder.resolve(board + ".asl"), AGENT.replace("@PORT@", emulator.port(board))
                 .replace("@ID@", IDS.get(board)).replace("@THEN@", then));
-        Files.writeString(folder.resolve(board + ".mas2j"),
-                "MAS " + board + " { agents: " + board + " agentArchClass diffuser.Diffuser; }");
         return AgentProcess.run(board, folder, List.of("-D" + BoardKeyAgreement.FOLDER_PROPERTY + "=" + identities));
     }
 

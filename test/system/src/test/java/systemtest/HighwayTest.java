@@ -337,9 +337,8 @@ class HighwayTest {
 
     /** The launcher starts all others with the Java and the class path that it has. */
     private ProcessBuilder launcher(Path javaHome, String classPath, String emulator, String... options) {
-        List<String> command = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(),
-                "--enable-native-access=ALL-UNNAMED", "-cp", classPath, "highway.Highway", "--plain", "--emulator",
-                emulator));
+        List<String> command = Platform.smallJava(javaHome, "-cp", classPath, "highway.Highway", "--plain",
+                "--emulator", emulator);
         command.addAll(List.of(options));
         if (!command.get(command.size() - 1).startsWith("--timeout")) {
             command.add("--timeout=300");

@@ -25,7 +25,7 @@ class HomeTest {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final Path EXAMPLE = ROOT.resolve("examples/home");
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 240;
 
     private final BlockingQueue<String> published = new LinkedBlockingQueue<>();
 

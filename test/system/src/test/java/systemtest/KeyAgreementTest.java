@@ -90,8 +90,6 @@ class KeyAgreementTest {
     private AgentProcess start(String board, String program, String then, Path where) throws IOException {
         Files.writeString(folder.resolve(board + ".asl"),
                 program.replace("@PORT@", emulator.port(board)).replace("@THEN@", then));
-        Files.writeString(folder.resolve(board + ".mas2j"),
-                "MAS " + board + " { agents: " + board + " agentArchClass diffuser.Diffuser; }");
         TimeZone.setDefault(TimeZone.getTimeZone(EAST));  // of agents in this process
         return AgentProcess.run(board, folder, List.of("-D" + BoardKeyAgreement.FOLDER_PROPERTY + "=" + where,
                 "-Duser.timezone=" + EAST));

@@ -228,6 +228,7 @@ class NewProjectTest {
                         "--gradle-user-home", System.getProperty("javino.gradleUserHome"));
         gradle.command().addAll(List.of(arguments));
         gradle.environment().put("JAVA_HOME", JAVA_HOME);
+        gradle.environment().put("GRADLE_OPTS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");
         return gradle;
     }
 

@@ -24,7 +24,7 @@ import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -40,6 +40,7 @@ class OverhearingTest {
     private static final List<Double> WEST = List.of(0.0, 0.0);
     private static final List<Double> EAST = List.of(100_000.0, 0.0);
 
+    @AutoClose
     private Emulator emulator;
     private Host police;
     private Host bus;
@@ -62,14 +63,14 @@ class OverhearingTest {
     }
 
     private Board ear(String name, Consumer<PollReply.Overheard> hearer) {
-        return Board.open(Host.link(emulator.port(name)), Host.config(),
+        return emulator.closing(Board.open(Host.link(emulator.port(name)), Host.config(),
                 new BoardListener() {
                     @Override
                     public void overheard(PollReply.Overheard packet) {
                         overheard.add(packet);
                         hearer.accept(packet);
                     }
-                });
+                }), Board::close);
     }
 
     private static void relay(PollReply.Overheard packet, Board into) {
@@ -78,15 +79,6 @@ class OverhearingTest {
         } catch (ProtocolException damaged) {
             assertEquals(PollReply.Reception.DAMAGED, packet.how());
         }
-    }
-
-    @AfterEach
-    void switchOff() {
-        west.close();
-        east.close();
-        police.close();
-        bus.close();
-        emulator.close();
     }
 
     @Test

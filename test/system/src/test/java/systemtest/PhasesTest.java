@@ -20,7 +20,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -56,6 +56,7 @@ class PhasesTest {
     private static final int LATE = 2;
     private static final double SLOW = 0.3;
 
+    @AutoClose
     private Emulator emulator;
     private Nuisance nuisance;
     private Host police;
@@ -73,12 +74,6 @@ class PhasesTest {
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         police.awaitOnline(1);
         support.awaitOnline(1);
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(police, support).forEach(Host::close);
-        emulator.close();
     }
 
     @Test

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Map;
 import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +24,7 @@ class ProMiniTest {
 
     private static final double BIT_SECONDS = 1 / 2000.0;
 
+    @AutoClose
     private Emulator emulator;
     private Host mini;
     private Host mega;
@@ -37,12 +38,6 @@ class ProMiniTest {
                 .start(folder);
         mini = Host.of(emulator, "mini").as("LAMP", Map.of("ROMA", TestKeys.PAIR));
         mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR));
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(mini, mega).forEach(Host::close);
-        emulator.close();
     }
 
     @Test

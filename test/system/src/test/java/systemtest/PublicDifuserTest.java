@@ -20,9 +20,9 @@ class PublicDifuserTest {
                 new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {
             Host.of(emulator, "bus").as("ROMA", Map.of()).close();
             Host.of(emulator, "police").as("SUPO", Map.of()).close();
-            try (AgentProcess receiver = AgentProcess.start("receiver", folder)) {
+            try (AgentProcess receiver = AgentProcess.start("receiver", "jason.Difuser", folder)) {
                 receiver.await("listens");
-                try (AgentProcess transmitter = AgentProcess.start("transmitter", folder)) {
+                try (AgentProcess transmitter = AgentProcess.start("transmitter", "Difuser", folder)) {
                     receiver.await("message 2");
                     transmitter.await("ack 2");
                     receiver.await("message 1");
@@ -37,7 +37,8 @@ class PublicDifuserTest {
     void sketchWithTheOlderLibrary_isGivenTheMessageAsAnAction(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("lamp", "OlderBoard",
                 Map.of("watch", List.of(Map.of("pin", 13, "name", "led"))));
-        try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("difuser", folder)) {
+        try (Emulator emulator = scenario.start(folder);
+                AgentProcess agent = AgentProcess.start("difuser", "Difuser", folder)) {
             agent.await("the sketch was given 1 0.5");
             emulator.await("the LED", event -> event.is("pin", "lamp") && event.number("level") == 1);
         }

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Map;
 import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +26,7 @@ import trace.TraceEvent;
 @InEmulatedTime
 class RadioExchangeTest {
 
+    @AutoClose
     private Emulator emulator;
     private Host police;
     private Host support;
@@ -39,12 +40,6 @@ class RadioExchangeTest {
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         bus = Host.of(emulator, "bus").as("ROMA", Map.of());
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(police, support, bus).forEach(Host::close);
-        emulator.close();
     }
 
     @Test

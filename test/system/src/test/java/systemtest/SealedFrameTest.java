@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -30,6 +30,7 @@ class SealedFrameTest {
     private static final Set<Counter> DROPPED = EnumSet.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
             Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG);
 
+    @AutoClose
     private Emulator emulator;
     private Transmitter attacker;
     private Host support;
@@ -49,13 +50,6 @@ class SealedFrameTest {
         }
         frame = HexFormat.of()
                 .parseHex(emulator.await("the sealed frame", event -> event.is("rf-tx", "police")).text("payload"));
-    }
-
-    @AfterEach
-    void switchOff() {
-        support.close();
-        attacker.close();
-        emulator.close();
     }
 
     @Test

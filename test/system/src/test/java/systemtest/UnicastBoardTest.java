@@ -15,7 +15,7 @@ import java.util.concurrent.ExecutionException;
 import javino.protocol.Address;
 import javino.protocol.Counter;
 import javino.protocol.Key;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +26,7 @@ class UnicastBoardTest {
 
     private static final String LINE = "failed: UNICASTS_ONLY, the board has neither groups, broadcasts";
 
+    @AutoClose
     private Emulator emulator;
     private Host uno;
     private Host mega;
@@ -36,12 +37,6 @@ class UnicastBoardTest {
                 .start(folder);
         uno = Host.of(emulator, "uno").as("LAMP", Map.of("ROMA", TestKeys.PAIR));
         mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR, "//LA", TestKeys.GROUP));
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(uno, mega).forEach(Host::close);
-        emulator.close();
     }
 
     @Test

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,6 +31,7 @@ class UnoTest {
     /** Seconds after which a Mega can tell that it has been up for longer than the next message is on its way. */
     private static final double LONG_UP_SECONDS = 8;
 
+    @AutoClose
     private Emulator emulator;
     private Host uno;
     private Host mega;
@@ -43,12 +44,6 @@ class UnoTest {
                 .start(folder);
         uno = Host.of(emulator, "uno").as("LAMP", Map.of("ROMA", TestKeys.PAIR, "//LA", TestKeys.GROUP));
         mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR, "//LA", TestKeys.GROUP));
-    }
-
-    @AfterEach
-    void switchOff() {
-        List.of(uno, mega).forEach(Host::close);
-        emulator.close();
     }
 
     @Test

@@ -68,7 +68,7 @@ class VirtualWireTest {
         StringBuilder line = new StringBuilder();
         byte[] some = new byte[16];
         while (line.indexOf("\n") < 0) {
-            int count = link.read(some, Duration.ofSeconds(60));
+            int count = link.read(some, Duration.ofSeconds(240));
             if (count == 0) {
                 throw new AssertionError("the receiver is silent after \"" + line + "\"");
             }

@@ -32,7 +32,8 @@ public record Firmware(List<String> sources) implements Names {
         }
     }
 
-    private static String read(Path file) {
+    /** The text of a file. */
+    static String read(Path file) {
         try {
             return Files.readString(file);
         } catch (IOException problem) {

@@ -163,7 +163,7 @@ public record Scene(String name, String title, String model, Map<String, String>
 
     /** The whole file. */
     String text(Path models) {
-        return text(read(models.resolve(model)), models);
+        return text(Firmware.read(models.resolve(model)), models);
     }
 
     /** The whole file, if this is the text of the model. */
@@ -171,7 +171,7 @@ public record Scene(String name, String title, String model, Map<String, String>
         String text = of;
         Path system = models.resolve(name + ".system");
         if (Files.exists(system)) {
-            String instances = read(system).replace("&", "&amp;").replace("<", "&lt;");
+            String instances = Firmware.read(system).replace("&", "&amp;").replace("<", "&lt;");
             text = SYSTEM.matcher(text).replaceFirst(Matcher.quoteReplacement("<system>" + instances + "</system>"));
         }
         for (Map.Entry<String, String> constant : constants.entrySet()) {
@@ -207,15 +207,7 @@ public record Scene(String name, String title, String model, Map<String, String>
     Path write(Path models, Path folder) throws IOException {
         Files.createDirectories(folder);
         Files.writeString(folder.resolve(name + ".q"),
-                queries.stream().map(file -> read(models.resolve(file))).collect(Collectors.joining("\n")));
+                queries.stream().map(file -> Firmware.read(models.resolve(file))).collect(Collectors.joining("\n")));
         return Files.writeString(folder.resolve(name + ".xml"), text(models));
-    }
-
-    private static String read(Path file) {
-        try {
-            return Files.readString(file);
-        } catch (IOException problem) {
-            throw ModelException.unreadable(file, problem);
-        }
     }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.protocol.Address;
@@ -28,9 +29,8 @@ public final class FakeBoard {
     /** Requests that change and send nothing, which are not logged. */
     private static final Set<String> READS = Set.of("list actions", "list keys", "statistics");
 
-    /** The commands of a board with a radio. */
-    private static final String RADIOS = Stream.of(Request.Command.values()).filter(Request.Command::needsRadio)
-            .map(each -> String.valueOf(each.letter())).collect(Collectors.joining());
+    private static final String RADIOS = letters(Request.Command::needsRadio);
+    private static final String WHOLE_RADIOS = letters(Request.Command::needsWholeRadio);
 
     public final FakePort port;
     public final PacketLine line = new PacketLine(this);
@@ -86,6 +86,11 @@ public final class FakeBoard {
         port = new FakePort(name, 0, line);
     }
 
+    private static String letters(Predicate<Request.Command> which) {
+        return Stream.of(Request.Command.values()).filter(which).map(each -> String.valueOf(each.letter()))
+                .collect(Collectors.joining());
+    }
+
     // Requests, one at a time.
 
     /** The reply's message; null for a poll, whose reply may be held. */
@@ -110,7 +115,7 @@ public final class FakeBoard {
             requests.add("of a radio");
             return status(Status.NO_RADIO);
         }
-        if (capabilities.contains(Capability.UNICASTS_ONLY) && (isCommand ? "NUFY".indexOf(command) >= 0
+        if (capabilities.contains(Capability.UNICASTS_ONLY) && (isCommand ? WHOLE_RADIOS.indexOf(command) >= 0
                 : frame.destination().kind() != Address.Kind.DEVICE)) {
             requests.add("of a whole radio");
             return status(Status.UNICASTS_ONLY);

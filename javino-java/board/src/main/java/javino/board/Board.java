@@ -297,7 +297,7 @@ public final class Board implements AutoCloseable {
 
     /** The counters of the session itself. */
     public Map<SessionCounter, Long> counters() {
-        return context.counters().snapshot();
+        return context.counters().all(SessionCounter.class);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
+import javino.Counts;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.protocol.Bytes;
@@ -34,9 +35,12 @@ final class Exchange {
 
     private static final int MOST_SHOWN = 80;
 
+    /** How often bytes are read that are there when their time is over: a device that babbles is not heard for ever. */
+    private static final int MOST_LATE_READS = 100;
+
     private final Link link;
     private final SessionContext context;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
     private final PacketDecoder decoder = new PacketDecoder();
     private final byte[] buffer = new byte[1024];
     private int sequence;
@@ -207,7 +211,10 @@ final class Exchange {
         }
 
         Optional<SerialPacket> await(BooleanSupplier leaves) throws LinkException {
-            while (!deadline.passed()) {
+            int late = 0;
+            while (late < MOST_LATE_READS) {
+                // If this thread stood still, the reply may be here: the board is not late by that.
+                boolean isLate = deadline.passed();
                 if (!hold.isZero() && leaves.getAsBoolean()) {
                     left.add(sequence);
                     leftTaken = taken;
@@ -234,6 +241,7 @@ final class Exchange {
                 if (context.queue().isClosed()) {
                     deadline = deadline.orBefore(usual);
                 }
+                late = !isLate ? 0 : count == 0 ? MOST_LATE_READS : late + 1;
             }
             overdue |= taken && deadline.equals(end);
             // A text goes on to the zero of a request that is taken.

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import javino.Counts;
 import javino.legacy.LegacyDecoder;
 import javino.legacy.LegacyMessage;
 import javino.link.Link;
@@ -24,7 +25,7 @@ final class LegacyExchange {
 
     private final Link link;
     private final SessionContext context;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
     private final LegacyDecoder decoder = new LegacyDecoder();
     private final byte[] buffer = new byte[1024];
     private Deadline mayWrite;

@@ -1,6 +1,7 @@
 package javino.board;
 
 import java.util.function.Consumer;
+import javino.Counts;
 
 /** Calls a listener, so that whatever it throws is logged and counted, and goes no further. */
 final class ListenerGuard {
@@ -8,9 +9,9 @@ final class ListenerGuard {
     private static final System.Logger LOG = System.getLogger(Board.class.getName());
 
     private final BoardListener listener;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
 
-    ListenerGuard(BoardListener listener, SessionCounters counters) {
+    ListenerGuard(BoardListener listener, Counts<SessionCounter> counters) {
         this.listener = listener;
         this.counters = counters;
     }

@@ -9,6 +9,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import javino.Counts;
 import javino.link.Time;
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
@@ -20,7 +21,7 @@ import javino.protocol.ProtocolException;
 final class Perception {
 
     private final ListenerGuard listener;
-    private final SessionCounters counters;
+    private final Counts<SessionCounter> counters;
     private final Time time;
     private volatile boolean wanted;
     private volatile Duration interval = Duration.ZERO;
@@ -38,7 +39,7 @@ final class Perception {
     private record Reading(Duration within, CompletableFuture<Void> taken) {
     }
 
-    Perception(ListenerGuard listener, SessionCounters counters, Time time) {
+    Perception(ListenerGuard listener, Counts<SessionCounter> counters, Time time) {
         this.listener = listener;
         this.counters = counters;
         this.time = time;

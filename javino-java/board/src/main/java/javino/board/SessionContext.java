@@ -2,6 +2,7 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
+import javino.Counts;
 import javino.link.Time;
 
 /**
@@ -17,11 +18,11 @@ import javino.link.Time;
  * @param listener   told what happens.
  */
 record SessionContext(String name, BoardConfig config, RequestQueue queue, Perception perception,
-        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, SessionCounters counters,
+        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, Counts<SessionCounter> counters,
         ListenerGuard listener) {
 
     static SessionContext of(String name, BoardConfig config, BoardListener listener) {
-        SessionCounters counters = new SessionCounters();
+        Counts<SessionCounter> counters = new Counts<>();
         ListenerGuard guard = new ListenerGuard(listener, counters);
         return new SessionContext(name, config, new RequestQueue(config.queueCapacity(), config.time()),
                 new Perception(guard, counters, config.time()), new AtomicReference<>(), new AtomicReference<>(),

@@ -19,6 +19,8 @@ import javino.link.LinkOpener;
 import javino.protocol.Bytes;
 import javino.protocol.Capability;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** SPEC 4.2: the 0x00 of a request that was taken, the wish to be asked again, and what a sketch prints. */
 class TakenRequestTest extends BoardFixture {
@@ -70,21 +72,28 @@ class TakenRequestTest extends BoardFixture {
         listener.until("online");
     }
 
-    /** A line that stops its host's next write, until it is free again. */
-    private record StoppedLink(Link link, AtomicReference<CountDownLatch> stop) implements Link {
+    /** A line that stops its host in the next write, or the next read, until it is free again. */
+    private record StoppedLink(Link link, boolean inWrite, AtomicReference<CountDownLatch> stop) implements Link {
 
-        @Override
-        public void write(byte[] bytes) throws LinkException {
+        private boolean hasStopped() {
             CountDownLatch free = stop.get();
             if (free != null) {
                 BoardFixture.await(free);
+            }
+            return free != null;
+        }
+
+        @Override
+        public void write(byte[] bytes) throws LinkException {
+            if (inWrite) {
+                hasStopped();
             }
             link.write(bytes);
         }
 
         @Override
         public int read(byte[] into, Duration timeout) throws LinkException {
-            return link.read(into, timeout);
+            return !inWrite && hasStopped() ? 0 : link.read(into, timeout);
         }
 
         @Override
@@ -98,14 +107,15 @@ class TakenRequestTest extends BoardFixture {
         }
     }
 
-    @Test
-    void poll_lineStopsTheHost_isNotLateByThat() throws Exception {
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void poll_hostIsStopped_isNotLateByThat(boolean inWrite) throws Exception {
         AtomicReference<CountDownLatch> stop = new AtomicReference<>();
         LinkOpener opener = new LinkOpener() {
 
             @Override
             public Link open() throws LinkException {
-                return new StoppedLink(port.open(), stop);
+                return new StoppedLink(port.open(), inWrite, stop);
             }
 
             @Override

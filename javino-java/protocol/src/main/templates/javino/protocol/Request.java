@@ -31,7 +31,7 @@ public record Request(Command command, Frame frame, String description) {
         TRANSMIT('\0', Boards.RADIO, false);
 
         private enum Boards {
-            ANY, RADIO
+            ANY, RADIO, WHOLE_RADIO
         }
 
         private final char letter;
@@ -61,7 +61,12 @@ public record Request(Command command, Frame frame, String description) {
 
         /** Whether only a board with a radio performs it. */
         public boolean needsRadio() {
-            return boards == Boards.RADIO;
+            return boards != Boards.ANY;
+        }
+
+        /** Whether no board with sealed unicasts only performs it, to whatever address. */
+        public boolean needsWholeRadio() {
+            return boards == Boards.WHOLE_RADIO;
         }
 
         private Request with(Bytes body, String description) {
@@ -276,14 +281,10 @@ public record Request(Command command, Frame frame, String description) {
      * @throws ProtocolException if its key is for no address.
      */
     public boolean needsWholeRadio() throws ProtocolException {
-        return switch (command) {
-            case RELAY, RENEW_KEY, USE_KEY, FINISH_RENEWAL -> true;
-            case TRANSMIT -> frame.destination().kind() != Address.Kind.DEVICE;
-            case SET_KEY -> Address.decode(frame.message(), 1).kind() != Address.Kind.DEVICE;
-            case HELLO, POLL, ACT, LIST_ACTIONS, SET_RF_ID, RADIO, OVERHEAR, RELAYING, RAISE_EPOCH, DELETE_KEY,
-                    SET_SESSION_KEY, LIST_KEYS, STATISTICS ->
-                false;
-        };
+        return command.needsWholeRadio()
+                || command == Command.TRANSMIT && frame.destination().kind() != Address.Kind.DEVICE
+                || command == Command.SET_KEY
+                        && Address.decode(frame.message(), 1).kind() != Address.Kind.DEVICE;
     }
 
     /** {@link Command#USE_KEY}. */

@@ -6,12 +6,7 @@ import java.util.Set;
 
 /** A capability that a board tells in hello (SPEC 4.3). */
 public enum Capability {
-    /** A radio, and so an address and keys. */
-    RADIO(1),
-    /** A memory: address, keys and boot epoch outlive a boot. */
-    MEMORY(2),
-    /** The board has sealed unicasts only: nothing to many, no renewal of keys. */
-    UNICASTS_ONLY(4),
+    @Capabilities.def: /** $4 */ $1($2),
     /** It says when it has taken a request; all boards do but those of an earlier library. */
     SAYS_TAKEN(0);
 

@@ -12,10 +12,10 @@ import java.util.stream.Collectors;
  * @param <S> its states.
  * @param <M> the machine.
  */
-final class Table<S extends Enum<S>, M extends Machine> {
+final class HandlerTable<S extends Enum<S>, M extends Machine> {
 
     /** Gives the effects of an event. */
-    interface Action<M, E> {
+    interface Handler<M, E> {
         List<Consumer<Course>> of(M machine, E event, Moves moves);
     }
 
@@ -26,22 +26,23 @@ final class Table<S extends Enum<S>, M extends Machine> {
      * @param next  the states that may follow; none if it stays.
      * @param words those of SPEC.
      */
-    record Row<S, M>(Set<S> in, List<Class<? extends Event>> at, Set<S> next, String words, Action<M, Event> action) {
+    record Row<S, M>(Set<S> in, List<Class<? extends Event>> at, Set<S> next, String words, Handler<M, Event> handler) {
     }
 
     private final List<Row<S, M>> rows = new ArrayList<>();
 
-    <E extends Event> Table<S, M> on(Set<S> in, Class<E> at, Set<S> next, String words, Action<M, E> action) {
-        return on(in, List.of(at), next, words, (machine, event, moves) -> action.of(machine, at.cast(event), moves));
+    <E extends Event> HandlerTable<S, M> on(Set<S> in, Class<E> at, Set<S> next, String words, Handler<M, E> handler) {
+        return on(in, List.of(at), next, words, (machine, event, moves) -> handler.of(machine, at.cast(event), moves));
     }
 
-    Table<S, M> on(Set<S> in, List<Class<? extends Event>> at, Set<S> next, String words, Action<M, Event> action) {
-        rows.add(new Row<>(in, at, next, words, action));
+    HandlerTable<S, M> on(Set<S> in, List<Class<? extends Event>> at, Set<S> next, String words,
+            Handler<M, Event> handler) {
+        rows.add(new Row<>(in, at, next, words, handler));
         return this;
     }
 
     /** Ignores events; only messages among them are counted. */
-    Table<S, M> ignore(List<Class<? extends Event>> at, String why) {
+    HandlerTable<S, M> ignore(List<Class<? extends Event>> at, String why) {
         return on(Set.of(), at, Set.of(), "ignored: " + why,
                 (machine, event, moves) -> event instanceof MoveMessage.Said ? List.of(Course::drop) : List.of());
     }
@@ -63,6 +64,6 @@ final class Table<S extends Enum<S>, M extends Machine> {
     }
 
     List<Consumer<Course>> step(M machine, Event event, Moves moves) {
-        return rows(machine.state(), event.getClass()).get(0).action().of(machine, event, moves);
+        return rows(machine.state(), event.getClass()).get(0).handler().of(machine, event, moves);
     }
 }
