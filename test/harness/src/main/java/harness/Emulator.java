@@ -64,7 +64,7 @@ public final class Emulator implements AutoCloseable {
         modelled = scenario.modelled;
         EmulatedRun run = EmulatedRun.current();
         engine = run == null ? new RealTimeEngine(command, folder, this::traced)
-                : new LockstepEngine(command, scenario.ports(folder), run, this::traced);
+                : new LockstepEngine(command, scenario.ports(), run, this::traced);
         transitions = new TransitionHandler(engine);
     }
 
@@ -166,8 +166,8 @@ public final class Emulator implements AutoCloseable {
             return emulator;
         }
 
-        private List<String> ports(Path folder) {
-            return boards.stream().map(board -> folder.resolve((String) board.get("port")).toString()).toList();
+        private List<String> ports() {
+            return boards.stream().map(board -> (String) board.get("port")).toList();
         }
     }
 
@@ -236,7 +236,7 @@ public final class Emulator implements AutoCloseable {
 
     /** The path under which a host opens a board's serial port. */
     public String port(String board) {
-        return folder.resolve("ports").resolve(board).toString();
+        return engine.port(board);
     }
 
     /** The boards' ports are there before the boards have power. */

@@ -14,6 +14,9 @@ interface Engine extends EmulatorControl {
 
     boolean hasEnded();
 
+    /** By which name hosts open a board's port. */
+    String port(String board);
+
     ProcessHandle process();
 
     /** The lines that it has written to its standard error. */

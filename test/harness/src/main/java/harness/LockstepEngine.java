@@ -67,6 +67,12 @@ final class LockstepEngine implements Engine {
         return false;  // Whoever asks it for anything learns that it has.
     }
 
+    /** Of no folder, which differs from run to run: agents carry that name about. */
+    @Override
+    public String port(String board) {
+        return "ports/" + board;
+    }
+
     @Override
     public ProcessHandle process() {
         return simulation.process();

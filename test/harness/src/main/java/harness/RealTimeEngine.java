@@ -25,6 +25,7 @@ final class RealTimeEngine implements Engine {
         Runtime.getRuntime().addShutdownHook(new Thread(() -> RUNNING.forEach(Process::destroy)));
     }
 
+    private final Path folder;
     private final Process process;
     private final Thread reader;
     private final EmulatorControl control;
@@ -32,6 +33,7 @@ final class RealTimeEngine implements Engine {
 
     /** @param lines takes the lines of its trace, on the thread that reads it. */
     RealTimeEngine(List<String> command, Path folder, Consumer<String> lines) throws IOException {
+        this.folder = folder;
         List<String> whole = new ArrayList<>(command);
         whole.addAll(List.of("--trace", "-", "--control", CONTROL));
         process = new ProcessBuilder(whole).directory(folder.toFile()).start();
@@ -72,6 +74,11 @@ final class RealTimeEngine implements Engine {
     @Override
     public boolean hasEnded() {
         return !process.isAlive() && !reader.isAlive();
+    }
+
+    @Override
+    public String port(String board) {
+        return folder.resolve("ports").resolve(board).toString();
     }
 
     @Override

@@ -1,7 +1,6 @@
 package lockstep;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.time.Instant;
@@ -94,7 +93,7 @@ public final class Simulation implements Time, AutoCloseable {
      * Starts an emulator and a simulation, whose coordinator is this thread.
      *
      * @param command the emulator with its scenario and options; not {@code --lockstep} and {@code --seed}.
-     * @param ports   the ports of the scenario's boards, in their order; hosts name them so, or by the end of that path.
+     * @param ports   the ports of the scenario's boards, in their order, as hosts name them.
      * @param seed    of the emulator's random numbers, the hosts', and how late bytes come.
      * @param jitter  how late bytes from boards may come, as {@link #JITTER}.
      */
@@ -492,11 +491,11 @@ public final class Simulation implements Time, AutoCloseable {
 
     private Link open(String name) throws LinkException {
         check();
-        int board = (int) ports.stream().takeWhile(port -> !Path.of(port).endsWith(name)).count();
+        int board = ports.indexOf(name);
         if (links.containsKey(board)) {
             throw new LinkException(name, "another program is using it; end that first");
         }
-        if (board == ports.size() || !emulator.open(board)) {
+        if (board < 0 || !emulator.open(board)) {
             throw new LinkException(name, "there is no such port; is the board plugged in?");
         }
         PortLink link = new PortLink(this, board, name);
