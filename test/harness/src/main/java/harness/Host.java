@@ -130,7 +130,8 @@ public final class Host implements AutoCloseable {
     public Host as(String id, Map<String, byte[]> keys) {
         get(board.setRfId(Address.parse(id)));
         // In an order that is the same in each virtual machine.
-        new TreeMap<>(keys).forEach((address, key) -> get(board.setKey(Address.parse(address), Key.of(Bytes.copyOf(key)))));
+        new TreeMap<>(keys)
+                .forEach((address, key) -> get(board.setKey(Address.parse(address), Key.of(Bytes.copyOf(key)))));
         get(board.radio(true));
         return this;
     }
