@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Properties;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -80,6 +81,7 @@ public final class AgentProcess implements AutoCloseable {
     private AgentProcess(Simulation simulation, Path program, List<String> options, Consumer<String> listener)
             throws IOException {
         this.listener = listener;
+        Properties before = (Properties) System.getProperties().clone();
         options.forEach(option -> System.setProperty(option.replaceFirst("-D(.*?)=.*", "$1"),
                 option.replaceFirst(".*?=", "")));
         AgentProgram agents = AgentProgram.start(simulation, program, this::printed);
@@ -90,6 +92,7 @@ public final class AgentProcess implements AutoCloseable {
             public void kill() {
                 ended = true;
                 agents.kill();
+                System.setProperties(before);
             }
 
             @Override
@@ -101,6 +104,7 @@ public final class AgentProcess implements AutoCloseable {
             public void close() {
                 if (!ended) {
                     agents.close();
+                    System.setProperties(before);
                 }
             }
         };
