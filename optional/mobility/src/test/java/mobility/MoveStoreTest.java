@@ -17,7 +17,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-import javino.fake.NoPermissionsFileSystem;
+import javino.fake.OtherFileSystem;
 import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -57,7 +57,7 @@ class MoveStoreTest {
 
     @Test
     void texts_wherePermissionsCannotBeKept_areNotWritten() throws IOException {
-        try (MoveStore folder = new MoveStore(new NoPermissionsFileSystem().of(place), Time.REAL)) {
+        try (MoveStore folder = new MoveStore(OtherFileSystem.stick().of(place), Time.REAL)) {
             for (Runnable each : List.<Runnable>of(() -> folder.keep(Part.hash(TEXT), TEXT),
                     () -> folder.append(Part.hash(TEXT), TEXT),
                     () -> folder.keepBoard("ttyACM0", Address.parse("ROMA")))) {

@@ -163,9 +163,10 @@ public final class PrivateFile {
     /** Makes the file that is to be the new one, or takes over a left one; null while another program has it. */
     private static FileChannel claim(Path file, Path real, Path part) throws IOException, JavinoException {
         try {
-            FileChannel created = open(part, true);
+            FileChannel created = create(part);
             // A part that another has taken over and put in place meanwhile has a text.
-            return lock(created, part, key(part), 0);
+            FileChannel locked = lock(created, part, key(part), 0);
+            return locked == null ? null : checked(locked, part);
         } catch (FileAlreadyExistsException e) {
             return takeOver(real, part);
         } catch (AccessDeniedException e) {
@@ -218,12 +219,18 @@ public final class PrivateFile {
 
     /** Makes an empty file for its owner, or none where others could read what is a secret. */
     private static FileChannel open(Path file, boolean isSecret) throws IOException {
-        FileChannel created = FileChannel.open(file,
-                EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), attributes(file, OF_A_FILE));
+        return isSecret ? checked(create(file), file) : create(file);
+    }
+
+    private static FileChannel create(Path file) throws IOException {
+        return FileChannel.open(file, EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                attributes(file, OF_A_FILE));
+    }
+
+    /** A new file, or none where others could read it. */
+    private static FileChannel checked(FileChannel created, Path file) throws IOException {
         try {
-            if (isSecret) {
-                mustBePrivate(file);
-            }
+            mustBePrivate(file);
             return created;
         } catch (IOException e) {
             created.close();

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
@@ -19,9 +20,10 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import javino.JavinoException;
-import javino.fake.NoPermissionsFileSystem;
+import javino.fake.OtherFileSystem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -100,7 +102,7 @@ class PrivateFileTest {
 
     @Test
     void secrets_wherePermissionsCannotBeKept_areNotWritten() throws Exception {
-        Path stick = new NoPermissionsFileSystem().of(folder);
+        Path stick = OtherFileSystem.stick().of(folder);
         refused(KEPT, () -> PrivateFile.create(stick.resolve("created"), "1"));
         refused(KEPT, () -> PrivateFile.replace(stick.resolve("replaced"), bytes("1")));
         refused(KEPT, () -> PrivateFile.append(stick.resolve("grown"), bytes("1")));
@@ -165,6 +167,24 @@ class PrivateFileTest {
             Files.move(part, folder.resolve("keys"), StandardCopyOption.ATOMIC_MOVE);
         }
         assertEquals("12", changed.get());
+    }
+
+    @Test
+    void change_whosePartAnotherProgramTakesOverBeforeItIsLocked_followsThatOne() throws Exception {
+        PrivateFile.create(folder.resolve("keys"), "0");
+        AtomicInteger parts = new AtomicInteger();
+        OtherFileSystem shared = OtherFileSystem.watched(part -> {
+            if (parts.getAndIncrement() == 0) {
+                try {
+                    Files.writeString(part, "1");
+                    Files.move(part, folder.resolve("keys"), StandardCopyOption.ATOMIC_MOVE);
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            }
+        });
+        assertEquals("12", PrivateFile.change(shared.of(folder.resolve("keys")), text -> text + "2"));
+        assertEquals(List.of("keys"), files());
     }
 
     @Test

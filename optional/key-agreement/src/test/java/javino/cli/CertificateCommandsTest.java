@@ -15,7 +15,7 @@ import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.Stream;
 import javino.board.BoardConfig;
-import javino.fake.NoPermissionsFileSystem;
+import javino.fake.OtherFileSystem;
 import javino.keyring.BoundedClock;
 import javino.link.SerialLink;
 import javino.link.Time;
@@ -34,7 +34,7 @@ class CertificateCommandsTest {
 
     private static final LocalDate TODAY = NOW.day();
 
-    private final NoPermissionsFileSystem stick = new NoPermissionsFileSystem();
+    private final OtherFileSystem stick = OtherFileSystem.stick();
     private boolean onStick;
     private StringWriter out;
     private StringWriter err;

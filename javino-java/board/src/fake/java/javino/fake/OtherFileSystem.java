@@ -17,6 +17,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.PathMatcher;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.WatchService;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileAttribute;
@@ -30,14 +31,32 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 
-/** The computer's own files, as on a stick: all may read and write each, and changes of permissions do nothing. */
-public final class NoPermissionsFileSystem extends FileSystem {
+/** The computer's own files, as on another disk. */
+public final class OtherFileSystem extends FileSystem {
 
     private static final FileSystem REAL = FileSystems.getDefault();
     private static final FileSystemProvider FILES = REAL.provider();
 
     private final FileSystemProvider provider = new Provider();
+    private final boolean hasPermissions;
+    private final Consumer<Path> created;
+
+    private OtherFileSystem(boolean hasPermissions, Consumer<Path> created) {
+        this.hasPermissions = hasPermissions;
+        this.created = created;
+    }
+
+    /** A stick: all may read and write each file, and changes of permissions do nothing. */
+    public static OtherFileSystem stick() {
+        return new OtherFileSystem(false, file -> {});
+    }
+
+    /** One that does something as soon as a new file was opened, as another program could. */
+    public static OtherFileSystem watched(Consumer<Path> created) {
+        return new OtherFileSystem(true, created);
+    }
 
     /** A path that is of this file system. */
     private interface Wrapped {
@@ -76,7 +95,7 @@ public final class NoPermissionsFileSystem extends FileSystem {
 
     /** The same attributes, but for permissions. */
     private static Object opened(Object attributes) {
-        return Proxy.newProxyInstance(NoPermissionsFileSystem.class.getClassLoader(),
+        return Proxy.newProxyInstance(OtherFileSystem.class.getClassLoader(),
                 new Class<?>[] {PosixFileAttributes.class},
                 (proxy, method, arguments) -> method.getName().equals("permissions")
                         ? new HashSet<>(PosixFilePermissions.fromString("rwxrwxrwx"))
@@ -160,12 +179,12 @@ public final class NoPermissionsFileSystem extends FileSystem {
 
         @Override
         public FileSystem newFileSystem(URI uri, Map<String, ?> environment) {
-            return NoPermissionsFileSystem.this;
+            return OtherFileSystem.this;
         }
 
         @Override
         public FileSystem getFileSystem(URI uri) {
-            return NoPermissionsFileSystem.this;
+            return OtherFileSystem.this;
         }
 
         @Override
@@ -176,7 +195,11 @@ public final class NoPermissionsFileSystem extends FileSystem {
         @Override
         public FileChannel newFileChannel(Path path, Set<? extends OpenOption> options,
                 FileAttribute<?>... attributes) throws IOException {
-            return FILES.newFileChannel(real(path), options, attributes);
+            FileChannel opened = FILES.newFileChannel(real(path), options, attributes);
+            if (options.contains(StandardOpenOption.CREATE_NEW)) {
+                created.accept(real(path));
+            }
+            return opened;
         }
 
         @Override
@@ -234,7 +257,7 @@ public final class NoPermissionsFileSystem extends FileSystem {
         @Override
         public <V extends FileAttributeView> V getFileAttributeView(Path path, Class<V> type, LinkOption... options) {
             V view = FILES.getFileAttributeView(real(path), type, options);
-            return type != PosixFileAttributeView.class ? view
+            return hasPermissions || type != PosixFileAttributeView.class ? view
                     : type.cast(Proxy.newProxyInstance(getClass().getClassLoader(), new Class<?>[] {type},
                             (proxy, method, arguments) -> onView(view, method, arguments)));
         }
@@ -243,7 +266,7 @@ public final class NoPermissionsFileSystem extends FileSystem {
         public <A extends BasicFileAttributes> A readAttributes(Path path, Class<A> type, LinkOption... options)
                 throws IOException {
             A attributes = FILES.readAttributes(real(path), type, options);
-            return type == PosixFileAttributes.class ? type.cast(opened(attributes)) : attributes;
+            return hasPermissions || type != PosixFileAttributes.class ? attributes : type.cast(opened(attributes));
         }
 
         @Override
