@@ -39,6 +39,9 @@ public final class TransitionHandler extends Handler {
 
     @Override
     public void publish(LogRecord transition) {
+        if (!isLoggable(transition)) {
+            return;
+        }
         Map<String, String> command = new LinkedHashMap<>(Map.of("do", "transition"));
         for (int i = 0; i < PARAMETERS.size(); i++) {
             command.put(PARAMETERS.get(i), transition.getParameters()[i].toString());

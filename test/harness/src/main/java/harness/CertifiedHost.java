@@ -1,6 +1,7 @@
 package harness;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Queue;
 import java.util.Set;
@@ -8,7 +9,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
 
 import diffuser.board.HostMessages;
@@ -37,6 +37,8 @@ import javino.protocol.HostMessage;
 /** A host that agrees on keys as an agent's does, without an agent. */
 public final class CertifiedHost implements KeyService.Host, BoardListener, AutoCloseable {
 
+    private static final Duration PATIENCE = Duration.ofMinutes(4);
+
     private final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
     private final Address self;
     private final BoardKeyAgreement agreement;
@@ -45,7 +47,8 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     private final Consumer<Content> received;
     private final CompletableFuture<Board> board = new CompletableFuture<>();
     private final Queue<CompletableFuture<Outcome>> latest = new ConcurrentLinkedQueue<>();
-    private final Semaphore greetings = new Semaphore(0);
+    private final Changes changes = new Changes();
+    private int greetings;
 
     /**
      * @param identities the folder with its certificate.
@@ -55,10 +58,10 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
             Consumer<Content> received) {
         this.self = self;
         this.received = received;
-        agreement = new BoardKeyAgreement(identities, clock, Time.REAL);
+        agreement = new BoardKeyAgreement(identities, clock, changes.time());
         hosts = new HostMessages(List.of(agreement), warnings::add);
         BoardConfig noting = BoardConfig.create(config -> config.setNotes(List.of(new DeviceNotes(identities))));
-        board.complete(Board.open(link, noting, this));
+        board.complete(Board.open(link, noting.in(changes.time()), this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
         awaitOnline();
@@ -66,7 +69,12 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     /** Waits until the board is there, once more than before. */
     public void awaitOnline() {
-        greetings.acquireUninterruptibly();
+        try {
+            changes.await(() -> self + "'s board did not come", PATIENCE, () -> greetings == 0 ? null : greetings--);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError(interrupted);
+        }
     }
 
     /** Sends a message to a device. */
@@ -83,7 +91,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
 
     /** Waits until the board has sent all that it had to send. */
     public void awaitQuiet() {
-        latest.forEach(end -> end.handle((outcome, thrown) -> outcome).join());
+        latest.forEach(end -> changes.time().join(end.handle((outcome, thrown) -> outcome)));
         latest.clear();
     }
 
@@ -101,7 +109,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     public void online(BoardInfo info) {
         board.thenCompose(session -> session.setRfId(self).thenCompose(done -> session.keys())).thenAccept(keys -> {
             agreement.online(this, self, info.bootEpoch(), keys);
-            greetings.release();
+            changes.change(() -> greetings++);
         });
     }
 

@@ -51,21 +51,28 @@ public final class Emulator implements AutoCloseable {
     private final Deque<String> latest = new ArrayDeque<>();
     private final Replay model;
     private final boolean modelled;
+    private final Consumer<String> refused;
+    private final long seed;
+    private final EmulatedRun run;
     /** The handler for hosts in this process. */
     private final TransitionHandler transitions;
     private final List<Runnable> closings = new CopyOnWriteArrayList<>();
     private int lines;
     private boolean keeping = true;
 
-    private Emulator(Scenario scenario, Path folder, List<String> command) throws IOException {
+    private Emulator(Scenario scenario, Path folder, List<String> command, EmulatedRun run) throws IOException {
         this.folder = folder;
+        this.run = run;
         model = new Replay(keys(folder));
         listener = scenario.listener;
         modelled = scenario.modelled;
-        EmulatedRun run = EmulatedRun.current();
+        refused = scenario.refused;
+        seed = run == null ? scenario.seed : run.seed();
         engine = run == null ? new RealTimeEngine(command, folder, this::traced)
                 : new LockstepEngine(command, scenario.ports(), run, this::traced);
         transitions = new TransitionHandler(engine);
+        Time time = Simulation.here();
+        transitions.setFilter(transition -> Simulation.here() == time);
     }
 
     /** A test's scenario; the words are those of emulator/README.md. */
@@ -77,6 +84,10 @@ public final class Emulator implements AutoCloseable {
         private long seed = 1;
         private boolean keeping = true;
         private boolean modelled = true;
+        private boolean emulated;
+        private Consumer<String> refused = why -> {
+            throw new AssertionError(why);
+        };
         private Consumer<TraceEvent> listener = event -> {};
 
         public Scenario radio(String key, Object value) {
@@ -133,6 +144,18 @@ public final class Emulator implements AutoCloseable {
             return this;
         }
 
+        /** Runs in lock-step with the hosts of the thread that starts it, by its seed; the trace goes to its folder. */
+        public Scenario inEmulatedTime() {
+            emulated = true;
+            return this;
+        }
+
+        /** Has the one told, by close, why the model refuses the trace, in the place of an error. */
+        public Scenario refused(Consumer<String> told) {
+            refused = told;
+            return this;
+        }
+
         public Scenario speed(String times) {
             speed = times;
             return this;
@@ -155,10 +178,11 @@ public final class Emulator implements AutoCloseable {
             Files.writeString(file, new Gson().toJson(scenario));
             List<String> command = new ArrayList<>(List.of(ROOT.resolve("emulator/build/javino-emulator").toString(),
                     file.toString(), "--directory", folder.toString(), "--keys", keys(folder).toString()));
-            if (EmulatedRun.current() == null) {
+            EmulatedRun run = emulated ? new EmulatedRun(seed, folder) : EmulatedRun.current();
+            if (run == null) {
                 command.addAll(List.of("--speed", speed, "--seed", "" + seed));
             }
-            Emulator emulator = new Emulator(this, folder, command);
+            Emulator emulator = new Emulator(this, folder, command, run);
             emulator.awaitPower(boards);
             TRANSITIONS.setLevel(Level.FINE);
             TRANSITIONS.addHandler(emulator.transitions);
@@ -328,19 +352,30 @@ public final class Emulator implements AutoCloseable {
     /**
      * Ends what has its boards' ports, and the emulator; EEPROM contents stay in the folder.
      *
-     * @throws AssertionError where it had failed, or the model does not allow what the boards did
+     * @throws AssertionError where it had failed, or the model does not allow what the boards did, unless the
+     *                        scenario tells somebody else
      */
     @Override
     public void close() {
-        closings.forEach(Runnable::run);
+        try {
+            closings.forEach(Runnable::run);
+        } finally {
+            end(WALKER.getCallerClass());
+        }
+    }
+
+    private void end(Class<?> user) {
         TRANSITIONS.removeHandler(transitions);
         try {
             engine.end();
             model.finish();
             if (model.refusal().isPresent()) {
-                throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
+                refused.accept("seed " + seed + ": " + model.verdict() + (run == null
+                        ? "; the lines before it are in " + writeLatest()
+                        : "; its trace is in " + run.folder()));
+                return;
             }
-            writeEdges(WALKER.getCallerClass().getSimpleName());
+            writeEdges(user.getSimpleName());
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         } catch (InterruptedException interrupted) {

@@ -17,6 +17,7 @@ public final class Report {
     private final List<String> screen = new ArrayList<>();
     private final List<String> aims = new ArrayList<>();
     private final List<String> violations = new ArrayList<>();
+    private final List<String> refused = new ArrayList<>();
     private int rules;
 
     /** @param progress the stream for the lines of {@link #progress}. */
@@ -74,9 +75,23 @@ public final class Report {
         }
     }
 
-    /** The rules that were violated; empty if all held. */
-    public List<String> violations() {
-        return List.copyOf(violations);
+    /**
+     * A run that the replay refuses: all others count, and the campaign fails at its end. For any thread.
+     *
+     * @param why with its seed and where its trace is.
+     */
+    public synchronized void refused(String why) {
+        progress("refused by the replay: %s", why);
+        refused.add(why);
+    }
+
+    /** The rules that were violated, and the runs that were refused; empty if all held. */
+    public synchronized List<String> violations() {
+        List<String> all = new ArrayList<>(violations);
+        if (!refused.isEmpty()) {
+            all.add(name + ": runs that the replay refuses: " + refused.size() + "\n" + String.join("\n", refused));
+        }
+        return all;
     }
 
     /** The whole, for a screen. */
@@ -88,7 +103,7 @@ public final class Report {
     public String claims() {
         List<String> lines = new ArrayList<>(claims);
         if (rules != 0) {
-            lines.add("- rules broken: **" + violations.size() + "** of " + rules);
+            lines.add("- rules broken: **" + violations().size() + "** of " + rules);
         }
         return String.join("\n", lines);
     }
