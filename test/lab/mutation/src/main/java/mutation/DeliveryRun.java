@@ -18,12 +18,12 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
+import lockstep.Simulation;
 import trace.TraceEvent;
 
 /**
@@ -50,8 +50,7 @@ final class DeliveryRun {
     private static final double JAMS_APART = 1.5;
     private static final double JAM_SECONDS = 0.06;
     private static final int WINDOW = 3;
-    /** Wall time, far more of the boards' time: after it boards that are silent are taken for dead. */
-    private static final long PATIENCE_SECONDS = 10;
+    private static final long LOOK_NANOS = 20_000_000;
     /** The attacker takes up each packet that is so many behind the one before. */
     private static final int OVERHEARD = 12;
     /** The packets to the board that loses its power that the attacker repeats some seconds after that. */
@@ -80,7 +79,7 @@ final class DeliveryRun {
     private final Random random;
     private final int apart;
     private int packets;
-    private double seconds;
+    private Simulation time;
     private double begun = Double.POSITIVE_INFINITY;
 
     private DeliveryRun(long seed) {
@@ -111,7 +110,7 @@ final class DeliveryRun {
             faults.put(at, Map.of("do", "jam", "duration", JAM_SECONDS));
         }
         Emulator.Scenario scenario =
-                new Emulator.Scenario().seed(seed).speed("max").radio("bitErrorRate", damaged ? BIT_ERRORS : 0)
+                new Emulator.Scenario().seed(seed).inEmulatedTime().radio("bitErrorRate", damaged ? BIT_ERRORS : 0)
                         .unmodelled().discardEvents().listener(event -> {
                             trace.accept(event.line());
                             hear(event);
@@ -123,20 +122,19 @@ final class DeliveryRun {
         try {
             Emulator emulator = scenario.start(folder);
             try {
+                time = (Simulation) Simulation.here();
                 return talk(emulator);
             } catch (AssertionError | RuntimeException failed) {
                 return "hosts: " + failed.getMessage();
             } finally {
-                talkers.forEach(Talker::close);
                 emulator.close();
             }
-        } catch (AssertionError failed) {
+        } catch (AssertionError | RuntimeException failed) {
             return String.valueOf(failed.getMessage()).lines().findFirst().orElse("");
         }
     }
 
-    private synchronized void hear(TraceEvent event) {
-        seconds = event.seconds();
+    private void hear(TraceEvent event) {
         if (!event.name().equals("rf-tx") || !IDS.contains(event.board()) || event.text("kind").equals("broadcast")) {
             return;
         }
@@ -144,7 +142,7 @@ final class DeliveryRun {
             overheard.add(event.text("payload"));
         }
         boolean toMany = event.text("kind").equals("multicast");
-        if (early.size() < EARLY && now() < CUT_AT
+        if (early.size() < EARLY && event.seconds() - begun < CUT_AT
                 && (toMany || event.text("kind").equals("unicast")
                         && event.text("destination").equals(IDS.get(2)))) {
             early.add(event.text("payload"));
@@ -152,12 +150,8 @@ final class DeliveryRun {
     }
 
     /** Emulated seconds since all were ready. */
-    private synchronized double now() {
-        return seconds - begun;
-    }
-
-    private synchronized void begin() {
-        begun = seconds;
+    private double now() {
+        return time.nanos() / 1e9 - begun;
     }
 
     /** Has the hosts talk; what they did not get, in one line. */
@@ -172,36 +166,25 @@ final class DeliveryRun {
         if (apart != 0) {
             Host.get(talkers.get(1).host.board.relaying(true));
         }
-        begin();
+        begun = time.nanos() / 1e9;
         talkers.forEach(Talker::go);
-        long last = System.nanoTime();
-        double before = now();
-        while (emulator.process().isAlive()) {
+        while (true) {
             if (now() > SECONDS && talkers.stream().allMatch(Talker::ended)) {
                 return Optional.of(talkers.stream().map(this::wrong).filter(wrong -> !wrong.isEmpty()).toList())
                         .filter(wrong -> !wrong.isEmpty()).map(List::toString).orElse("");
             }
-            if (now() > before) {
-                before = now();
-                last = System.nanoTime();
-            }
             if (now() > END) {
                 return "messages without an end";
-            }
-            if (System.nanoTime() - last > TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS)) {
-                return "the boards are silent";
             }
             attack(emulator);
             while (!faults.isEmpty() && now() > faults.firstKey()) {
                 emulator.command(faults.pollFirstEntry().getValue());
             }
-            // Idle boards trace nothing: then their time is not known.
-            TimeUnit.MILLISECONDS.sleep(20);
+            time.pause(LOOK_NANOS);
         }
-        return "broken off";
     }
 
-    private synchronized String heard() {
+    private String heard() {
         return now() > CUT_AT + AFTER_CUT && !early.isEmpty() ? early.poll() : overheard.poll();
     }
 
@@ -234,17 +217,12 @@ final class DeliveryRun {
                     return to.id + " has twice " + content;
                 }
             }
-            synchronized (from) {
-                if (from.delivered.getOrDefault(to.id, Set.of()).stream()
-                        .anyMatch(content -> !seen.contains(content))) {
-                    return to.id + " lacks what is reported delivered";
-                }
+            if (from.delivered.getOrDefault(to.id, Set.of()).stream().anyMatch(content -> !seen.contains(content))) {
+                return to.id + " lacks what is reported delivered";
             }
         }
-        synchronized (from) {
-            // The board whose power is cut may be away for nearly all of the time in which the others talk.
-            return from.delivered.isEmpty() && !from.id.equals(IDS.get(2)) ? from.id + " got nothing delivered" : "";
-        }
+        // The board whose power is cut may be away for nearly all of the time in which the others talk.
+        return from.delivered.isEmpty() && !from.id.equals(IDS.get(2)) ? from.id + " got nothing delivered" : "";
     }
 
     /** A host that sends as soon as an earlier message has ended. */
@@ -262,14 +240,14 @@ final class DeliveryRun {
             this.host = host;
         }
 
-        synchronized void go() {
+        void go() {
             while (open < WINDOW && now() < SECONDS) {
                 open++;
                 send(number++);
             }
         }
 
-        synchronized boolean ended() {
+        boolean ended() {
             return open == 0;
         }
 
@@ -290,16 +268,12 @@ final class DeliveryRun {
                     .whenComplete((outcome, failure) -> end(destination, content, outcome));
         }
 
-        private synchronized void end(String destination, String content, Outcome outcome) {
+        private void end(String destination, String content, Outcome outcome) {
             if (outcome == Outcome.DELIVERED) {
                 delivered.computeIfAbsent(destination, any -> new HashSet<>()).add(content);
             }
             open--;
             go();
-        }
-
-        void close() {
-            host.close();
         }
     }
 }
