@@ -13,6 +13,7 @@ import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Payload;
+import lockstep.Simulation;
 
 /** A board in a cell that is not one of its own: it sends what it likes, whatever is on the air (`Transmitter`). */
 final class Attacker implements AutoCloseable {
@@ -21,9 +22,8 @@ final class Attacker implements AutoCloseable {
 
     private final Field.Post post;
     private final Transmitter transmitter;
-    private volatile boolean ended;
-    private volatile String failure = "";
-    private Thread thread;
+    private boolean ended;
+    private String failure = "";
 
     Attacker(Field field, int cell) throws LinkException {
         post = post(cell);
@@ -55,23 +55,21 @@ final class Attacker implements AutoCloseable {
      * @param share  the share of the air that it takes, over 0 and under 1.
      * @param forger makes each packet.
      */
-    void flood(double share, Timetable timetable, ProcessHandle emulator, Random random,
-            Function<Random, byte[]> forger) {
-        thread = new Thread(() -> {
+    void flood(double share, EmulatedTime time, Random random, Function<Random, byte[]> forger) {
+        Simulation.here().thread("attacker", () -> {
             try {
                 while (!ended) {
                     byte[] packet = forger.apply(random);
                     send(packet);
                     double pause = Airtime.bits(packet.length) / BIT_RATE * (1 - share) / share;
-                    timetable.await(timetable.now() - Math.log(1 - random.nextDouble()) * pause, emulator);
+                    time.pause(-Math.log(1 - random.nextDouble()) * pause);
                 }
-            } catch (LinkException | InterruptedException | AssertionError broken) {
+            } catch (LinkException | AssertionError broken) {
                 if (!ended) {
                     failure = post.name() + ": " + broken.getMessage();
                 }
             }
-        }, "attacker");
-        thread.start();
+        }).start();
     }
 
     /** Why the flood has stopped by itself; empty if it has not. */
@@ -116,16 +114,7 @@ final class Attacker implements AutoCloseable {
     @Override
     public void close() {
         ended = true;
-        try {
-            if (thread != null) {
-                thread.interrupt();
-                thread.join();
-            }
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-        } finally {
-            transmitter.close();
-        }
+        transmitter.close();
     }
 
     static List<Field.Cell> pairs(int count) {

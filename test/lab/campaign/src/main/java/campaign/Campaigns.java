@@ -35,7 +35,7 @@ public final class Campaigns implements Callable<Integer> {
     private long minutes = DEFAULT_MINUTES;
 
     @Option(names = "--moves", paramLabel = "N",
-            description = "moves on emulated boards (default: as many as fit into 10 minutes)")
+            description = "moves on emulated boards (default: as many as fit into 10 emulated minutes)")
     private int moves;
 
     private Campaigns() {}

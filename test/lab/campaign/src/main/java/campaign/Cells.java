@@ -53,7 +53,7 @@ final class Cells implements Campaign {
         Ledger.Sum all = Ledger.Sum.ZERO;
         CellsRun.Result last = null;
         for (int cells : settings.choose(List.of(1, 10), List.of(2))) {
-            last = new CellsRun(settings.seed(), cells, boards, settings.choose(SECONDS, FEW_SECONDS)).call();
+            last = new CellsRun(settings.seed(), cells, boards, settings.choose(SECONDS, FEW_SECONDS)).in(report);
             all = all.plus(last.near().sum()).plus(last.far().sum());
             table.row(cells, Table.text("%.2f", last.speed()), Table.text("%.0f %%", 100 * last.air()),
                     last.near().sum().offered(), share(last.near()), wait(last.near()), last.far().sum().offered(),
@@ -146,7 +146,7 @@ final class Cells implements Campaign {
     }
 
     private static void delay(Settings settings, Report report) throws Exception {
-        GatewayDelay delay = GatewayDelay.measure(settings.choose(30, 3), settings.seed());
+        GatewayDelay delay = GatewayDelay.measure(settings.choose(30, 3), settings.seed(), report);
         report.text("""
             **What gateways add.** Two cells in one emulator, the air else quiet: from a packet's end on the air until
             the board of the other cell's gateway has it to send, in emulated time at real time. The board's reply, two

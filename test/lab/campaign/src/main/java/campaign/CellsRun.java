@@ -4,6 +4,7 @@ import harness.BrokerClient;
 import harness.Emulator;
 import harness.GatewayProcess;
 import harness.Mosquitto;
+import harness.Report;
 import harness.Table;
 import harness.TestKeys;
 import java.io.IOException;
@@ -13,9 +14,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javino.protocol.Address;
@@ -27,10 +29,12 @@ import javino.protocol.Outcome;
  * @param boards  the number in each cell; the last one is its gateway's.
  * @param seconds emulated, how long messages are offered.
  */
-record CellsRun(long seed, int cells, int boards, double seconds) implements Callable<CellsRun.Result> {
+record CellsRun(long seed, int cells, int boards, double seconds) implements Runs.Run<CellsRun.Result> {
 
     /** The mean time from one message of a device to its next one to the same partner. */
     static final double MEAN_SECONDS = 90;
+    /** Wall time, far more than a run takes. */
+    private static final long PATIENCE_SECONDS = 1800;
 
     /**
      * The outcome. CPU times are in seconds of a core by an emulated second.
@@ -46,17 +50,17 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
             double broker, long brokerBytes, double gateway, long gatewayBytes, double emulator, double hosts) {}
 
     /** A cell with its hosts; what they send is entered where it is sent. */
-    private record Cell(Timetable timetable, AirUsage air, Field field, List<Flow> flows) {}
+    private record Cell(Metronome metronome, AirUsage air, Field field, List<Flow> flows) {}
 
     /** Messages from one device to another, and how long they waited. */
     private record Flow(boolean near, Endpoint from, Address to, Ledger ledger, List<Double> waits) {
 
-        CompletableFuture<Outcome> send(Timetable timetable) {
-            double offered = timetable.now();
+        CompletableFuture<Outcome> send(Metronome metronome) {
+            double offered = metronome.now();
             return from.send(to, ledger).whenComplete((outcome, failure) -> {
                 if (outcome == Outcome.DELIVERED) {
                     synchronized (waits) {
-                        waits.add(timetable.now() - offered);
+                        waits.add(metronome.now() - offered);
                     }
                 }
             });
@@ -78,12 +82,12 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
     }
 
     @Override
-    public Result call() throws Exception {
+    public Result in(Report report) throws Exception {
         try (Closing closing = new Closing()) {
             Map<String, Ledger> ledgers = new HashMap<>();
             List<Cell> all = new ArrayList<>();
             for (int cell = 0; cell < cells; cell++) {
-                all.add(start(cell, ledgers, closing));
+                all.add(start(cell, ledgers, closing, report));
             }
             Mosquitto broker = closing.add(Mosquitto.start(all.get(0).field.folder().resolve("broker"),
                     IntStream.range(0, cells).mapToObj(CellsRun::name).toArray(String[]::new)));
@@ -96,7 +100,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
             AtomicLong frames = new AtomicLong();
             closing.add(BrokerClient.enter(broker, Mosquitto.OWNER)).watch("javino/+/+/from/+/air",
                     (topic, frame) -> frames.incrementAndGet());
-            CompletableFuture.allOf(flows(all, true).map(flow -> flow.send(all.get(0).timetable))
+            CompletableFuture.allOf(flows(all, true).map(flow -> flow.send(all.get(0).metronome))
                     .toArray(CompletableFuture[]::new)).join();
             flows(all, true).forEach(flow -> flow.waits.clear());
             return measure(all, gateways, broker, frames);
@@ -112,11 +116,11 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
         return ledgers.computeIfAbsent(from + " " + to, any -> new Ledger(TrafficRun.LENGTH));
     }
 
-    private Cell start(int cell, Map<String, Ledger> ledgers, Closing closing) throws Exception {
+    private Cell start(int cell, Map<String, Ledger> ledgers, Closing closing, Report report) throws Exception {
         AirUsage air = new AirUsage();
-        Timetable timetable = closing.add(new Timetable());
-        Emulator.Scenario scenario = timetable.scenario(seed + cell, air);
-        Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", boards))));
+        Metronome metronome = closing.add(new Metronome());
+        Emulator.Scenario scenario = metronome.scenario(seed + cell, air);
+        Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", boards)), report));
         int devices = boards - 1;
         List<Flow> flows = new ArrayList<>();
         for (int device = 0; device < devices; device++) {
@@ -138,7 +142,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
                         new ArrayList<>()));
             }
         }
-        return new Cell(timetable, air, field, flows);
+        return new Cell(metronome, air, field, flows);
     }
 
     private Result measure(List<Cell> all, List<GatewayProcess> gateways, Mosquitto broker, AtomicLong frames)
@@ -154,14 +158,14 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
         SplittableRandom seeds = new SplittableRandom(seed);
         double[] ends = new double[all.size()];
         for (int i = 0; i < all.size(); i++) {
-            Timetable timetable = all.get(i).timetable;
-            ends[i] = timetable.now() + seconds;
+            Metronome metronome = all.get(i).metronome;
+            ends[i] = metronome.now() + seconds;
             for (Flow flow : all.get(i).flows) {
-                new Offer(timetable, seeds.nextLong(), MEAN_SECONDS, ends[i], () -> flow.send(timetable));
+                new Offer(metronome, seeds.nextLong(), MEAN_SECONDS, ends[i], () -> flow.send(metronome));
             }
         }
         for (int i = 0; i < all.size(); i++) {
-            TrafficRun.await(all.get(i).timetable, ends[i], all.get(i).field);
+            all.get(i).metronome.await(ends[i], all.get(i).field.emulator());
         }
         double wall = (System.nanoTime() - begun) / 1e9;
         double[] cpu = new double[kinds.size()];
@@ -171,7 +175,7 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
         double published = (frames.get() - framesBefore) / seconds;
         double air = IntStream.range(0, all.size()).mapToDouble(i -> airSeconds(all.get(i)) - airBefore[i]).sum()
                 / seconds / all.size();
-        TrafficRun.awaitEnds(() -> flows(all, true).noneMatch(CellsRun::isOpen) && flows(all, false)
+        awaitEnds(() -> flows(all, true).noneMatch(CellsRun::isOpen) && flows(all, false)
                 .noneMatch(CellsRun::isOpen));
         return new Result(cells, sent(all, true), sent(all, false), seconds / wall, air, published, cpu[0],
                 Memory.resident(broker.process()), cpu[1] / cells,
@@ -202,5 +206,13 @@ record CellsRun(long seed, int cells, int boards, double seconds) implements Cal
         return processes.stream()
                 .mapToDouble(process -> process.info().totalCpuDuration().orElseThrow().toNanos() / 1e9)
                 .sum();
+    }
+
+    /** Waits until all that was sent has ended, unless that takes far too long. */
+    private static void awaitEnds(BooleanSupplier ended) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (System.nanoTime() - end < 0 && !ended.getAsBoolean()) {
+            TimeUnit.MILLISECONDS.sleep(100);
+        }
     }
 }

@@ -2,19 +2,19 @@ package campaign;
 
 import harness.Certificates;
 import harness.CertifiedHost;
+import harness.Host;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -36,21 +36,20 @@ final class CertifiedPair implements AutoCloseable {
     private static final double EVERY = 0.7;
 
     private final Field field;
-    private final Timetable time;
+    private final EmulatedTime time;
     private final int cell;
     private final Field.Post one;
     private final Field.Post other;
-    private final EmulatedClock firstClock;
-    private final EmulatedClock secondClock;
+    private final MeasuredSteps steps = new MeasuredSteps();
     private final CertifiedHost first;
     private final CertifiedHost second;
-    private final Map<String, Double> came = new ConcurrentHashMap<>();
-    private final List<Frame> heard = new CopyOnWriteArrayList<>();
+    private final Map<String, Double> came = new HashMap<>();
+    private final List<Frame> heard = new ArrayList<>();
     private final Set<String> said = new HashSet<>();
-    private CompletableFuture<Void> fault;
+    private double faultAt;
 
     /** @param number the pair's in its cell, from 0. */
-    CertifiedPair(Field field, Timetable time, int cell, int number, Certificates authority) throws IOException {
+    CertifiedPair(Field field, EmulatedTime time, int cell, int number, Certificates authority) throws IOException {
         this.field = field;
         this.time = time;
         this.cell = cell;
@@ -59,15 +58,12 @@ final class CertifiedPair implements AutoCloseable {
         Path identities = field.folder().resolve("identities");
         authority.enroll(one.address().toString(), identities);
         authority.enroll(other.address().toString(), identities);
-        firstClock = new EmulatedClock(time);
-        secondClock = new EmulatedClock(time);
-        first = new CertifiedHost(field.link(one), one.address(), identities, firstClock, this::take);
-        second = new CertifiedHost(field.link(other), other.address(), identities, secondClock, this::take);
+        first = new CertifiedHost(field.link(one), one.address(), identities, steps, this::take);
+        second = new CertifiedHost(field.link(other), other.address(), identities, steps, this::take);
     }
 
-    private synchronized void take(Content content) {
+    private void take(Content content) {
         came.putIfAbsent(content.toString(), time.now());
-        notifyAll();
     }
 
     /** An attacker hears what its boards send, too. */
@@ -86,7 +82,7 @@ final class CertifiedPair implements AutoCloseable {
      *
      * @param messages the number of messages that he sends.
      */
-    void besiege(Random random, int messages) throws InterruptedException {
+    void besiege(Random random, int messages) {
         List<Frame> sealed = heard.stream().filter(frame -> !frame.destination().equals(Address.BROADCAST)).toList();
         Attacker attacker = new Attacker(random, List.of(one.address(), other.address()), (from, to, word) -> {
             boolean replays = !to.equals(Address.BROADCAST) && random.nextBoolean();
@@ -96,7 +92,7 @@ final class CertifiedPair implements AutoCloseable {
                 .forEach(frame -> attacker.hear(frame.origin(), frame.message()));
         for (int i = 0; i < messages; i++) {
             attacker.act();
-            time.await(time.now() + EVERY, field.emulator().process());
+            time.pause(EVERY);
         }
     }
 
@@ -106,10 +102,14 @@ final class CertifiedPair implements AutoCloseable {
     }
 
     /** The contents of both boards' EEPROMs. */
-    List<Bytes> eeproms() throws IOException {
+    List<Bytes> eeproms() {
         List<Bytes> all = new ArrayList<>();
         for (Field.Post post : List.of(one, other)) {
-            all.add(Bytes.copyOf(Files.readAllBytes(field.folder().resolve("eeprom/" + post.name() + ".bin"))));
+            try {
+                all.add(Bytes.copyOf(Files.readAllBytes(field.folder().resolve("eeprom/" + post.name() + ".bin"))));
+            } catch (IOException failed) {
+                throw new UncheckedIOException(failed);
+            }
         }
         return all;
     }
@@ -120,8 +120,8 @@ final class CertifiedPair implements AutoCloseable {
     }
 
     /** Nothing is under way, and a host answers the other one again: it does so once in 5 s (SPEC 11.3). */
-    void rest() throws InterruptedException {
-        time.await(time.now() + REST, field.emulator().process());
+    void rest() {
+        time.pause(REST);
         first.awaitQuiet();
         second.awaitQuiet();
     }
@@ -147,21 +147,17 @@ final class CertifiedPair implements AutoCloseable {
 
     /** A fault befalls one of the two boards in so many emulated seconds. */
     void later(double seconds, String what, boolean toFirst) {
-        CompletableFuture<Void> done = new CompletableFuture<>();
-        fault = done;
-        time.at(time.now() + seconds, () -> {
-            befall(what, toFirst);
-            done.complete(null);
-        });
+        faultAt = time.now() + seconds;
+        time.at(faultAt, () -> befall(what, toFirst));
     }
 
     /** The fault has befallen. */
     void awaitFault() {
-        fault.join();
+        time.pause(Math.max(0, faultAt - time.now()));
     }
 
     /** Sends messages until one has come; nothing if none does. How long it took, in emulated seconds. */
-    OptionalDouble deliver() throws InterruptedException {
+    OptionalDouble deliver() {
         double begun = time.now();
         while (time.now() < begun + PATIENCE) {
             OptionalDouble took = deliverOnce(begun + PATIENCE);
@@ -172,12 +168,12 @@ final class CertifiedPair implements AutoCloseable {
         return OptionalDouble.empty();
     }
 
-    private OptionalDouble deliverOnce(double end) throws InterruptedException {
+    private OptionalDouble deliverOnce(double end) {
         Content content = Content.parse("tell;hello(" + said.size() + ")");
         said.add(content.toString());
         Address to = other.address();
         try {
-            first.send(to, content).end().get();
+            Host.await(first.send(to, content).end());
         } catch (ExecutionException failed) {
             return OptionalDouble.empty();
         }
@@ -185,10 +181,10 @@ final class CertifiedPair implements AutoCloseable {
     }
 
     /** A message that ends as undelivered may have come all the same. */
-    private synchronized OptionalDouble await(String content, double end) throws InterruptedException {
+    private OptionalDouble await(String content, double end) {
         double soon = Math.min(end, time.now() + 0.5);
         while (!came.containsKey(content) && time.now() < soon) {
-            wait(20);
+            time.pause(0.02);
         }
         Double when = came.get(content);
         return when == null ? OptionalDouble.empty() : OptionalDouble.of(when);
@@ -199,20 +195,19 @@ final class CertifiedPair implements AutoCloseable {
         return first.count("keyAgreementKeysSet") + second.count("keyAgreementKeysSet");
     }
 
-    /** Milliseconds of the CPU that both hosts' threads have used. */
+    /** Milliseconds of the CPU that both hosts have used. */
     double cpu() {
-        return firstClock.used() + secondClock.used();
+        return steps.used();
     }
 
     String warnings() {
-        return first.warnings() + " " + second.warnings() + " " + firstClock.failed() + " " + secondClock.failed();
+        return first.warnings() + " " + second.warnings() + " " + steps.failed();
     }
 
     @Override
     public void close() {
         first.close();
         second.close();
-        firstClock.close();
-        secondClock.close();
+        steps.close();
     }
 }

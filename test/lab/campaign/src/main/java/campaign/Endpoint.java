@@ -13,6 +13,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
+import lockstep.Simulation;
 
 /** A host with its board: sends what ledgers say, and enters in ledgers what came. */
 final class Endpoint implements AutoCloseable {
@@ -49,7 +50,7 @@ final class Endpoint implements AutoCloseable {
 
     /** The users' settings, but for machines so busy that boards fall behind: a lost port shows anyway. */
     static BoardConfig config() {
-        return BoardConfig.create(config -> Host.patience(config.setAttempts(ATTEMPTS)));
+        return BoardConfig.create(config -> Host.patience(config.setAttempts(ATTEMPTS))).in(Simulation.here());
     }
 
     Board board() {

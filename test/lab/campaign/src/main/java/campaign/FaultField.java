@@ -48,9 +48,9 @@ final class FaultField implements AutoCloseable {
     }
 
     /** Switches the boards on, gives them ids and keys, and starts their hosts. */
-    void start() throws IOException, InterruptedException {
+    void start(Report report) throws IOException, InterruptedException {
         closing.add(killer::shutdownNow);
-        field = closing.add(Field.start(scenario, cells));
+        field = closing.add(Field.start(scenario, cells, report));
         for (List<Field.Post> pair : posts) {
             provision(pair.get(0), pair.get(1));
             provision(pair.get(1), pair.get(0));

@@ -32,7 +32,7 @@ final class Faults implements Campaign {
             ends when its successor opens the port.
             """.formatted(pairs, FaultPlan.BETWEEN_SECONDS));
         try (FaultField field = new FaultField(settings.seed(), pairs, faults)) {
-            field.start();
+            field.start(report);
             boolean whole = field.await(FaultPlan.end(faults), report);
             field.finishHosts();
             describe(field, whole ? field.spoiltBoards() : 2L * pairs, report);

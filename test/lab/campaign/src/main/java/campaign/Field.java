@@ -1,6 +1,8 @@
 package campaign;
 
 import harness.Emulator;
+import harness.Host;
+import harness.Report;
 import harness.Table;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,7 +16,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import javino.link.LinkOpener;
-import javino.link.SerialLink;
 import javino.protocol.Address;
 
 /** Emulated boards in cells: those of one cell may hear each other, and nobody else. In a folder that ends with it. */
@@ -92,8 +93,13 @@ final class Field implements AutoCloseable {
                 ((Number) within.get(1)).doubleValue());
     }
 
-    /** Adds the boards to a scenario and starts it. */
-    static Field start(Emulator.Scenario scenario, List<Cell> cells) throws IOException, InterruptedException {
+    /**
+     * Adds the boards to a scenario and starts it.
+     *
+     * @param report is told where the replay refuses the run; then its folder stays.
+     */
+    static Field start(Emulator.Scenario scenario, List<Cell> cells, Report report)
+            throws IOException, InterruptedException {
         List<List<Post>> posts = posts(cells);
         if (cells.stream().anyMatch(Cell::isOther)) {
             scenario.unmodelled();
@@ -107,7 +113,7 @@ final class Field implements AutoCloseable {
         }
         Path folder = Files.createTempDirectory("javino-campaign");
         try {
-            return new Field(folder, scenario.start(folder), posts);
+            return new Field(folder, scenario.refused(report::refused).start(folder), posts);
         } catch (IOException | InterruptedException | RuntimeException | AssertionError failed) {
             delete(folder);
             throw failed;
@@ -116,7 +122,7 @@ final class Field implements AutoCloseable {
 
     /** How to open the serial port of a board. */
     LinkOpener link(Post post) {
-        return SerialLink.opener(emulator.port(post.name));
+        return Host.link(emulator.port(post.name));
     }
 
     List<Post> cell(int index) {
@@ -137,11 +143,13 @@ final class Field implements AutoCloseable {
         try {
             emulator.close();
         } finally {
-            delete(folder);
+            if (emulator.refusal().isEmpty()) {
+                delete(folder);
+            }
         }
     }
 
-    private static void delete(Path folder) throws IOException {
+    static void delete(Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.deleteIfExists(file);

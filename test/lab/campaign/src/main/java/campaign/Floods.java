@@ -92,30 +92,30 @@ final class Floods {
 
     private void run(List<Case> cases, double seconds, Settings settings, Report report) throws Exception {
         AirUsage air = new AirUsage();
-        Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = timetable.scenario(settings.seed() + cases.get(0).run, air);
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed() + cases.get(0).run).listener(air)
+                .discardEvents().inEmulatedTime();
         for (int cell = 0; cell < cases.size(); cell++) {
             Attacker.join(scenario, cell);
         }
         try (Closing closing = new Closing()) {
-            closing.add(timetable);
-            Field field = closing.add(Field.start(scenario, Attacker.pairs(cases.size())));
+            Field field = closing.add(Field.start(scenario, Attacker.pairs(cases.size()), report));
+            EmulatedTime time = new EmulatedTime();
             List<Pair> pairs = new ArrayList<>();
             List<Attacker> attackers = new ArrayList<>();
             for (int cell = 0; cell < cases.size(); cell++) {
                 pairs.add(closing.add(new Pair(field, cell, cases.get(cell).length)));
                 attackers.add(closing.add(new Attacker(field, cell)));
             }
-            double begun = timetable.now();
+            double begun = time.now();
             for (int cell = 0; cell < cases.size(); cell++) {
-                begin(cases.get(cell), pairs.get(cell), attackers.get(cell), timetable, field, settings);
+                begin(cases.get(cell), pairs.get(cell), attackers.get(cell), time, settings);
             }
             List<Stream> streams = pairs.stream()
-                    .map(pair -> pair.stream(2, Integer.MAX_VALUE, () -> timetable.now() < begun + seconds)).toList();
+                    .map(pair -> pair.stream(2, Integer.MAX_VALUE, () -> time.now() < begun + seconds)).toList();
             for (Stream stream : streams) {
                 stream.await(PATIENCE_SECONDS);
             }
-            double lasted = timetable.now() - begun;
+            double lasted = time.now() - begun;
             attackers.forEach(Attacker::close);
             for (int cell = 0; cell < cases.size(); cell++) {
                 note(cases.get(cell), pairs.get(cell), attackers.get(cell), air, lasted, report);
@@ -123,12 +123,12 @@ final class Floods {
         }
     }
 
-    private static void begin(Case each, Pair pair, Attacker attacker, Timetable timetable, Field field,
+    private static void begin(Case each, Pair pair, Attacker attacker, EmulatedTime time,
             Settings settings) {
         if (each.kind == Kind.NONE) {
             return;
         }
-        attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed() + each.run),
+        attacker.flood(each.share, time, new Random(settings.seed() + each.run),
                 each.kind.forger(pair, attacker.post()));
     }
 

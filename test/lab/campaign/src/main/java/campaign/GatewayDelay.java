@@ -1,8 +1,10 @@
 package campaign;
 
 import harness.BrokerClient;
+import harness.Emulator;
 import harness.GatewayProcess;
 import harness.Mosquitto;
+import harness.Report;
 import harness.TestKeys;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -47,12 +49,12 @@ record GatewayDelay(List<Double> ways, List<Double> broker) {
     }
 
     /** Has so many messages sent from one cell to another. */
-    static GatewayDelay measure(int messages, long seed) throws Exception {
+    static GatewayDelay measure(int messages, long seed, Report report) throws Exception {
         Watch watch = new Watch();
         try (Closing closing = new Closing()) {
-            Timetable timetable = closing.add(new Timetable());
             Field.Cell pair = new Field.Cell("Station", 2);
-            Field field = closing.add(Field.start(timetable.scenario(seed, watch), List.of(pair, pair)));
+            Field field = closing.add(Field.start(new Emulator.Scenario().seed(seed).listener(watch).discardEvents(),
+                    List.of(pair, pair), report));
             Mosquitto broker = closing.add(Mosquitto.start(field.folder().resolve("broker"), "cell0", "cell1"));
             Field.Post from = field.cell(0).get(0);
             Field.Post to = field.cell(1).get(0);

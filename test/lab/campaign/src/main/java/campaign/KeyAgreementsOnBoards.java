@@ -1,6 +1,7 @@
 package campaign;
 
 import harness.Certificates;
+import harness.Emulator;
 import harness.Report;
 import harness.Table;
 import java.util.ArrayList;
@@ -9,11 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
-import java.util.concurrent.Callable;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
+import java.util.function.Supplier;
 import javino.protocol.Bytes;
 
 /** Hosts that have never met, on emulated boards: how long the first message takes, and what disturbs it. */
@@ -79,38 +76,32 @@ final class KeyAgreementsOnBoards {
     /** The work to do with each pair, side by side. */
     private interface Doing {
 
-        List<Double> with(CertifiedPair pair, Random random) throws Exception;
+        List<Double> with(CertifiedPair pair, Random random);
     }
 
     private List<List<Double>> pairs(int cells, int pairsInCell, double bitErrors, long seed, Doing doing)
             throws Exception {
-        ExecutorService threads = Executors.newCachedThreadPool();
-        List<CertifiedPair> pairs = new CopyOnWriteArrayList<>();
+        List<CertifiedPair> pairs = new ArrayList<>();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).discardEvents().inEmulatedTime()
+                .radio("bitErrorRate", bitErrors).listener(event -> pairs.forEach(pair -> pair.traced(event)));
         try (Closing closing = new Closing()) {
-            Timetable time = closing.add(new Timetable());
-            Field field = closing.add(Field.start(
-                    time.scenario(seed, event -> pairs.forEach(pair -> pair.traced(event)))
-                            .radio("bitErrorRate", bitErrors),
-                    Collections.nCopies(cells, new Field.Cell(SKETCH, 2 * pairsInCell))));
+            Field field = closing.add(Field.start(scenario,
+                    Collections.nCopies(cells, new Field.Cell(SKETCH, 2 * pairsInCell)), report));
+            EmulatedTime time = new EmulatedTime();
             Certificates authority = new Certificates(field.folder(), "authority");
             for (int cell = 0; cell < cells; cell++) {
                 for (int i = 0; i < pairsInCell; i++) {
                     pairs.add(closing.add(new CertifiedPair(field, time, cell, i, authority)));
                 }
             }
-            List<Callable<List<Double>>> all = new ArrayList<>();
+            List<Supplier<List<Double>>> all = new ArrayList<>();
             for (int i = 0; i < pairs.size(); i++) {
                 CertifiedPair pair = pairs.get(i);
                 Random random = new Random(seed * 100 + i);
                 all.add(() -> doing.with(pair, random));
             }
-            List<List<Double>> found = new ArrayList<>();
-            for (Future<List<Double>> each : threads.invokeAll(all)) {
-                found.add(each.get());
-            }
-            return found;
+            return time.all(all);
         } finally {
-            threads.shutdownNow();
             pairs.forEach(pair -> {
                 cpu += pair.cpu();
                 keys += pair.keysSet();
@@ -121,9 +112,7 @@ final class KeyAgreementsOnBoards {
 
     private double came(OptionalDouble took) {
         if (took.isEmpty()) {
-            synchronized (this) {
-                lost++;
-            }
+            lost++;
         }
         return took.orElse(CertifiedPair.PATIENCE);
     }
@@ -142,10 +131,8 @@ final class KeyAgreementsOnBoards {
                     pair.rest();
                     pair.reset();
                     double tookAgain = came(pair.deliver());
-                    synchronized (this) {
-                        first.add(took);
-                        again.add(tookAgain);
-                    }
+                    first.add(took);
+                    again.add(tookAgain);
                 }
                 return List.of();
             });
@@ -190,10 +177,8 @@ final class KeyAgreementsOnBoards {
                     double each = came(pair.deliver());
                     pair.awaitFault();
                     double calm = came(pair.deliver());
-                    synchronized (this) {
-                        took.add(each + calm);
-                        agreements.add((pair.keysSet() - before) / 2);
-                    }
+                    took.add(each + calm);
+                    agreements.add((pair.keysSet() - before) / 2);
                 }
                 return List.of();
             });

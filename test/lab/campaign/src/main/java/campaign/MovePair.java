@@ -4,14 +4,13 @@ import harness.MovingAgents;
 import harness.WalkerLog;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Random;
 import java.util.TreeMap;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import trace.TraceEvent;
 
@@ -24,13 +23,15 @@ final class MovePair implements AutoCloseable {
     private static final int REPLAY_EACH = 10;
     private static final int KEPT_PACKETS = 200;
     private static final double CUT_SECONDS = 0.3;
-    private static final long UNPLUGGED_MILLIS = 500;
+    private static final double UNPLUGGED_SECONDS = 0.5;
     private static final int KINDS = 5;
 
     private final Field field;
     private final int cell;
+    private final EmulatedTime time;
     private final Random random;
-    private final ExecutorService performer = Executors.newSingleThreadExecutor();
+    /** To be done once the event is over because of which they are. */
+    private final Queue<Act> acts = new ArrayDeque<>();
     private final List<String> packets = new ArrayList<>();
     /** The faults that came behind each step, by kind. */
     private final Map<String, int[]> faults = new TreeMap<>();
@@ -43,9 +44,10 @@ final class MovePair implements AutoCloseable {
     private long replayed;
     private long failures;
 
-    MovePair(Field field, int cell, Random random) {
+    MovePair(Field field, int cell, EmulatedTime time, Random random) {
         this.field = field;
         this.cell = cell;
+        this.time = time;
         this.random = random;
         next = LEAST + random.nextInt(MOST - LEAST);
     }
@@ -62,23 +64,19 @@ final class MovePair implements AutoCloseable {
     }
 
     /** Has faults come from now on. */
-    synchronized void disturb() {
+    void disturb() {
         disturbed = true;
     }
 
     /** No more faults from now on; what was broken works again when this returns. */
     void calm() throws InterruptedException {
-        synchronized (this) {
-            disturbed = false;
-        }
-        performer.shutdown();
-        if (!performer.awaitTermination(1, TimeUnit.MINUTES)) {
-            throw new AssertionError("a fault did not end");
-        }
+        disturbed = false;
+        act();
+        time.pause(UNPLUGGED_SECONDS);
     }
 
-    /** Takes notice of an event, on the thread that reads the trace. */
-    synchronized void see(TraceEvent event) {
+    /** Takes notice of an event, while nothing can be done about it. */
+    void see(TraceEvent event) {
         if (!disturbed || field.cell(cell).stream().noneMatch(post -> post.name().equals(event.board()))) {
             return;
         }
@@ -94,7 +92,7 @@ final class MovePair implements AutoCloseable {
             if (random.nextInt(REPLAY_EACH) == 0) {
                 replayed++;
                 String packet = packets.get(random.nextInt(packets.size()));
-                perform(() -> field.emulator()
+                acts.add(() -> field.emulator()
                         .command(Map.of("do", "send", "position", Field.position(cell), "payload", packet)));
             }
         }
@@ -115,7 +113,7 @@ final class MovePair implements AutoCloseable {
         }
         faults.computeIfAbsent(said, step -> new int[KINDS])[column]++;
         String board = field.cell(cell).get(side).name();
-        perform(() -> {
+        acts.add(() -> {
             switch (kind) {
                 case 0, 1 -> {
                     travels.kill(side);
@@ -126,13 +124,13 @@ final class MovePair implements AutoCloseable {
                         .command(Map.of("do", "power-cut", "board", board, "duration", CUT_SECONDS));
                 default -> {
                     field.emulator().command(Map.of("do", "unplug", "board", board));
-                    Thread.sleep(UNPLUGGED_MILLIS);
-                    field.emulator().command(Map.of("do", "plug", "board", board));
+                    time.at(time.now() + UNPLUGGED_SECONDS, () -> {
+                        field.emulator().command(Map.of("do", "plug", "board", board));
+                        busy = false;
+                    });
                 }
             }
-            synchronized (this) {
-                busy = false;
-            }
+            busy = kind > 3;
         });
     }
 
@@ -140,20 +138,22 @@ final class MovePair implements AutoCloseable {
         void run() throws IOException, InterruptedException;
     }
 
-    private void perform(Act act) {
-        performer.execute(() -> {
+    /** Whether there is something to do. */
+    boolean hasActs() {
+        return !acts.isEmpty();
+    }
+
+    /** Does what events have led to, on the thread that started the emulator. */
+    void act() throws InterruptedException {
+        for (Act act = acts.poll(); act != null; act = acts.poll()) {
             try {
                 act.run();
-            } catch (IOException | UncheckedIOException | AssertionError failed) {
+            } catch (IOException | UncheckedIOException failed) {
                 System.err.println("campaign: moves: a fault failed: " + failed.getMessage());
-                synchronized (this) {
-                    failures++;
-                    busy = false;
-                }
-            } catch (InterruptedException closed) {
-                Thread.currentThread().interrupt();
+                failures++;
+                busy = false;
             }
-        });
+        }
     }
 
     /** Waits until the agent has shown so often that it is awake; else it is lost. */
@@ -192,21 +192,20 @@ final class MovePair implements AutoCloseable {
                 .flatMap(lines -> lines).map(line -> "pair " + cell + ": " + line).toList();
     }
 
-    synchronized Map<String, int[]> faults() {
+    Map<String, int[]> faults() {
         return new TreeMap<>(faults);
     }
 
-    synchronized long replayed() {
+    long replayed() {
         return replayed;
     }
 
-    synchronized long failures() {
+    long failures() {
         return failures;
     }
 
     @Override
     public void close() {
-        performer.shutdownNow();
         if (travels != null) {
             travels.close();
         }

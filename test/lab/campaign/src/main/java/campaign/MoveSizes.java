@@ -33,7 +33,7 @@ final class MoveSizes {
             """;
 
     private final AirUsage air = new AirUsage();
-    private final Timetable timetable = new Timetable();
+    private EmulatedTime time;
 
     /** A time, and what was sent until then. */
     private record Moment(double seconds, AirUsage.Sum air) {
@@ -61,9 +61,9 @@ final class MoveSizes {
         List<Measured> all = new ArrayList<>();
         Moment plain;
         try (Closing closing = new Closing()) {
-            closing.add(timetable);
-            Emulator.Scenario scenario = timetable.scenario(settings.seed(), air);
-            Field field = closing.add(Field.start(scenario, cells));
+            Field field = closing.add(Field.start(new Emulator.Scenario().seed(settings.seed()).listener(air)
+                    .discardEvents().inEmulatedTime(), cells, report));
+            time = new EmulatedTime();
             for (int cell = 0; cell < sizes.size(); cell++) {
                 String walker = WALKER + AgentTexts.of(settings.root(), sizes.get(cell) - WALKER.length());
                 all.add(measure(field, cell, walker));
@@ -76,7 +76,7 @@ final class MoveSizes {
     }
 
     private Moment now(List<Field.Post> posts) {
-        return new Moment(timetable.now(), air.of(posts));
+        return new Moment(time.now(), air.of(posts));
     }
 
     private Measured measure(Field field, int cell, String walker) throws IOException, InterruptedException {
@@ -87,9 +87,7 @@ final class MoveSizes {
                 new MovingAgents(field.emulator(), folder, posts.stream().map(Field.Post::name).toList(),
                         posts.stream().map(Field.Post::address).toList(), List.of(true, true), walker, line -> {
                             if (line.contains("] leaves") || line.contains("] arrived")) {
-                                synchronized (moments) {
-                                    moments.add(now(posts));
-                                }
+                                moments.add(now(posts));
                             }
                         })) {
             travels.start(MovingAgents.AWAY);
@@ -97,10 +95,8 @@ final class MoveSizes {
             travels.await("arrivals", 1, line -> line.contains("] arrived"));
             long text = size(travels.place(MovingAgents.AWAY).resolve("moves/parts"));
             travels.await("arrivals", 3, line -> line.contains("] arrived"));
-            synchronized (moments) {
-                return new Measured(walker.length(), text, List.of(moments.get(0).until(moments.get(1)),
-                        moments.get(2).until(moments.get(3)), moments.get(4).until(moments.get(5))));
-            }
+            return new Measured(walker.length(), text, List.of(moments.get(0).until(moments.get(1)),
+                    moments.get(2).until(moments.get(3)), moments.get(4).until(moments.get(5))));
         }
     }
 

@@ -31,11 +31,6 @@ final class Pair implements AutoCloseable {
                 () -> ledger.sum().offered() < messages && goOn.getAsBoolean());
     }
 
-    /** The same, until a time of {@link System#nanoTime}. */
-    Stream stream(int window, int messages, long end) {
-        return stream(window, messages, () -> System.nanoTime() - end < 0);
-    }
-
     List<Field.Post> posts() {
         return posts;
     }

@@ -1,10 +1,10 @@
 package campaign;
 
 import harness.Emulator;
+import harness.Report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 
 /**
  * Pairs of boards in one emulator, each out of the others' range. One board of a pair sends unicasts to the other, with
@@ -14,10 +14,10 @@ import java.util.concurrent.Callable;
  * @param seconds emulated, how long new messages begin.
  */
 record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> plans) implements
-        Callable<List<PairRun.Result>> {
+        Runs.Run<List<PairRun.Result>> {
 
     private static final int WINDOW = 2;
-    /** Wall time, far more than a run takes. */
+    /** Emulated time, far more than what is under way takes. */
     private static final long PATIENCE_SECONDS = 1800;
 
     /**
@@ -49,20 +49,21 @@ record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> pla
 
     /** Sends, waits for all that is under way, and gives the result of each pair. */
     @Override
-    public List<Result> call() throws Exception {
+    public List<Result> in(Report report) throws Exception {
         AirUsage air = new AirUsage();
-        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).listener(air).discardEvents();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).listener(air).discardEvents().inEmulatedTime();
         radio.forEach(scenario::radio);
         try (Closing closing = new Closing()) {
-            Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));
+            Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList(), report));
+            EmulatedTime time = new EmulatedTime();
             List<Pair> pairs = new ArrayList<>();
             for (int i = 0; i < plans.size(); i++) {
                 pairs.add(closing.add(new Pair(field, i, plans.get(i).length)));
             }
-            double end = air.now() + seconds;
+            double end = time.now() + seconds;
             List<Stream> streams = new ArrayList<>();
             for (Pair pair : pairs) {
-                streams.add(pair.stream(WINDOW, Integer.MAX_VALUE, () -> air.now() < end));
+                streams.add(pair.stream(WINDOW, Integer.MAX_VALUE, () -> time.now() < end));
             }
             for (Stream stream : streams) {
                 stream.await(PATIENCE_SECONDS);

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import javino.link.LinkException;
 import trace.TraceEvent;
 
@@ -27,9 +27,9 @@ final class Replays {
         int count = settings.choose(3, 1);
         int messages = settings.choose(30, 3);
         int resetAt = settings.choose(RESET_AT, TEST_RESET_AT);
-        Timetable timetable = new Timetable();
         Recorder recorder = new Recorder();
-        Emulator.Scenario scenario = timetable.scenario(settings.seed(), recorder::see);
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).listener(recorder::see)
+                .discardEvents().inEmulatedTime();
         for (int cell = 0; cell < count; cell++) {
             Attacker.join(scenario, cell);
             String receiver = Field.posts(Attacker.pairs(count)).get(cell).get(1).name();
@@ -37,22 +37,17 @@ final class Replays {
             scenario.fault(Map.of("t", 2 * resetAt, "board", receiver, "do", "power-cut", "duration", CUT_SECONDS));
         }
         try (Closing closing = new Closing()) {
-            closing.add(timetable);
-            Field field = closing.add(Field.start(scenario, Attacker.pairs(count)));
+            Field field = closing.add(Field.start(scenario, Attacker.pairs(count), report));
+            EmulatedTime time = new EmulatedTime();
             List<Scene> scenes = new ArrayList<>();
             for (int cell = 0; cell < count; cell++) {
-                scenes.add(closing.add(new Scene(field, cell, messages, resetAt, timetable, recorder)));
+                scenes.add(closing.add(new Scene(field, cell, messages, resetAt, time, recorder)));
             }
-            List<Thread> threads = scenes.stream().map(scene -> new Thread(scene::play, "replay")).toList();
-            threads.forEach(Thread::start);
-            for (Thread thread : threads) {
-                thread.join();
-            }
-            describe(scenes, report);
+            describe(scenes, time.all(scenes.stream().<Supplier<String>>map(scene -> scene::play).toList()), report);
         }
     }
 
-    private static void describe(List<Scene> scenes, Report report) {
+    private static void describe(List<Scene> scenes, List<String> failures, Report report) {
         report.text("""
             **Replays on the air**, with emulated boards: %d pairs, and beside each a third board that sends again all
             that both boards have sent (frames and acknowledgements): at once, after a reset of the receiver, and after
@@ -66,9 +61,9 @@ final class Replays {
         report.claim("unicasts delivered beside " + replayed + " replayed packets",
                 Table.of(all.delivered(), all.offered()), "");
         all.report(report);
-        report.never("a replay that could not be carried out",
-                scenes.stream().filter(scene -> scene.failure != null).count());
-        scenes.stream().filter(scene -> scene.failure != null).forEach(scene -> report.progress("%s", scene.failure));
+        List<String> failed = failures.stream().filter(failure -> !failure.isEmpty()).toList();
+        report.never("a replay that could not be carried out", failed.size());
+        failed.forEach(failure -> report.progress("%s", failure));
     }
 
     /** The packets that each board has sent. */
@@ -76,7 +71,7 @@ final class Replays {
 
         private final Map<String, List<byte[]>> packets = new HashMap<>();
 
-        synchronized void see(TraceEvent event) {
+        void see(TraceEvent event) {
             if (!event.name().equals("rf-tx")) {
                 return;
             }
@@ -85,7 +80,7 @@ final class Replays {
         }
 
         /** The last packets of a board. */
-        synchronized List<byte[]> last(String board, int count) {
+        List<byte[]> last(String board, int count) {
             List<byte[]> all = packets.getOrDefault(board, List.of());
             return List.copyOf(all.subList(Math.max(0, all.size() - count), all.size()));
         }
@@ -94,28 +89,26 @@ final class Replays {
     /** One pair and its attacker. */
     private static final class Scene implements AutoCloseable {
 
-        private final Field field;
         private final int messages;
         private final int resetAt;
-        private final Timetable timetable;
+        private final EmulatedTime time;
         private final Recorder recorder;
         private final Pair pair;
         private final Attacker attacker;
         private long replayed;
-        private Throwable failure;
 
-        Scene(Field field, int cell, int messages, int resetAt, Timetable timetable, Recorder recorder)
+        Scene(Field field, int cell, int messages, int resetAt, EmulatedTime time, Recorder recorder)
                 throws LinkException {
-            this.field = field;
             this.messages = messages;
             this.resetAt = resetAt;
-            this.timetable = timetable;
+            this.time = time;
             this.recorder = recorder;
             pair = new Pair(field, cell, LENGTH);
             attacker = new Attacker(field, cell);
         }
 
-        void play() {
+        /** Why it could not be carried out; empty where it was. */
+        String play() {
             try {
                 exchange();
                 replay();
@@ -126,26 +119,24 @@ final class Replays {
                 replay();
                 exchange();
                 replay();
-            } catch (LinkException | InterruptedException | AssertionError failed) {
-                failure = failed;
+                return "";
+            } catch (LinkException | AssertionError failed) {
+                return failed.toString();
             }
         }
 
-        private void exchange() throws InterruptedException {
+        private void exchange() {
             long offered = pair.ledger().sum().offered();
-            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-            if (!pair.stream(1, (int) offered + messages, end).await(PATIENCE_SECONDS)) {
+            if (!pair.stream(1, (int) offered + messages, () -> true).await(PATIENCE_SECONDS)) {
                 throw new AssertionError("the exchange stands still");
             }
         }
 
-        private void awaitBoot(double seconds) throws InterruptedException {
-            if (timetable.now() >= seconds) {
+        private void awaitBoot(double seconds) {
+            if (time.now() >= seconds) {
                 throw new AssertionError("the boards were reset before all was replayed");
             }
-            if (!timetable.await(seconds + 1, field.emulator().process())) {
-                throw new AssertionError("the emulator ended");
-            }
+            time.pause(seconds + 1 - time.now());
         }
 
         /** Sends again what was sent last: more than one exchange, so that some is from before the last boot. */

@@ -2,7 +2,6 @@ package campaign;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -10,21 +9,25 @@ import java.util.concurrent.Future;
 
 import harness.Report;
 
-/** Runs of emulators that know nothing of each other, some at a time. */
+/** Runs in emulated times of their own, as many at a time as there are cores. */
 final class Runs {
-
-    /** An emulator in real time takes a third or half of a core. */
-    private static final int AT_A_TIME = 4;
 
     private Runs() {}
 
+    /** One of them. */
+    interface Run<T> {
+
+        /** @param report is told where the replay refuses it. */
+        T in(Report report) throws Exception;
+    }
+
     /** The results of all runs, in their order. */
-    static <T> List<T> all(List<? extends Callable<T>> runs, Report report) throws Exception {
-        ExecutorService pool = Executors.newFixedThreadPool(AT_A_TIME);
+    static <T> List<T> all(List<? extends Run<T>> runs, Report report) throws Exception {
+        ExecutorService pool = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
         try {
             List<T> results = new ArrayList<>();
             List<Future<T>> futures = new ArrayList<>();
-            runs.forEach(run -> futures.add(pool.submit(run)));
+            runs.forEach(run -> futures.add(pool.submit(() -> run.in(report))));
             for (Future<T> each : futures) {
                 results.add(each.get());
                 report.progress("%d of %d runs done", results.size(), runs.size());

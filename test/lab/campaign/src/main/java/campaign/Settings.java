@@ -9,7 +9,7 @@ import java.time.Duration;
  * @param seed  the number from which all random numbers start.
  * @param small whether to try little, for {@code gradle verify}: the same paths in seconds.
  * @param soak  wall time that the soak takes; positive.
- * @param moves moves on emulated boards; 0 for as many as fit into ten minutes.
+ * @param moves moves on emulated boards; 0 for as many as fit into ten emulated minutes.
  * @param root  the top of the repository.
  */
 public record Settings(long seed, boolean small, Duration soak, int moves, Path root) {

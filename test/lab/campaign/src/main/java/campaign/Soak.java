@@ -54,7 +54,7 @@ final class Soak implements Campaign {
         try (Closing closing = new Closing()) {
             Emulator.Scenario scenario = new Emulator.Scenario().speed(SPEED).seed(settings.seed())
                     .listener(this::traced).discardEvents();
-            Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
+            Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2)), report));
             Field.Post one = field.cell(0).get(0);
             Field.Post two = field.cell(0).get(1);
             Endpoint first = closing.add(new Endpoint(field.link(one), two.address(), longs));

@@ -1,9 +1,12 @@
 package campaign;
 
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import javino.link.Time;
 import javino.protocol.Address;
+import lockstep.Simulation;
 
 /** Unicasts one after the other from one endpoint to another: as one ends the next begins, so that some always wait. */
 final class Stream {
@@ -12,7 +15,8 @@ final class Stream {
     private final Address to;
     private final Ledger ledger;
     private final BooleanSupplier goOn;
-    private final CountDownLatch ended;
+    private final AtomicInteger open;
+    private final CompletableFuture<Void> ended = new CompletableFuture<>();
 
     /**
      * @param window how many are under way at a time.
@@ -23,7 +27,7 @@ final class Stream {
         this.to = to;
         this.ledger = ledger;
         this.goOn = goOn;
-        this.ended = new CountDownLatch(window);
+        this.open = new AtomicInteger(window);
         for (int i = 0; i < window; i++) {
             begin();
         }
@@ -32,13 +36,14 @@ final class Stream {
     private void begin() {
         if (goOn.getAsBoolean()) {
             from.send(to, ledger).whenComplete((outcome, failure) -> begin());
-        } else {
-            ended.countDown();
+        } else if (open.decrementAndGet() == 0) {
+            ended.complete(null);
         }
     }
 
     /** Waits until nothing is under way; false if something still is after so long. */
-    boolean await(long seconds) throws InterruptedException {
-        return ended.await(seconds, TimeUnit.SECONDS);
+    boolean await(long seconds) {
+        Time time = Simulation.here();
+        return time.join(time.completeOnTimeout(ended.thenApply(all -> true), false, Duration.ofSeconds(seconds)));
     }
 }

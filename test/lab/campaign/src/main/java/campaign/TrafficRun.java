@@ -2,15 +2,11 @@ package campaign;
 
 import harness.Emulator;
 import harness.Report;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.concurrent.Callable;
-import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
 
 /**
  * Cells of boards in one emulator, each with its traffic.
@@ -20,14 +16,14 @@ import java.util.function.BooleanSupplier;
  * @param radio   the scenario's settings of the radio.
  */
 record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<TrafficRun.Plan> plans) implements
-        Callable<List<TrafficRun.Result>> {
+        Runs.Run<List<TrafficRun.Result>> {
 
     /** The length of each content, in bytes. */
     static final int LENGTH = 16;
     /** The air is looked at from here on, in parts of the whole time: until then queues fill. */
     private static final double FROM = 1.0 / 3;
-    /** Wall time, far more than a run takes. */
-    private static final long PATIENCE_SECONDS = 1800;
+    /** Emulated time, far more than what was sent takes to end. */
+    private static final double PATIENCE_SECONDS = 1800;
 
     /** The boards of a cell, and what they send. */
     record Plan(Field.Cell cell, List<Traffic.Flow> flows) {
@@ -94,27 +90,28 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
     }
 
     @Override
-    public List<Result> call() throws Exception {
+    public List<Result> in(Report report) throws Exception {
         AirUsage air = new AirUsage();
-        Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = timetable.scenario(seed, air);
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).listener(air).discardEvents().inEmulatedTime();
         radio.forEach(scenario::radio);
         SplittableRandom seeds = new SplittableRandom(seed);
         try (Closing closing = new Closing()) {
-            closing.add(timetable);
-            Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));
+            Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList(), report));
+            EmulatedTime time = new EmulatedTime();
             List<Traffic> all = new ArrayList<>();
             for (int cell = 0; cell < plans.size(); cell++) {
                 all.add(closing
                         .add(new Traffic(field, cell, plans.get(cell).cell.relays(), plans.get(cell).flows, LENGTH)));
             }
-            double begin = timetable.now();
-            all.forEach(traffic -> traffic.offer(timetable, seeds, begin + seconds));
-            await(timetable, begin + FROM * seconds, field);
+            double end = time.now() + seconds;
+            all.forEach(traffic -> traffic.offer(time, seeds, end));
+            time.pause(FROM * seconds);
             long[] before = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
-            await(timetable, begin + seconds, field);
+            time.pause(end - time.now());
             long[] then = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
-            awaitEnds(() -> all.stream().allMatch(traffic -> traffic.sum().open() == 0));
+            while (all.stream().anyMatch(traffic -> traffic.sum().open() > 0) && time.now() < end + PATIENCE_SECONDS) {
+                time.pause(0.1);
+            }
             List<Result> results = new ArrayList<>();
             for (int cell = 0; cell < plans.size(); cell++) {
                 Traffic traffic = all.get(cell);
@@ -124,21 +121,6 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
                         cell == 0 ? air.nonces().repeated() : 0));
             }
             return results;
-        }
-    }
-
-    /** Waits until an emulated time. */
-    static void await(Timetable timetable, double second, Field field) throws IOException, InterruptedException {
-        if (!timetable.await(second, field.emulator().process())) {
-            throw new IOException("the emulator ended: " + field.emulator().complaints());
-        }
-    }
-
-    /** Waits until all that was sent has ended, unless that takes far too long. */
-    static void awaitEnds(BooleanSupplier ended) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (System.nanoTime() - end < 0 && !ended.getAsBoolean()) {
-            TimeUnit.MILLISECONDS.sleep(100);
         }
     }
 }

@@ -53,14 +53,14 @@ class MeasuresTest {
     void offer_seedsInARow_beginAtTimesOfTheirOwn() throws InterruptedException {
         CountDownLatch first = new CountDownLatch(550);
         AtomicInteger begun = new AtomicInteger();
-        try (Timetable timetable = new Timetable()) {
+        try (Metronome metronome = new Metronome()) {
             for (int seed = 0; seed < 1000; seed++) {
-                new Offer(timetable, seed, 1, 1, () -> {
+                new Offer(metronome, seed, 1, 1, () -> {
                     begun.incrementAndGet();
                     first.countDown();
                 });
             }
-            timetable.see(TraceEvent.parse(1, "{\"t\": 1, \"event\": \"pin\"}"));
+            metronome.see(TraceEvent.parse(1, "{\"t\": 1, \"event\": \"pin\"}"));
             assertTrue(first.await(2, TimeUnit.MINUTES),
                     () -> "of 1000, whose first times are a second away on average, " + begun + " came within it");
         }
