@@ -58,7 +58,7 @@ void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board) {
 
 void serial_sniffer_reset(serial_sniffer *s) {
   s->from_host.length = s->from_board.length = 0;
-  s->waiting = s->held_waiting = s->remembered = s->greeted = false;
+  s->waiting = s->held_waiting = s->remembered = s->greeted = s->tells_again = false;
   s->taken = -1;
   memset(s->told, 0, sizeof s->told);
 }
@@ -140,12 +140,13 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   // The first byte of a request ends the hold of a poll, whose reply may be on its way still.
   s->held_waiting = s->waiting && s->request.command == 'P';
   s->held = s->request;
+  bool forgets = s->request.forgets;
   s->request =
       (serial_request){.sequence = packet->sequence, .crc = packet->crc, .command = command, .taken = -1, .at = at};
   s->waiting = true;
   if (command == 'P' && packet->length > FLAGS_AT) {
     s->request.repeats = same;
-    if (!same && !(packet->message[FLAGS_AT] & (FLAG_LOST | FLAG_COMING))) memset(s->told, 0, sizeof s->told);
+    s->request.forgets = same ? forgets : !(packet->message[FLAGS_AT] & (FLAG_LOST | FLAG_COMING));
   }
   if (!for_board) {
     memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
@@ -284,11 +285,10 @@ static void write_relaying(serial_sniffer *s, bool on, cycles_t at) {
 }
 
 // Notes what the board has performed; `body` is the reply's, behind its status.
-static void performed(serial_sniffer *s, const serial_request *request, const uint8_t *body, size_t length,
-                      cycles_t at) {
+static void performed(serial_sniffer *s, serial_request *request, const uint8_t *body, size_t length, cycles_t at) {
   switch (request->command) {
     case 'H':
-      s->greeted = true;
+      s->greeted = s->tells_again = true;
       if (length < EPOCH_AT + SERIAL_EPOCH_LENGTH) break;
       memcpy(s->id, body + 1, ADDRESS_LENGTH);
       memcpy(s->epoch, body + EPOCH_AT, SERIAL_EPOCH_LENGTH);
@@ -319,6 +319,10 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
       if (length == 1) write_relay(s, request, body[0], at);
       break;
     case 'P':
+      // Not when the poll comes: the board may answer a repeat of the one before first.
+      if (request->forgets && !s->tells_again) memset(s->told, 0, sizeof s->told);
+      request->forgets = s->tells_again = false;
+      if (s->request.sequence == request->sequence) s->request.forgets = false;  // of its repeat
       if (request->taken >= 0 && request->taken != s->taken) {
         s->taken = request->taken;
         write_number(s, at, "host-taken", request->taken);
@@ -342,7 +346,8 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
   bool held = s->held_waiting && packet->sequence == s->held.sequence;
   if (!held && !(s->waiting && packet->sequence == s->request.sequence)) return;
   uint8_t status = packet->message[0];
-  bool from_memory = !held && s->request.repeats && packet->crc == s->reply_crc;
+  serial_request *request = held ? &s->held : &s->request;
+  bool from_memory = request->repeats && packet->crc == s->reply_crc;
   s->reply_crc = packet->crc;
   if (held) {
     s->held_waiting = false;
@@ -351,7 +356,7 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
     s->remembered = status != STATUS_NOT_GREETED;
   }
   if (status == STATUS_OK && !from_memory)
-    performed(s, held ? &s->held : &s->request, packet->message + 1, packet->length - 1, at);
+    performed(s, request, packet->message + 1, packet->length - 1, at);
 }
 
 void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at) {

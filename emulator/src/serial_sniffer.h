@@ -31,6 +31,7 @@ typedef struct {
   uint16_t crc;
   char command;                        // 0: a frame to be transmitted
   bool repeats;                        // a poll that is the one before, byte by byte
+  bool forgets;                        // a poll at which the board deletes what it told; it has not answered it
   int taken;                           // of a poll that says something new, or -1
   uint8_t address[4];                  // that becomes the RF id, has a key, or is to be sent to
   bool open;                           // of a request for the radio
@@ -55,6 +56,7 @@ typedef struct {
   bool remembered;         // the board answers its repeats from memory
   uint16_t reply_crc;      // of its last reply
   bool told[256];          // by number of a message: its outcome was told, and the host is not known to have it
+  bool tells_again;        // it was greeted, and deletes nothing at the next poll
   bool greeted;            // the board performs requests
   int taken;               // the last message that the board knows to be taken, or -1
 } serial_sniffer;

@@ -319,6 +319,48 @@ TEST(SerialSniffer, tells_once_an_outcome_that_the_board_tells_again) {
   EXPECT_EQ(line.events("host-outcome").size(), 4u);
 }
 
+TEST(SerialSniffer, tells_once_an_outcome_that_a_repeat_before_the_next_poll_asks_for_again) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(2, poll_reply({{'T', 0, 2, 7, 1}}));
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.host(3, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(2, poll_reply({{'T', 0, 2, 7, 1}, {'T', 0, 2, 8, 1}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 2u);
+  line.board(3, poll_reply({{'T', 0, 2, 7, 1}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 3u);
+  line.host(3, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(3, poll_reply({{'T', 0, 2, 7, 1}, {'T', 0, 2, 9, 1}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 4u);
+}
+
+TEST(SerialSniffer, tells_once_an_outcome_where_a_poll_was_repeated_before_its_reply) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(2, poll_reply({{'T', 0, 2, 7, 1}}));
+  line.board(2, poll_reply({{'T', 0, 2, 7, 1}, {'T', 0, 2, 8, 1}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 2u);
+}
+
+TEST(SerialSniffer, tells_once_an_outcome_that_the_board_tells_again_after_hello) {
+  Line line;
+  line.greet();
+  for (uint8_t sequence : {2, 3}) {
+    line.host(sequence, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+    line.board(sequence, poll_reply({{'T', 0, 2, 7, 1}}));
+    EXPECT_EQ(line.events("host-outcome").size(), 1u);
+    line.greet();
+  }
+  for (uint8_t sequence : {4, 5}) {
+    line.host(sequence, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+    line.board(sequence, poll_reply({{'T', 0, 2, 7, 1}}));
+    EXPECT_EQ(line.events("host-outcome").size(), sequence - 3u);
+  }
+}
+
 TEST(SerialSniffer, tells_nothing_of_a_poll_that_is_answered_from_memory) {
   Line line;
   line.greet();
@@ -326,6 +368,10 @@ TEST(SerialSniffer, tells_nothing_of_a_poll_that_is_answered_from_memory) {
     line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
     line.board(2, {0, 0});
   }
+  EXPECT_EQ(line.events("host-nothing").size(), 1u);
+  // Both repeats come before the reply to the first one.
+  for (int time = 0; time < 2; time++) line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  for (int time = 0; time < 2; time++) line.board(2, {0, 0});
   EXPECT_EQ(line.events("host-nothing").size(), 1u);
 }
 

@@ -26,6 +26,8 @@ public final class PacketLine implements FakePort.Device {
     private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
     /** The boot loader's answer to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */
     private static final Bytes PROGRAMMING_LEFT = Bytes.of(0x1B, 0x01, 0x00, 0x02, 0x0E, 0x11, 0x00, 0x07);
+    /** The longest reply, as a packet, that is kept for a repeat of a poll; else that is asked again (SPEC 4.2). */
+    private static final int MOST_KEPT = 20;
     /** The time between the bytes of a reading that is halted. */
     private static final long BYTE_NANOS = 10_000_000;
 
@@ -167,12 +169,15 @@ public final class PacketLine implements FakePort.Device {
         if (board.saysTaken()) {
             FakePort.write(line, Bytes.join(prints, Bytes.of(0)).toArray());
         }
-        if (request.equals(lastRequest)) {
+        boolean repeated = request.equals(lastRequest);
+        if (repeated && !(request.frame().message().at(0) == 'P' && lastReply.length() > MOST_KEPT)) {
             write(fault.apply(lastReply));
             return;
         }
-        messages.add(request.frame().message());
-        Bytes message = board.perform(request.frame());
+        if (!repeated) {
+            messages.add(request.frame().message());
+        }
+        Bytes message = board.perform(repeated ? Poll.repeated(request.frame()) : request.frame());
         if (message != null) {
             reply(request, message);
             return;

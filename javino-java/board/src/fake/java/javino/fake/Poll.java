@@ -1,6 +1,7 @@
 package javino.fake;
 
 import javino.protocol.Bytes;
+import javino.protocol.Frame;
 
 /** A poll's fields (SPEC 4.3), and what its reply is made of. */
 record Poll(Bytes message) {
@@ -23,6 +24,13 @@ record Poll(Bytes message) {
 
     boolean lostReply() {
         return (message.at(1) & 4) != 0;
+    }
+
+    /** A poll that comes again is told what it was told. */
+    static Frame repeated(Frame poll) {
+        Bytes message = poll.message();
+        return new Frame(poll.destination(), poll.origin(),
+                Bytes.join(message.slice(0, 1), Bytes.of(message.at(1) | 4), message.from(2)));
     }
 
     boolean replyMayCome() {

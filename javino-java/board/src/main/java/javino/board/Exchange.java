@@ -113,6 +113,8 @@ final class Exchange {
         do {
             if (attempts > 0) {
                 counters.count(SessionCounter.REPEATS);
+                // It may be answered with more than the poll, when that has a reply and this is an old one.
+                replyLost |= request.command() == Request.Command.POLL;
             }
             // Every other time, as to a sketch that runs it is damage; none has to be started that has asked again.
             boolean toBootLoader = request.command() == Request.Command.HELLO && attempts % 2 == 1 && !askedAgain;

@@ -213,6 +213,26 @@ class TransmissionTest extends BoardFixture {
         assertEquals(List.of(), listener.rest());
     }
 
+    /** The reply to a repeat tells more, and comes when the host has asked something else. */
+    @Test
+    void poll_repliesComeOneRequestLate_loseNoOutcome() throws Exception {
+        openAndAwaitOnline();
+        transmit();
+        transmit();
+        List<Bytes> late = new ArrayList<>();
+        fake.line.setFault(reply -> {
+            late.add(reply);
+            if (late.size() == 1) {
+                fake.end(1, Outcome.DELIVERED);
+                return Bytes.EMPTY;
+            }
+            return late.size() > 3 ? reply : late.get(late.size() - 2);
+        });
+        fake.end(0, Outcome.DELIVERED);
+        assertEquals("ended DELIVERED", listener.next());
+        assertEquals("ended DELIVERED", listener.next());
+    }
+
     @Test
     void link_lostWhileARequestWasUnanswered_leavesWhatIsUnderWay() throws Exception {
         openAndAwaitOnline(Duration.ofMinutes(1));

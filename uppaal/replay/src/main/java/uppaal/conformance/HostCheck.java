@@ -195,9 +195,12 @@ final class HostCheck implements Check {
         String destination = event.text("destination");
         String what =
                 event.board() + " hands its host message " + event.number("number") + " of " + event.text("origin");
+        Identity handed = new Identity(event.board(), event.text("origin") + destination, event.text("id"));
+        if (side.unconfirmed.contains(handed)) {
+            return; // the reply to a poll before the one that has told that it is taken
+        }
         List<Identity> messages = side.upTo(event.number("number"), what);
         Identity before = messages.get(messages.size() - 1);
-        Identity handed = new Identity(event.board(), event.text("origin") + destination, event.text("id"));
         require(before == null || before.equals(handed), what, "the same as before: " + before);
         if (before == null && !destination.equals(Frame.ALL)) {
             Stream<Identity> known = Stream.concat(messages.stream(), taken.keySet().stream().filter(taken::get));

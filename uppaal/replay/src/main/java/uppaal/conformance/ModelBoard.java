@@ -37,6 +37,8 @@ final class ModelBoard {
     /** The last message of each key's sender that the host has taken: its repeats are acknowledged again. */
     private final Map<Integer, Receiving> taken = new HashMap<>();
     private final Deque<Receiving> unacknowledged = new ArrayDeque<>();
+    /** What the host has taken last, by number: a reply to an earlier poll may still hand it over. */
+    private final Map<Integer, Receiving> takenLast = new HashMap<>();
     private final Set<Integer> goneKeys = new HashSet<>();
     private boolean mayLackKeys;
     private double fragmentAt = Double.NEGATIVE_INFINITY;
@@ -162,7 +164,7 @@ final class ModelBoard {
 
     /** The host has got a message. */
     void handed(Point told, int number, String kind) throws RefusedException {
-        Receiving message = queued(told, number);
+        Receiving message = takenLast.containsKey(number) ? takenLast.get(number) : queued(told, number);
         require(message.isHanded(), told.board() + " hands over message " + number, "HANDED first");
         message.isOfKind(kind);
     }
@@ -194,9 +196,11 @@ final class ModelBoard {
     private void take(Point point) throws RefusedException {
         List<Receiving> all = until(point.operand("message"));
         point.require(!all.isEmpty(), "one that is in its inbox");
+        takenLast.clear();
         for (Receiving each : all) {
             each.see(point);
             receiving.remove(each.number);
+            takenLast.put(each.number, each);
             if (each.isAcknowledged() && !goneKeys.contains(each.key)) {
                 unacknowledged.add(each);
                 taken.put(each.key, each);
@@ -229,6 +233,7 @@ final class ModelBoard {
         accepted.clear();
         receiving.clear();
         unacknowledged.clear();
+        takenLast.clear();
         answers.reset();
         nextMessage = 0;
         idleSince = Double.POSITIVE_INFINITY;

@@ -49,9 +49,12 @@ final class Receiving {
         see(point);
     }
 
-    /** Its board declares something of it, or the host does something with it. */
+    /**
+     * Its board declares something of it, or the host does something with it. While the host takes it, the board may
+     * answer a poll that was repeated before that.
+     */
     void see(Point point) throws RefusedException {
-        boolean isRepeat = point.is("host-taking") && instance.isAt("Taking");
+        boolean isRepeat = (point.is("host-taking") || point.is("HANDED")) && instance.isAt("Taking");
         if (!isRepeat) {
             instance.take(point, point.name(), DeliveryModels.outside(Map.of("kind", DATA)));
         }

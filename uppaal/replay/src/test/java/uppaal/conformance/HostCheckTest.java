@@ -31,6 +31,9 @@ class HostCheckTest {
             "bus SENT number=0", // no host's
             "bus asks //SU help; bus SENT number=0; bus does host-outcome number=0 outcome=sent", // without hello
             "HANDED; support hands 0 SUPP 010000 help; support does host-nothing",
+            // A reply to a poll that the host has repeated is on its way.
+            "HANDED; support does host-taking number=0; support hands 0 SUPP 010000 help; support TAKEN message=0; "
+                    + "support hands 0 SUPP 010000 help; support does host-taken number=0",
             "TAKEN; support does host-taking number=0; support does host-nothing; support does host-nothing",
             "TAKEN; support queues 1; support queues 2; support hands 1 SUPP 010001 a; support hands 2 SUPP 010002 b; "
                     + "support does host-taking number=2; support TAKEN message=2; support does host-taken number=2",
@@ -81,6 +84,9 @@ class HostCheckTest {
             "support does host-handed number=0 destination=SUPP origin=SUPO id=010000"
                     + " | hands its host message 0 of SUPO; expected one that is in its inbox",
             "HANDED; support hands 0 SUPP 010001 help | the same as before: SUPOSUPP010000",
+            "HANDED; support does host-taking number=0; support TAKEN message=0; support hands 0 SUPP 010001 help "
+                    + "| one that is in its inbox",
+            "TAKEN; support hands 0 SUPP 010000 help | one that is in its inbox",
             "TAKEN; support queues 0; support hands 1 SUPP 010000 help"
                     + " | a higher id than before, not 010000",
             "TAKEN; support does reset why=power; support queues 0; support hands 0 SUPP 010000 help | a higher id",

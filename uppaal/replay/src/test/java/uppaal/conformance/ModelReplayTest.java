@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A genuine story is accepted; with a line changed, left out (no new line) or repeated it is refused. */
 class ModelReplayTest {
@@ -121,6 +122,15 @@ class ModelReplayTest {
                 + "0.824 ANSWER key=1\n0.825 BUSY\n0.900 QUIET\n"));
     }
 
+    /** The host has asked again before the reply came: the board reads that, and answers it, before what is taken. */
+    @ParameterizedTest
+    @ValueSource(strings = {
+            "0.405 HANDED message=0", "0.405 HANDED message=0\n0.406 host-handed number=0 destination=BUSS",
+            "0.405 HANDED message=0\n0.4105 host-handed number=0 destination=BUSS"})
+    void message_thatIsHandedAgainWhileItIsTaken_isAccepted(String again) {
+        assertEquals(Optional.empty(), refusal(sorted(RECEIVED + again)));
+    }
+
     @Test
     void reset_whileAMessageWaits_leavesNoneThatWaits() {
         assertEquals(Optional.empty(), refusal("0.500 host-transmit number=0 destination=SUPP asked=0.499\n"
@@ -160,6 +170,7 @@ class ModelReplayTest {
             "0.410 OWE     |                                     | expected OWE_DELIVERED for message 0",
             "0.410 OWE_DELIVERED nonce=7 | 0.410 OWE_DELIVERED nonce=8 | expected OWE_DELIVERED for message 0",
             "0.410 TAKEN message=0 | 0.410 TAKEN message=1         | expected one that is in its inbox",
+            "0.410 TAKEN message=0 | 0.410 TAKEN message=0;0.411 HANDED message=0 | expected QUEUED before",
             "0.411 ANSWER  |                                     | expected PUT_OFF",
             "0.412 BUSY    | 0.412 BUSY;0.420 ANSWER key=1       | expected that it owes one",
             "0.700 OWE_DELIVERED nonce=7 | 0.700 OWE_DELIVERED nonce=6 | taken last of this key",
