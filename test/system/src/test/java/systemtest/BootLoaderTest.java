@@ -9,6 +9,7 @@ import harness.Host;
 import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.Map;
+import javino.board.SessionCounter;
 import javino.protocol.Address;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Test;
@@ -26,6 +27,8 @@ class BootLoaderTest {
             "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
     /** The time from a reset to a board that serves: left alone, the boot loader takes 0.8, after a hello 5. */
     private static final double MOST_EMULATED_SECONDS = 4;
+    /** A board holds a poll for ten times as long. */
+    private static final int HELD_MILLIS = 200;
 
     private static Emulator.Scenario scenario(String sketch) {
         return new Emulator.Scenario().board("lamp", sketch, Map.of("bootLoader", BOOT_LOADER));
@@ -46,10 +49,24 @@ class BootLoaderTest {
         }
     }
 
+    /** Waits until the board holds a poll: one that came just after a reset would keep the boot loader for long. */
+    private static void awaitPoll(Host host) throws InterruptedException {
+        long before;
+        do {
+            before = requests(host);
+            Thread.sleep(HELD_MILLIS);
+        } while (before == 0 || before != requests(host));
+    }
+
+    private static long requests(Host host) {
+        return host.board.counters().get(SessionCounter.REQUESTS);
+    }
+
     @Test
     void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario("Station").start(folder); Host host = Host.of(emulator, "lamp")) {
             int boots = get(host.board.greeted()).bootEpoch();
+            awaitPoll(host);
             emulator.command(Map.of("do", "reset", "board", "lamp"));
             host.awaitOnline(2);
             assertTrue(host.board.info().orElseThrow().bootEpoch() > boots);
