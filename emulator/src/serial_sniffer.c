@@ -355,8 +355,7 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
     s->waiting = false;
     s->remembered = status != STATUS_NOT_GREETED;
   }
-  if (status == STATUS_OK && !from_memory)
-    performed(s, request, packet->message + 1, packet->length - 1, at);
+  if (status == STATUS_OK && !from_memory) performed(s, request, packet->message + 1, packet->length - 1, at);
 }
 
 void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at) {
