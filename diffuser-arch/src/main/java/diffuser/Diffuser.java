@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -108,6 +109,7 @@ public class Diffuser extends AgArch {
     private final transient Object ending = new Object();
     private transient boolean ended;
     private transient volatile Consumer<String> printed = text -> {};
+    private transient BiConsumer<String, CompletableFuture<Void>> performed = (action, outcome) -> {};
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
     @Override
@@ -278,6 +280,11 @@ public class Diffuser extends AgArch {
         printed = listener;
     }
 
+    /** Says who is told each action that the board is asked for, with the future that {@link #perform} gives. */
+    public void onPerformed(BiConsumer<String, CompletableFuture<Void>> listener) {
+        performed = listener;
+    }
+
     /** Sets the abilities that an infrastructure other than the board's radio gives from now on. */
     public void setInfrastructure(String name, Set<Ability> allows) {
         infrastructures.set(name, Set.copyOf(allows));
@@ -325,7 +332,9 @@ public class Diffuser extends AgArch {
     public CompletableFuture<Void> perform(String action) throws JasonException {
         Device board = requireDevice();
         try {
-            return board.act(action);
+            CompletableFuture<Void> outcome = board.act(action);
+            performed.accept(action, outcome);
+            return outcome;
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
         }

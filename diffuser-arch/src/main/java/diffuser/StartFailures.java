@@ -52,7 +52,7 @@ public final class StartFailures implements Filter {
     }
 
     /** Why an agent cannot start, in one line; nothing if this is not what the log tells. */
-    static Optional<String> line(LogRecord logged) {
+    public static Optional<String> line(LogRecord logged) {
         String message = String.valueOf(logged.getMessage());
         Throwable thrown = logged.getThrown();
         Matcher parsing = PARSING.matcher(message);

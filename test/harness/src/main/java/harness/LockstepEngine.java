@@ -1,12 +1,7 @@
 package harness;
 
 import com.google.gson.Gson;
-import java.io.BufferedInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,6 +10,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import lockstep.Simulation;
+import lockstep.TraceFile;
 
 /** An emulator in one time with the hosts of this thread's simulation. */
 final class LockstepEngine implements Engine {
@@ -23,38 +19,22 @@ final class LockstepEngine implements Engine {
     private static final long MOMENT_NANOS = 1_000_000;
 
     private final Simulation simulation;
-    private final InputStream trace;
-    private final ByteArrayOutputStream line = new ByteArrayOutputStream();
-    private final Consumer<String> lines;
+    private final TraceFile trace;
 
     /** @param lines takes the lines of its trace, on the thread that starts this. */
     LockstepEngine(List<String> command, List<String> ports, EmulatedRun run, Consumer<String> lines)
             throws IOException {
-        this.lines = lines;
         Path file = run.newTrace();
         Files.createFile(file);
         List<String> whole = new ArrayList<>(command);
         whole.addAll(List.of("--trace", file.toString()));
         simulation = Simulation.start(whole, ports, run.seed(), Simulation.JITTER);
-        trace = new BufferedInputStream(Files.newInputStream(file));
-        simulation.watch(this::readTrace);
+        trace = TraceFile.follow(simulation, file, lines);
     }
 
     @Override
     public void readTrace() {
-        try {
-            for (int next = trace.read(); next >= 0; next = trace.read()) {
-                if (next != '\n') {
-                    line.write(next);
-                    continue;
-                }
-                String whole = line.toString(StandardCharsets.UTF_8);
-                line.reset();
-                lines.accept(whole);
-            }
-        } catch (IOException failed) {
-            throw new UncheckedIOException(failed);
-        }
+        trace.read();
     }
 
     @Override
@@ -94,8 +74,6 @@ final class LockstepEngine implements Engine {
         try (trace) {
             simulation.close();
             readTrace();
-        } catch (IOException failed) {
-            throw new UncheckedIOException(failed);
         }
     }
 }

@@ -3,12 +3,18 @@ package lockstep;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
@@ -21,11 +27,47 @@ import java.util.stream.Stream;
  */
 public final class AgentProgram implements AutoCloseable {
 
+    /** Is told what agents do, on the coordinator, in the order in which they do it. */
+    public interface Observer {
+
+        /** An agent printed, or was warned. */
+        void printed(String agent, String line);
+
+        /** A cycle of an agent has added a belief, with its annotations, to its belief base, or removed it from there. */
+        default void believes(String agent, String belief, boolean added) {}
+
+        /** An agent asks its board for an action. */
+        default void asksFor(String agent, String action) {}
+
+        /** The action has ended. @param error the atom of its failure; empty if the board has performed it. */
+        default void performed(String agent, String action, String error) {}
+    }
+
     /** What runs the program, loaded with it. It has a constructor without parameters. */
     public interface Runner {
 
-        /** Creates and starts the agents. */
-        void start(Simulation simulation, Path program) throws IOException, ReflectiveOperationException;
+        /**
+         * Creates and starts the agents.
+         *
+         * @throws IOException what is wrong with the program, with file and line, in one line.
+         */
+        void start(Simulation simulation, Path program, Observer observer)
+                throws IOException, ReflectiveOperationException;
+
+        /** The agents that there are now. */
+        Set<String> agents();
+
+        /** What keeps an agent's plans from being done or waiting; nothing if they are. */
+        Optional<String> busy(String agent);
+
+        /** The functors of beliefs for whose addition an agent has plans, with their places. */
+        Map<String, String> planned(String agent);
+
+        /** Gives an agent an event, as {@code +!go(home)} or {@code +dark}. */
+        void give(String agent, String event) throws IOException;
+
+        /** What an agent's board counts and how its architecture fares, as far as there is any. */
+        CompletableFuture<Map<String, Object>> counts(String agent);
 
         /** Stops them. */
         void stop();
@@ -84,8 +126,7 @@ public final class AgentProgram implements AutoCloseable {
     private final Loader loader;
     private final Runner runner;
 
-    private AgentProgram(Simulation simulation, Consumer<String> printed)
-            throws IOException, ReflectiveOperationException {
+    private AgentProgram(Simulation simulation, Observer observer) throws IOException, ReflectiveOperationException {
         this.simulation = simulation;
         loader = new Loader(classPath());
         printing = new Handler() {
@@ -93,7 +134,7 @@ public final class AgentProgram implements AutoCloseable {
             public void publish(LogRecord line) {
                 if (Thread.currentThread().getContextClassLoader() == loader) {
                     String logger = line.getLoggerName();
-                    printed.accept("[" + logger.substring(logger.lastIndexOf('.') + 1) + "] " + line.getMessage());
+                    observer.printed(logger.substring(logger.lastIndexOf('.') + 1), line.getMessage());
                 }
             }
 
@@ -116,13 +157,37 @@ public final class AgentProgram implements AutoCloseable {
      */
     public static AgentProgram start(Simulation simulation, Path program, Consumer<String> printed)
             throws IOException {
+        return observe(simulation, program, (agent, line) -> printed.accept("[" + agent + "] " + line));
+    }
+
+    /** The same with one who is told all that the agents do. */
+    public static AgentProgram observe(Simulation simulation, Path program, Observer observer) throws IOException {
         try {
-            AgentProgram started = new AgentProgram(simulation, printed);
-            started.inIts(() -> started.runner.start(simulation, program.toAbsolutePath()));
-            return started;
+            AgentProgram started = new AgentProgram(simulation, observer);
+            try {
+                started.inIts(() -> started.runner.start(simulation, program.toAbsolutePath(), observer));
+                return started;
+            } catch (IOException | RuntimeException failed) {
+                started.close();
+                throw failed;
+            }
         } catch (ReflectiveOperationException failed) {
             throw new IOException(program + ": " + failed.getMessage(), failed);
         }
+    }
+
+    /** What the program says of itself, and is given: its methods but for start and stop. */
+    public Runner agents() {
+        return (Runner) Proxy.newProxyInstance(AgentProgram.class.getClassLoader(), new Class<?>[] {Runner.class},
+                (proxy, method, arguments) -> {
+                    Object[] result = new Object[1];
+                    try {
+                        inIts(() -> result[0] = method.invoke(runner, arguments));
+                    } catch (InvocationTargetException failed) {
+                        throw failed.getCause();
+                    }
+                    return result[0];
+                });
     }
 
     private interface Task {

@@ -11,8 +11,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Agents in the time of a simulation, without boards. */
 class AgentProgramTest {
@@ -122,13 +126,67 @@ class AgentProgramTest {
         assertEquals(List.of("[one] 0", "[one] 1", "[one] 2"), printed);
     }
 
-    @Test
-    void programWithoutItsAgent_saysSo() throws Exception {
-        Path mas = Files.writeString(folder.resolve("one.mas2j"), "MAS one { agents: absent; }");
-        try (Simulation simulation = start(1)) {
-            Exception failed =
-                    assertThrows(Exception.class, () -> AgentProgram.start(simulation, mas, line -> {}));
-            assertTrue(failed.getMessage().contains("absent"), failed.getMessage());
+    /** Why a program does not start whose files have these texts; an empty one is missing. */
+    private String failure(String mas, String agent) throws IOException {
+        Path program = Files.writeString(folder.resolve("one.mas2j"), mas);
+        if (!agent.isEmpty()) {
+            Files.writeString(folder.resolve("one.asl"), agent);
         }
+        try (Simulation simulation = start(1)) {
+            return assertThrows(IOException.class, () -> AgentProgram.start(simulation, program, line -> {}))
+                    .getMessage().replace(folder + "/", "");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "MAS one { agents: one; }         | ``                       | agent one cannot start: there is no file",
+            "MAS one { agents: one; }         | `!start.\n+!start <- a b.` | one.asl:2: b is not expected here",
+            "MAS one { agents: one; }         | `!start.\n+!start <- .print(\"a).` | one.asl:2: ",
+            "MAS one { agents one; }          | !start.                  | one.mas2j:1: one is not expected here",
+            "MAS one { agents: one \"two; }    | !start.                  | one.mas2j:1: ",
+            "MAS one { agents: one agentArchClass a.Missing; } | !start. | agent one cannot start: there is no class a.M",
+            "MAS one { agents: one agentClass a.Missing; } | !start. | agent one cannot start: there is no class a.M",
+            "MAS one { environment: a.Missing agents: one; } | !start.   | a.Missing"
+    })
+    void programThatCannotStart_saysWhereAndWhy(String mas, String agent, String expected) throws IOException {
+        String failure = failure(mas, agent.replace("\\n", "\n"));
+        assertTrue(failure.contains(expected), failure);
+        assertEquals(1, failure.lines().count(), failure);
+    }
+
+    /** All that an observer is told. */
+    private static final class Told implements AgentProgram.Observer {
+        private final List<String> lines = new ArrayList<>();
+
+        @Override
+        public void printed(String agent, String line) {
+            lines.add(agent + ": " + line);
+        }
+
+        @Override
+        public void believes(String agent, String belief, boolean added) {
+            lines.add(agent + (added ? " +" : " -") + belief);
+        }
+    }
+
+    @Test
+    void observer_isToldOfBeliefsThatLastForACycle() throws Exception {
+        Told told = new Told();
+        Files.writeString(folder.resolve("one.asl"), "+!go <- +a(1); -a(_); .print(gone); .wait(5000); .print(late).");
+        Path mas = Files.writeString(folder.resolve("one.mas2j"), "MAS one { agents: one; }");
+        try (Simulation simulation = start(1); AgentProgram program = AgentProgram.observe(simulation, mas, told)) {
+            AgentProgram.Runner agents = program.agents();
+            assertEquals(Set.of("one"), agents.agents());
+            agents.give("one", "+!go");
+            assertEquals("its plans go on", agents.busy("one").orElseThrow());
+            simulation.pause(1_000_000_000);
+            assertEquals(Optional.empty(), agents.busy("one"));
+            agents.give("one", "+b");
+            assertThrows(IOException.class, () -> agents.give("one", "go("));
+            simulation.pause(1_000_000_000);
+        }
+        assertEquals(List.of("one +a(1)[source(self)]", "one -a(1)[source(self)]", "one: gone", "one +b[source(self)]"),
+                told.lines);
     }
 }

@@ -1,18 +1,29 @@
 package lockstep.agents;
 
+import java.util.LinkedHashSet;
+import java.util.Set;
+
+import diffuser.Diffuser;
 import diffuser.TimeSource;
+import diffuser.report.Failure;
 
 import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
 import jason.infra.local.LocalAgArch;
 
 import javino.link.Time;
 
+import lockstep.AgentProgram.Observer;
 import lockstep.Simulation;
 
 /** An agent whose cycles the coordinator does, by Jason's own rules of sleep. */
 final class EmulatedAgent extends LocalAgArch implements TimeSource {
 
     private static final long serialVersionUID = 1;
+    /** Jason's mark of what it keeps itself among an agent's beliefs. */
+    private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
     /** What a cycle takes at least, so that an agent that never sleeps does not stop time. */
     private static final long CYCLE_NANOS = 50_000;
     /** As in {@link LocalAgArch}, where nobody else sees them. */
@@ -20,6 +31,8 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
     private static final int LONGER_SLEEP = 100;
 
     private final transient Simulation simulation;
+    private final transient Observer observer;
+    private transient Set<String> beliefs = Set.of();
     private boolean scheduled;
     private boolean inCycle;
     private boolean woken;
@@ -27,8 +40,9 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
     private long sleeps;
     private int sleepMillis = FIRST_SLEEP;
 
-    EmulatedAgent(Simulation simulation) {
+    EmulatedAgent(Simulation simulation, Observer observer) {
         this.simulation = simulation;
+        this.observer = observer;
     }
 
     @Override
@@ -47,7 +61,26 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
 
     /** Begins to reason. */
     void begin() {
+        Diffuser.find(getFirstAgArch()).ifPresent(diffuser -> diffuser.onPerformed((action, outcome) -> {
+            observer.asksFor(getAgName(), action);
+            outcome.whenComplete((done, thrown) -> observer.performed(getAgName(), action,
+                    thrown == null ? "" : Failure.of(thrown).error()));
+        }));
         schedule(simulation.nanos());
+    }
+
+    private void tellBeliefs() {
+        Set<String> now = new LinkedHashSet<>();
+        for (Literal belief : getTS().getAg().getBB()) {
+            if (!belief.isRule() && !belief.hasAnnot(HIDDEN)) {
+                now.add(belief.toString());
+            }
+        }
+        Set<String> before = beliefs;
+        beliefs = now;
+        before.stream().filter(each -> !now.contains(each))
+                .forEach(each -> observer.believes(getAgName(), each, false));
+        now.stream().filter(each -> !before.contains(each)).forEach(each -> observer.believes(getAgName(), each, true));
     }
 
     /** What a cycle takes, by the seed. */
@@ -71,6 +104,7 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
         try {
             getFirstAgArch().incCycleNumber();
             reasoningCycle();
+            tellBeliefs();
         } finally {
             inCycle = false;
         }
