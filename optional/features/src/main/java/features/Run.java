@@ -1,0 +1,472 @@
+package features;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import features.Seen.Kind;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import lockstep.AgentProgram;
+import lockstep.Simulation;
+import lockstep.TraceFile;
+
+/**
+ * The run of one scenario: its boards and agents in emulated time, and what was seen of them. The first step that is
+ * not of the boards' and agents' choice begins it; it has begun when no agent's start plans go on any more, and the
+ * boards' first percepts are believed.
+ */
+final class Run implements AgentProgram.Observer, AutoCloseable {
+
+    /** A scenario that has not begun in this time will not. */
+    private static final long LONGEST_BEGINNING = 30 * Window.SECOND;
+    /** A sketch that has no percepts begins without. */
+    private static final long LONGEST_WAIT_FOR_PERCEPTS = 3 * Window.SECOND;
+    private static final String SELF_ASKED = "SERIAL_REQUESTS";
+    private static final List<String> NAMED_BY_TIME = List.of("LOOP_MILLIS", "PERCEPTS_MILLIS", "ACTION_MILLIS");
+    private static final int MOST_SEEN = 25;
+
+    private static Run now;
+
+    private final String feature;
+    private final Path folder;
+    private final List<Seen> seen = new ArrayList<>();
+    private final List<Standing> standing = new ArrayList<>();
+    private BoardFile boards;
+    private Path agentsFile = Path.of(System.getProperty("javino.mas", "robot.mas2j"));
+    private Path boardsFile = Path.of(System.getProperty("javino.boards", "board.json"));
+    private long seed = Long.getLong("javino.seed", 1);
+    private final Map<String, Object> radio = new TreeMap<>();
+    private Simulation simulation;
+    private TraceFile trace;
+    private AgentProgram program;
+    private String step = "";
+    private String lastBoard = "";
+    private String lastAgent = "";
+    /** Of {@link #seen}, what came after the last when. */
+    private int mark;
+    private long whenNanos;
+    private long returns = -1;
+    private final Map<String, CompletableFuture<Map<String, Object>>> countsBefore = new TreeMap<>();
+
+    /** Something that is not to happen until the scenario ends. */
+    private record Standing(String step, int from, String what, Predicate<Seen> matching) {}
+
+    /** @param feature the scenario's file and line, as Cucumber takes them. */
+    private Run(String feature, Path folder) {
+        this.feature = feature;
+        this.folder = folder;
+    }
+
+    /** The run of the scenario that goes on. */
+    static Run now() {
+        if (now == null) {
+            throw new IllegalStateException("no scenario goes on");
+        }
+        return now;
+    }
+
+    /** Prepares a scenario, whose files go to a folder of its own. */
+    static void prepare(String feature, Path folder) {
+        now = new Run(feature, folder);
+    }
+
+    static Optional<Run> current() {
+        return Optional.ofNullable(now);
+    }
+
+    /** Tells which step comes. */
+    void step(String text) {
+        step = text;
+    }
+
+    // What the scenario has
+
+    private void choose() {
+        if (simulation != null) {
+            throw failure("boards, agents, seed and radio are chosen before the first other step", List.of());
+        }
+    }
+
+    void boards(String file) {
+        choose();
+        boardsFile = Path.of(file);
+    }
+
+    void agents(String file) {
+        choose();
+        agentsFile = Path.of(file);
+    }
+
+    void seed(long number) {
+        choose();
+        seed = number;
+    }
+
+    void radio(String key, Object value) {
+        choose();
+        radio.put(key, value);
+    }
+
+    /** The board that words name. */
+    String board(String words) {
+        if (!words.equals("its")) {
+            lastBoard = words.replaceFirst("'s$", "");
+        }
+        begin();
+        if (!boards.names().contains(lastBoard)) {
+            throw failure(lastBoard.isEmpty() ? "no board was named before" : boardsFile + " has no board "
+                    + lastBoard + "; it has " + String.join(", ", boards.names()), List.of());
+        }
+        return lastBoard;
+    }
+
+    /** The agent that words name. */
+    String agent(String words) {
+        if (!words.equals("it")) {
+            lastAgent = words.replaceFirst("^the agent ", "");
+        }
+        begin();
+        if (!program.agents().agents().contains(lastAgent)) {
+            throw failure(lastAgent.isEmpty() ? "no agent was named before" : agentsFile + " has no agent " + lastAgent
+                    + "; it has " + String.join(", ", program.agents().agents()), List.of());
+        }
+        return lastAgent;
+    }
+
+    /** The name under which the emulator watches a pin. */
+    String watched(Words.Pin pin) {
+        return boards.watched(pin.board(), pin.name()).orElseThrow(() -> failure("board.json watches no pin "
+                + pin.name() + " of " + pin.board() + ", and its chip has none of that name; a name is one of "
+                + boards.watchedNames(pin.board()), List.of()));
+    }
+
+    // How it runs
+
+    /** Begins the scenario, unless it has begun. */
+    void begin() {
+        if (simulation != null) {
+            return;
+        }
+        try {
+            boards = BoardFile.read(boardsFile, radio);
+            Path scenario = boards.write(folder);
+            Path traceFile = folder.resolve("trace.jsonl");
+            Files.deleteIfExists(traceFile);
+            Files.createFile(traceFile);
+            simulation = Simulation.start(List.of(emulator(), scenario.toString(), "--directory", folder.toString(),
+                    "--trace", traceFile.toString(), "--keys", folder.resolve("keys").toString()), boards.ports(),
+                    seed, Simulation.JITTER);
+            trace = TraceFile.follow(simulation, traceFile, this::traced);
+            program = AgentProgram.observe(simulation, agentsFile, this);
+        } catch (IOException | IllegalStateException e) {
+            throw new StepFailure("the scenario cannot start: " + e.getMessage());
+        }
+        if (!simulation.runUntil(() -> busy().isEmpty(), LONGEST_BEGINNING)) {
+            throw failure("the scenario has not begun within " + Seen.seconds(LONGEST_BEGINNING) + ": " + busy().get(),
+                    seen);
+        }
+        simulation.runUntil(this::perceives, simulation.nanos() + LONGEST_WAIT_FOR_PERCEPTS);
+        mark();
+        program.agents().agents().forEach(agent -> countsBefore.put(agent, program.agents().counts(agent)));
+    }
+
+    private static String emulator() {
+        return System.getProperty("javino.emulator", "javino-emulator");
+    }
+
+    private Optional<String> busy() {
+        AgentProgram.Runner agents = program.agents();
+        return agents.agents().stream()
+                .flatMap(agent -> agents.busy(agent).map(why -> "agent " + agent + ": " + why).stream()).findFirst();
+    }
+
+    /** Whether each agent that has a board believes what that perceives. */
+    private boolean perceives() {
+        return program.agents().agents().stream().noneMatch(this::lacksPercepts);
+    }
+
+    private boolean lacksPercepts(String agent) {
+        List<String> percepts = beliefs(agent).stream().filter(belief -> belief.contains("source(percept)")).toList();
+        return percepts.stream().anyMatch(belief -> belief.startsWith("port("))
+                && percepts.stream().allMatch(belief -> belief.startsWith("port(") || belief.startsWith("openness("));
+    }
+
+    /** A when: what is expected is to come after it. */
+    void mark() {
+        mark = seen.size();
+        whenNanos = simulation.nanos();
+    }
+
+    /** Lets time pass. */
+    void pass(long nanos) {
+        begin();
+        simulation.runUntil(() -> false, simulation.nanos() + nanos);
+        mark();
+    }
+
+    /** Has something done after a time, and that is the return of what was taken away until then. */
+    void later(long nanos, Map<String, Object> command) {
+        returns = simulation.nanos() + nanos;
+        simulation.at(returns, () -> command(command));
+    }
+
+    /** What was taken away comes back by itself then. */
+    void returnsIn(long nanos) {
+        returns = simulation.nanos() + nanos;
+    }
+
+    /** Gives the emulator a command, in the words of emulator/README.md. */
+    void command(Map<String, Object> command) {
+        try {
+            simulation.command(BoardFile.json(command));
+        } catch (IOException refused) {
+            throw failure(refused.getMessage(), List.of());
+        }
+    }
+
+    /** Gives an agent an event, as {@code +!go}. */
+    void give(String agent, String event) {
+        mark();
+        try {
+            program.agents().give(agent, event);
+        } catch (IOException wrong) {
+            throw failure(wrong.getMessage(), List.of());
+        }
+    }
+
+    BoardFile boards() {
+        begin();
+        return boards;
+    }
+
+    // What is seen
+
+    private void traced(String line) {
+        JsonObject event = JsonParser.parseString(line).getAsJsonObject();
+        long nanos = Math.round(event.get("t").getAsDouble() * Window.SECOND);
+        String what = text(event, "event");
+        String board = text(event, "board");
+        switch (what) {
+            case "pin" -> see(nanos, Kind.PIN, board, text(event, "name"),
+                    event.get("level").getAsInt() == 1 ? "on" : "off");
+            case "rf-tx" -> see(nanos, Kind.PACKET, board, text(event, "kind"),
+                    "to " + text(event, "destination") + " " + text(event, "content"));
+            case "fault", "crash", "uart", "reset", "port" -> see(nanos, Kind.BOARD, board, what,
+                    Stream.of("do", "line", "why", "state").map(field -> text(event, field))
+                            .filter(text -> !text.isEmpty()).findFirst().orElse(""));
+            default -> {
+                // The trace has it.
+            }
+        }
+    }
+
+    private static String text(JsonObject event, String field) {
+        return event.has(field) ? event.get(field).getAsString() : "";
+    }
+
+    private void see(long nanos, Kind kind, String who, String what, String more) {
+        seen.add(new Seen(nanos, kind, who, what, more));
+    }
+
+    @Override
+    public void printed(String agent, String line) {
+        see(simulation.nanos(), Kind.PRINTS, agent, line, "");
+    }
+
+    @Override
+    public void believes(String agent, String belief, boolean added) {
+        see(simulation.nanos(), added ? Kind.BELIEVES : Kind.FORGETS, agent, belief, "");
+    }
+
+    @Override
+    public void asksFor(String agent, String action) {
+        see(simulation.nanos(), Kind.ASKS, agent, action, "");
+    }
+
+    @Override
+    public void performed(String agent, String action, String error) {
+        see(simulation.nanos(), error.isEmpty() ? Kind.PERFORMED : Kind.FAILED, agent, action, error);
+    }
+
+    /** What an agent believes now. */
+    List<String> beliefs(String agent) {
+        Map<String, Boolean> now = new TreeMap<>();
+        seen.stream().filter(each -> each.is(Kind.BELIEVES, agent) || each.is(Kind.FORGETS, agent))
+                .forEach(each -> now.put(each.what(), each.kind() == Kind.BELIEVES));
+        return now.keySet().stream().filter(now::get).toList();
+    }
+
+    /** Whether a pin is on now. */
+    boolean isOn(Words.Pin pin) {
+        String name = watched(pin);
+        boolean on = false;
+        for (Seen each : seen) {
+            on = each.is(Kind.PIN, pin.board()) && each.what().equals(name) ? each.more().equals("on") : on;
+        }
+        return on;
+    }
+
+    // What is expected
+
+    /** Expects a state now. */
+    void expectNow(boolean as, String what) {
+        if (!as) {
+            throw failure(what, since());
+        }
+    }
+
+    /**
+     * Expects something to happen, or not to.
+     *
+     * @param count how often; null if it is enough that it happens.
+     * @param what  the failure if it does not happen, as {@code robot's lamp does not go on}.
+     */
+    void expect(Window window, Window.Count count, Predicate<Seen> matching, String what) {
+        begin();
+        if (window.ofReturn() && returns < 0) {
+            throw failure("nothing was taken away that could return", List.of());
+        }
+        long from = window.ofReturn() ? returns : whenNanos;
+        long end = from + window.nanos();
+        Predicate<Seen> wanted = each -> each.nanos() <= end && each.nanos() >= from && matching.test(each);
+        boolean not = window.kind() == Window.Kind.NOT_WITHIN || window.kind() == Window.Kind.NEVER;
+        if (not && count != null) {
+            throw failure("say either how often, or that it does not happen", List.of());
+        }
+        boolean came = simulation.runUntil(() -> count == null && since().stream().anyMatch(wanted), end)
+                || since().stream().anyMatch(wanted);
+        List<Long> times = since().stream().filter(wanted).map(Seen::nanos).toList();
+        if (count != null) {
+            count.wrong(times).ifPresent(often -> {
+                throw failure("seen " + often, since());
+            });
+        } else if (came == not) {
+            throw failure(not ? "it happens at " + Seen.seconds(times.get(0)) : what, since());
+        }
+        if (window.kind() == Window.Kind.NEVER) {
+            standing.add(new Standing(step, seen.size(), what, matching));
+        }
+    }
+
+    /** What was seen since the last when. */
+    private List<Seen> since() {
+        return seen.subList(mark, seen.size());
+    }
+
+    /** What a board counts that its agent has, and the agent's architecture, and was not so before. */
+    private List<String> counters() {
+        List<String> lines = new ArrayList<>();
+        for (String agent : program.agents().agents()) {
+            Map<String, Object> before = get(countsBefore.get(agent));
+            get(program.agents().counts(agent)).forEach((name, value) -> {
+                Object old = before.getOrDefault(name, 0L);
+                boolean rose = value instanceof Number number && number.longValue() > ((Number) old).longValue();
+                if (rose && !name.equals(SELF_ASKED)) {
+                    lines.add(name + (NAMED_BY_TIME.contains(name) ? " is " : " rose by ")
+                            + (NAMED_BY_TIME.contains(name) ? value
+                                    : ((Number) value).longValue() - ((Number) old).longValue()));
+                }
+            });
+        }
+        return lines;
+    }
+
+    private Map<String, Object> get(CompletableFuture<Map<String, Object>> counts) {
+        try {
+            return counts == null ? Map.of() : simulation.get(simulation.orTimeout(counts.copy(),
+                    Duration.ofSeconds(2)));
+        } catch (ExecutionException | InterruptedException none) {
+            return new HashMap<>();
+        }
+    }
+
+    /**
+     * The failure of this step: what it is, when, what was seen in its place, and how this run is made again.
+     *
+     * @param instead what is to be told of what was seen.
+     */
+    StepFailure failure(String what, List<Seen> instead) {
+        List<Seen> latest = List.copyOf(instead.subList(Math.max(0, instead.size() - MOST_SEEN), instead.size()));
+        StringBuilder text = new StringBuilder(step.isEmpty() ? "" : step + "\n");
+        if (simulation == null) {
+            return new StepFailure(text.append("  ").append(what).toString());
+        }
+        text.append("  at ").append(Seen.seconds(simulation.nanos())).append(": ").append(what).append('\n');
+        if (!instead.isEmpty()) {
+            text.append("  seen since ").append(Seen.seconds(whenNanos)).append(":\n");
+            latest.forEach(each -> text.append("    ").append(each).append('\n'));
+        }
+        if (program != null) {
+            program.agents().agents().forEach(agent -> describe(agent, text));
+            list(text, "  counted: ", counters());
+        }
+        return new StepFailure(text + "  this runs it again: gradle test -Pfeature=" + feature + " -Pseed=" + seed
+                + "\n  its trace: javino watch --trace " + folder.resolve("trace.jsonl"));
+    }
+
+    private void describe(String agent, StringBuilder text) {
+        list(text, "  " + agent + " believes: ", beliefs(agent));
+        if (lacksPercepts(agent)) {
+            text.append("  ").append(agent)
+                    .append(" has no percepts of its board: its plans need .percepts(open), its sketch percepts\n");
+        }
+        List<String> never = new ArrayList<>();
+        program.agents().planned(agent).forEach((belief, place) -> {
+            String name = belief.replaceFirst("/.*", "");
+            if (seen.stream().noneMatch(each -> each.is(Kind.BELIEVES, agent) && each.what().split("[(\\[]")[0]
+                    .equals(name))) {
+                never.add("+" + belief + " (" + place + ")");
+            }
+        });
+        list(text, "  " + agent + " has plans for what it has never believed: ", never);
+    }
+
+    private static void list(StringBuilder text, String head, List<String> all) {
+        if (!all.isEmpty()) {
+            text.append(head).append(String.join(", ", all)).append('\n');
+        }
+    }
+
+    /** Checks what was not to happen at all, and ends agents and boards. */
+    @Override
+    public void close() {
+        now = null;
+        try {
+            for (Standing each : standing) {
+                List<Seen> after = seen.subList(each.from, seen.size());
+                if (after.stream().anyMatch(each.matching)) {
+                    step = each.step;
+                    throw failure("it happens at " + Seen.seconds(after.stream().filter(each.matching).findFirst()
+                            .orElseThrow().nanos()), after);
+                }
+            }
+        } finally {
+            end();
+        }
+    }
+
+    private void end() {
+        if (simulation == null) {
+            return;
+        }
+        try {
+            if (program != null) {
+                program.close();
+            }
+        } finally {
+            simulation.close();
+            trace.close();
+        }
+    }
+}

@@ -1,0 +1,107 @@
+package features;
+
+import features.Seen.Kind;
+import io.cucumber.java.en.Then;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+import jason.asSyntax.parser.ParseException;
+import jason.asSyntax.parser.TokenMgrError;
+import java.util.List;
+import java.util.function.Predicate;
+
+/**
+ * What is seen of boards and agents. With {@code within}, {@code not within} and {@code never} a change after the last
+ * <em>when</em> is meant; {@code is} without them is the state now, all else happens within 2 s.
+ */
+public final class SeenSteps {
+
+    /** A pin, as the program drives it; {@code analogWrite} between 1 and 254 cannot be seen. */
+    @Then("{window}{pin} is {level}{often}")
+    public void pin(Window window, Words.Pin pin, int level, Window.Count count) {
+        Run run = Run.now();
+        String state = level == 1 ? "on" : "off";
+        if (window.kind() == Window.Kind.UNSAID && count == null) {
+            run.expectNow(run.isOn(pin) == (level == 1), pin + " is " + (level == 1 ? "off" : "on"));
+            return;
+        }
+        String name = run.watched(pin);
+        run.expect(window, count, each -> each.is(Kind.PIN, pin.board()) && each.what().equals(name)
+                && each.more().equals(state), pin + " does not go " + state + (run.isOn(pin) == (level == 1)
+                        ? "; it is " + state + " all the time" : ""));
+    }
+
+    /** A belief; it may have variables, and annotations that the agent's must have, too. */
+    @Then("{window}{agent} believes {term}{often}")
+    public void believes(Window window, String agent, String belief, Window.Count count) {
+        Predicate<String> matching = matching(belief);
+        Run.now().expect(window, count, each -> each.is(Kind.BELIEVES, agent) && matching.test(each.what()),
+                agent + " does not come to believe " + belief + (holds(agent, matching)
+                        ? "; it has believed it all the time" : ""));
+    }
+
+    @Then("{window}{agent} no longer believes {term}")
+    public void forgets(Window window, String agent, String belief) {
+        Predicate<String> matching = matching(belief);
+        Run.now().expect(window, null, each -> each.is(Kind.FORGETS, agent) && matching.test(each.what()),
+                agent + " does not lose the belief " + belief);
+    }
+
+    /** Now. */
+    @Then("{agent} does not believe {term}")
+    public void believesNot(String agent, String belief) {
+        Run.now().expectNow(!holds(agent, matching(belief)), agent + " believes " + belief);
+    }
+
+    /** Now, however long it has. */
+    @Then("{agent} still believes {term}")
+    public void stillBelieves(String agent, String belief) {
+        Run.now().expectNow(holds(agent, matching(belief)), agent + " does not believe " + belief);
+    }
+
+    @Then("{window}{agent} prints {string}{often}")
+    public void prints(Window window, String agent, String line, Window.Count count) {
+        Run.now().expect(window, count, each -> each.is(Kind.PRINTS, agent) && each.what().equals(line),
+                agent + " does not print \"" + line + "\"");
+    }
+
+    /** An action of its board's, which has ended well. */
+    @Then("{window}{agent} performs {term}{often}")
+    public void performs(Window window, String agent, String action, Window.Count count) {
+        Predicate<String> matching = matching(action);
+        Run.now().expect(window, count, each -> each.is(Kind.PERFORMED, agent) && matching.test(each.what()),
+                agent + " does not perform " + action);
+    }
+
+    /** With an error of docs/errors.md. */
+    @Then("{window}{agent} fails to perform {term} with {word}")
+    public void fails(Window window, String agent, String action, String error) {
+        Predicate<String> matching = matching(action);
+        Run.now().expect(window, null, each -> each.is(Kind.FAILED, agent) && matching.test(each.what())
+                && each.more().equals(error), agent + " does not fail to perform " + action + " with " + error);
+    }
+
+    private static boolean holds(String agent, Predicate<String> matching) {
+        return Run.now().beliefs(agent).stream().anyMatch(matching);
+    }
+
+    /** Whether a text is a literal like that one. */
+    private static Predicate<String> matching(String literal) {
+        Literal wanted = parse(literal);
+        if (wanted == null) {
+            throw Run.now().failure(literal + " is no term of AgentSpeak", List.of());
+        }
+        return text -> {
+            Literal had = parse(text);
+            return had != null && new Unifier().unifies(wanted, had);
+        };
+    }
+
+    private static Literal parse(String literal) {
+        try {
+            return ASSyntax.parseLiteral(literal);
+        } catch (ParseException | TokenMgrError e) {
+            return null;
+        }
+    }
+}

@@ -1,0 +1,65 @@
+package features;
+
+import io.cucumber.java.ParameterType;
+
+/** The parameters of steps. */
+public final class Words {
+
+    private static final String TIME = "\\d+(?:\\.\\d+)? (?:ms|s|min)";
+
+    /** The pin of a board, by its number or the name that {@code board.json} watches it under. */
+    record Pin(String board, String name) {
+
+        @Override
+        public String toString() {
+            return board + "'s " + name;
+        }
+    }
+
+    /** A time, in ns. */
+    @ParameterType(TIME)
+    public Long time(String text) {
+        return Window.nanos(text);
+    }
+
+    /** When something is expected; may be empty. */
+    @ParameterType(value = "(?:(?:not )?within " + TIME + "(?: of its return)? |never )?", useForSnippets = false)
+    public Window window(String text) {
+        return Window.parse(text);
+    }
+
+    /** How often something is expected; may be empty, and is null then. */
+    @ParameterType(value = "(?: exactly \\d+ times?| at most \\d+ a second)?", useForSnippets = false)
+    public Window.Count often(String text) {
+        return text == null || text.isEmpty() ? null
+                : new Window.Count(Integer.parseInt(text.replaceAll("\\D", "")), text.endsWith("second"));
+    }
+
+    /** A board; {@code its} is that of the step before. */
+    @ParameterType(value = "\\w+'s|its", useForSnippets = false)
+    public String board(String text) {
+        return Run.now().board(text);
+    }
+
+    @ParameterType(value = "(\\w+'s|its) (?:pin )?(\\w+)", useForSnippets = false)
+    public Pin pin(String board, String name) {
+        return new Pin(Run.now().board(board), name);
+    }
+
+    /** An agent; {@code it} is that of the step before. */
+    @ParameterType(value = "the agent \\w+|it", useForSnippets = false)
+    public String agent(String text) {
+        return Run.now().agent(text);
+    }
+
+    /** A term of AgentSpeak. */
+    @ParameterType(value = ".+?", useForSnippets = false)
+    public String term(String text) {
+        return text;
+    }
+
+    @ParameterType(value = "on|off|high|low", useForSnippets = false)
+    public Integer level(String text) {
+        return text.equals("on") || text.equals("high") ? 1 : 0;
+    }
+}
