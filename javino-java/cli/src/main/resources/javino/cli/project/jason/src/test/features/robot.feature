@@ -1,0 +1,13 @@
+Feature: a lamp for the dark
+
+  Scenario: it gets dark
+    Given within 1 s robot's lamp is off
+    When the light at robot's A0 falls to 150
+    Then within 500 ms robot's lamp is on
+    And within 1 s the agent robot believes lamp(on)
+    And it prints "my lamp is on"
+
+  Scenario: the cable comes off
+    When robot's board is unplugged for 2 s
+    Then the agent robot believes port("ports/robot", off)
+    And within 1 s of its return it believes port("ports/robot", on)
