@@ -16,6 +16,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lockstep.AgentProgram;
 import lockstep.Simulation;
@@ -32,8 +33,10 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private static final long LONGEST_BEGINNING = 30 * Window.SECOND;
     /** A sketch that has no percepts begins without. */
     private static final long LONGEST_WAIT_FOR_PERCEPTS = 3 * Window.SECOND;
-    private static final String SELF_ASKED = "SERIAL_REQUESTS";
-    private static final List<String> NAMED_BY_TIME = List.of("LOOP_MILLIS", "PERCEPTS_MILLIS", "ACTION_MILLIS");
+    /** What is counted in each run, by board and by Jason. */
+    private static final Pattern OF_EACH_RUN = Pattern.compile("cycle|nb\\w+|serialRequests|radioSent|radioLateMicros");
+    /** A sketch whose loop(), percepts or action takes longer is told of. */
+    private static final int SLOW_MILLIS = 50;
     private static final int MOST_SEEN = 25;
 
     private static Run now;
@@ -364,22 +367,24 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         return seen.subList(mark, seen.size());
     }
 
-    /** What a board counts that its agent has, and the agent's architecture, and was not so before. */
+    /** What the agents' boards and architectures have counted since the scenario began. */
     private List<String> counters() {
         List<String> lines = new ArrayList<>();
         for (String agent : program.agents().agents()) {
             Map<String, Object> before = get(countsBefore.get(agent));
             get(program.agents().counts(agent)).forEach((name, value) -> {
-                Object old = before.getOrDefault(name, 0L);
-                boolean rose = value instanceof Number number && number.longValue() > ((Number) old).longValue();
-                if (rose && !name.equals(SELF_ASKED)) {
-                    lines.add(name + (NAMED_BY_TIME.contains(name) ? " is " : " rose by ")
-                            + (NAMED_BY_TIME.contains(name) ? value
-                                    : ((Number) value).longValue() - ((Number) old).longValue()));
+                long rise = number(value) - number(before.get(name));
+                if (name.endsWith("Millis") ? number(value) >= SLOW_MILLIS && rise > 0
+                        : rise > 0 && !OF_EACH_RUN.matcher(name).matches()) {
+                    lines.add(name + " " + (name.endsWith("Millis") ? "is " + value : "+" + rise));
                 }
             });
         }
         return lines;
+    }
+
+    private static long number(Object value) {
+        return value instanceof Number number ? number.longValue() : 0;
     }
 
     private Map<String, Object> get(CompletableFuture<Map<String, Object>> counts) {
@@ -416,7 +421,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     }
 
     private void describe(String agent, StringBuilder text) {
-        list(text, "  " + agent + " believes: ", beliefs(agent));
+        list(text, "  " + agent + " believes: ", beliefs(agent).stream().map(Seen::brief).toList());
         if (lacksPercepts(agent)) {
             text.append("  ").append(agent)
                     .append(" has no percepts of its board: its plans need .percepts(open), its sketch percepts\n");

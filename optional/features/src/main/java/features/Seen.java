@@ -33,8 +33,13 @@ record Seen(long nanos, Kind kind, String who, String what, String more) {
         return kind == wanted && who.equals(by);
     }
 
+    /** Without the sources that are the usual ones. */
+    static String brief(String belief) {
+        return belief.replaceFirst("\\[source\\((percept|self)\\)\\]$", "");
+    }
+
     @Override
     public String toString() {
-        return seconds(nanos) + "  " + kind.words.formatted(who, what, more).strip();
+        return seconds(nanos) + "  " + kind.words.formatted(who, brief(what), more).strip();
     }
 }

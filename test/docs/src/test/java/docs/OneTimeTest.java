@@ -1,13 +1,19 @@
 package docs;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -135,13 +141,35 @@ class OneTimeTest {
         }
     }
 
+    /** What of a class path has the seeded time. */
+    private static List<URL> seeded(String classPath) throws IOException {
+        List<URL> urls = new ArrayList<>();
+        for (String entry : classPath.split(File.pathSeparator)) {
+            urls.add(Path.of(entry).toUri().toURL());
+        }
+        try (URLClassLoader all = new URLClassLoader(urls.toArray(URL[]::new), null)) {
+            return Collections.list(all.findResources("lockstep/Simulation.class"));
+        }
+    }
+
+    private static List<String> buildFilesWith(String words) {
+        return Stream.of("build.gradle", "javino.gradle").flatMap(name -> Repository.files("", name).stream())
+                .filter(file -> Repository.text(file).contains(words))
+                .map(file -> Repository.ROOT.relativize(file).toString()).sorted().toList();
+    }
+
     /** Keys of the seeded time can be guessed. */
     @Test
-    void seededTime_isPartOfTestsAlone() {
-        List<String> users = Repository.files(".", "build.gradle").stream()
-                .filter(file -> Repository.text(file).contains(":test:lockstep"))
-                .map(file -> Repository.ROOT.relativize(file.normalize()).toString()).toList();
-        assertEquals(List.of("test/harness/build.gradle"), users);
+    void seededTime_isPartOfTestsAlone() throws IOException {
+        assertEquals(1, seeded(System.getProperty("javino.seeded")).size());
+        assertEquals(List.of(), seeded(System.getProperty("javino.products")));
+        assertEquals(List.of("optional/features/build.gradle", "test/harness/build.gradle"),
+                buildFilesWith("':test:lockstep'").stream().filter(file -> !file.startsWith("test/docs/")).toList());
+        // Of a project that javino new writes, its tests alone.
+        String project = "javino-java/cli/src/main/resources/javino/cli/project/jason/build.gradle";
+        assertEquals(List.of(project), buildFilesWith("org.javino:features"));
+        Repository.text(project).lines().filter(line -> line.contains("org.javino:features"))
+                .forEach(line -> assertTrue(line.strip().startsWith("testImplementation "), line));
         Pattern times = Pattern.compile("(implements|extends) (\\w+, )*(Time|RealTime)\\b(?!\\.)");
         List<String> kinds = Repository.files(".", ".java").stream()
                 .map(file -> file.normalize()).filter(file -> !file.toString().contains("/src/test/"))

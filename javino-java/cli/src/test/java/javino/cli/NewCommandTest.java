@@ -40,7 +40,7 @@ class NewCommandTest extends CommandFixture {
         assertEquals(List.of("project my-robot written; next: cd " + project + " && gradle run"), lines());
         assertEquals(Stream.of(".gitignore", "README.md", "board.json", "build.gradle", "gradle.properties",
                 "javino.gradle", "logging.properties", "robot.mas2j", "settings.gradle", "sketch/Robot/Robot.ino",
-                "src/agt/robot.asl").map(Path::of).toList(), files(project));
+                "src/agt/robot.asl", "src/test/features/robot.feature").map(Path::of).toList(), files(project));
         assertTrue(text(project.resolve("settings.gradle")).contains("'my-robot'"));
         assertTrue(text(project.resolve("README.md")).contains("`robot.mas2j`"));
     }
