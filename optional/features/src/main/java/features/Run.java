@@ -5,6 +5,7 @@ import com.google.gson.JsonParser;
 import features.Seen.Kind;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -15,6 +16,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -53,6 +55,8 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private Simulation simulation;
     private TraceFile trace;
     private AgentProgram program;
+    private boolean begun;
+    private boolean broken;
     private String step = "";
     private String lastBoard = "";
     private String lastAgent = "";
@@ -172,16 +176,37 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
                     seed, Simulation.JITTER);
             trace = TraceFile.follow(simulation, traceFile, this::traced);
             program = AgentProgram.observe(simulation, agentsFile, this);
-        } catch (IOException | IllegalStateException e) {
+        } catch (NoSuchFileException e) {
+            throw new StepFailure("the scenario cannot start: there is no file " + e.getMessage());
+        } catch (IOException e) {
             throw new StepFailure("the scenario cannot start: " + e.getMessage());
+        } catch (IllegalStateException | AssertionError e) {
+            throw broken(e);
         }
-        if (!simulation.runUntil(() -> busy().isEmpty(), LONGEST_BEGINNING)) {
+        if (!runUntil(() -> busy().isEmpty(), LONGEST_BEGINNING)) {
             throw failure("the scenario has not begun within " + Seen.seconds(LONGEST_BEGINNING) + ": " + busy().get(),
                     seen);
         }
-        simulation.runUntil(this::perceives, simulation.nanos() + LONGEST_WAIT_FOR_PERCEPTS);
+        runUntil(this::perceives, simulation.nanos() + LONGEST_WAIT_FOR_PERCEPTS);
+        begun = true;
         mark();
         program.agents().agents().forEach(agent -> countsBefore.put(agent, program.agents().counts(agent)));
+    }
+
+    private boolean runUntil(BooleanSupplier wanted, long end) {
+        try {
+            return simulation.runUntil(wanted, end);
+        } catch (IllegalStateException | AssertionError e) {
+            throw broken(e);
+        }
+    }
+
+    /** What ends the run itself; what is wrong with its boards is told of the user's own file. */
+    private StepFailure broken(Throwable why) {
+        broken = true;
+        String text = why.getMessage().replace(folder.resolve("board.json").toString(), boardsFile.toString())
+                .replaceFirst(".*\\[javino-emulator: (.*)\\].*", "$1");
+        return new StepFailure("the scenario cannot " + (begun ? "go on: " : "start: ") + text);
     }
 
     private static String emulator() {
@@ -214,7 +239,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     /** Lets time pass. */
     void pass(long nanos) {
         begin();
-        simulation.runUntil(() -> false, simulation.nanos() + nanos);
+        runUntil(() -> false, simulation.nanos() + nanos);
         mark();
     }
 
@@ -347,7 +372,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         if (not && count != null) {
             throw failure("say either how often, or that it does not happen", List.of());
         }
-        boolean came = simulation.runUntil(() -> count == null && since().stream().anyMatch(wanted), end)
+        boolean came = runUntil(() -> count == null && since().stream().anyMatch(wanted), end)
                 || since().stream().anyMatch(wanted);
         List<Long> times = since().stream().filter(wanted).map(Seen::nanos).toList();
         if (count != null) {
@@ -466,12 +491,18 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
             return;
         }
         try {
-            if (program != null) {
+            if (program != null && !broken) {
                 program.close();
             }
         } finally {
-            simulation.close();
-            trace.close();
+            try (TraceFile read = trace) {
+                simulation.close();
+                read.read();
+            } catch (AssertionError again) {
+                if (!broken) {
+                    throw again;
+                }
+            }
         }
     }
 }

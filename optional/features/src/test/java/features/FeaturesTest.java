@@ -1,0 +1,187 @@
+package features;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import io.cucumber.core.cli.Main;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Features as a user writes them, played by Cucumber's own program on a board with the example Blink. */
+class FeaturesTest {
+
+    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+    private static final String AGENT = """
+            !start.
+            +!start <- .port("ports/robot"); .percepts(open); .act(ledOn); .wait(1000); .act(ledOff).
+            +!blink(N) : N > 0 <- .act(ledOn); .act(ledOff); .print("blink ", N); !blink(N - 1).
+            +!blink(0).
+            +!wrong <- .act(ledOm).
+            +dark <- .wait(700); .act(ledOn).
+            +brightness(B) <- .print(B).
+            """;
+
+    @TempDir
+    private Path folder;
+    private final Properties before = (Properties) System.getProperties().clone();
+    private String said = "";
+
+    @BeforeEach
+    void write() throws IOException {
+        Files.writeString(folder.resolve("board.json"), """
+                {"boards": [{"name": "robot", "port": "ports/robot", "eeprom": "eeprom/robot.bin", "firmware": "%s",
+                 "sensors": [{"type": "digital", "pin": 2, "level": [[0, 1]]}],
+                 "watch": [{"pin": 13, "name": "lamp"}]}]}
+                """.formatted(ROOT.resolve("javino-firmware/build/blink/Blink.ino.elf")));
+        Files.writeString(folder.resolve("robot.mas2j"), "MAS robot { agents: robot agentArchClass diffuser.Diffuser; }");
+        Files.writeString(folder.resolve("robot.asl"), AGENT);
+        System.setProperty("javino.emulator", ROOT.resolve("emulator/build/javino-emulator").toString());
+        System.setProperty("javino.boards", folder.resolve("board.json").toString());
+        System.setProperty("javino.mas", folder.resolve("robot.mas2j").toString());
+        System.setProperty("javino.runs", folder.resolve("runs").toString());
+    }
+
+    @AfterEach
+    void restore() {
+        System.setProperties(before);
+    }
+
+    /** Plays a scenario of these steps. @return Cucumber's exit status. */
+    private int play(String steps) throws IOException {
+        Path feature = Files.writeString(folder.resolve("a.feature"), "Feature: a\n\n  Scenario: b\n" + steps);
+        PrintStream out = System.out;
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
+        try {
+            return Main.run("--glue", "features", "--no-summary", "--plugin", "features.Report", "--plugin",
+                    "junit:" + folder.resolve("junit.xml"), feature.toString());
+        } finally {
+            System.setOut(out);
+            said = bytes.toString(StandardCharsets.UTF_8);
+        }
+    }
+
+    private static String lines(String steps) {
+        return steps.replace(" / ", "\n");
+    }
+
+    /** The beginning is at the plan's wait, with the lamp lit. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "Then robot's lamp is on / And robot's 13 is high / And its pin A3 is off / And within 1100 ms its lamp is off",
+            "When 100 ms pass / Then the agent robot still believes led(on) / And it does not believe led(off) / And it no longer believes led(_)",
+            "When 1500 ms pass / And the agent robot gets the goal blink(3) / Then it prints \"blink 1\" / "
+                    + "And within 1 s robot's lamp is on exactly 3 times / And it performs ledOff exactly 3 times / "
+                    + "And it believes led(off) at most 100 a second",
+            "When the agent robot gets the goal wrong / Then it fails to perform ledOm with unknown_action",
+            "When the agent robot gets the belief dark / Then it believes dark[source(self)] / "
+                    + "And not within 600 ms it performs ledOn / And within 800 ms it performs ledOn / "
+                    + "When it loses the belief dark / Then within 100 ms it no longer believes dark",
+            "When 100 ms pass / And robot's board is unplugged for 3 s / Then the agent robot no longer believes led(_) / "
+                    + "And within 2 s of its return the agent robot believes port(_, on)",
+            "When robot's board is reset / Then robot's lamp is off",
+            "When robot's board has no power for 500 ms / Then within 2 s of its return the agent robot believes led(off)",
+            "When the button at robot's 2 is pressed for 20 ms / And 2 s pass / Then never robot's lamp is on",
+            "Given the seed 7 / When the level at robot's 2 falls to 0 / Then not within 1 s the agent robot prints \"a\"",
+            "When 1500 ms pass / Then within 0.1 s the agent robot performs ledOff exactly 0 times",
+    })
+    void steps_whatIsSo_pass(String steps) throws IOException {
+        assertEquals(0, play(lines(steps)), said);
+        assertTrue(said.contains("scenarios: 1 passed"), said);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "Then robot's lamp is off|robot's lamp is on",
+            "Then within 500 ms robot's lamp is on|robot's lamp does not go on; it is on all the time",
+            "Then within 500 ms robot's lamp is off|robot's lamp does not go off",
+            "Then not within 2 s robot's lamp is off|it happens at 1.",
+            "Then never robot's lamp is off|it happens at 1.",
+            "When 1500 ms pass / Then never robot's lamp is on / When the agent robot gets the goal blink(1) / "
+                    + "Then it prints \"blink 1\"|it happens at",
+            "When 100 ms pass / Then within 500 ms the agent robot believes led(on)|it has believed it all the time",
+            "Then the agent robot believes brightness(3)|robot has plans for what it has never believed: "
+                    + "+brightness/1 (robot.asl:7), +dark/0 (robot.asl:6)",
+            "When the agent robot gets the goal blink(3) / Then it performs ledOn exactly 2 times|seen 3 times",
+            "When the agent robot gets the goal blink(3) / Then it performs ledOn at most 2 a second|seen 3 times within",
+            "When the agent robot gets the goal wrong / Then it performs ledOm|has not performed ledOm: unknown_action",
+            "When the agent robot gets the goal wrong / Then it fails to perform ledOm with port_off|does not fail",
+            "When the light at robot's A0 falls to 1|no sensor of the type ldr at robot's A0; it has digital at 2",
+            "When bus's board is reset|has no board bus; it has robot",
+            "Then the agent bus prints \"a\"|has no agent bus; it has robot",
+            "Then it prints \"a\"|no agent was named before",
+            "Then robot's motor is on|board.json watches no pin motor of robot",
+            "Then within 1 s of its return the agent robot prints \"a\"|nothing was taken away that could return",
+            "Then the agent robot believes led(|led( is no term of AgentSpeak",
+            "When the agent robot gets the goal x( / Then it prints \"a\"|+!x( is no goal or belief",
+            "Then robot's lamp is on / Given the seed 3|are chosen before the first other step",
+            "Given the agents of \"other.mas2j\" / Then the agent robot prints \"a\"|cannot start: there is no file ",
+            "Given the boards of \"other.json\" / Then the agent robot prints \"a\"|cannot start: there is no file other.json",
+            "Then I like it|no step has these words",
+    })
+    void steps_whatIsNotSo_failAndSayWhatWasSeen(String steps, String expected) throws IOException {
+        assertEquals(1, play(lines(steps)), said);
+        assertTrue(said.contains(expected), said);
+        assertFalse(said.contains("\tat "), said);
+    }
+
+    @Test
+    void failure_saysWhereWhenAndHowToRepeatIt() throws IOException {
+        System.setProperty("javino.seed", "5");
+        assertEquals(1, play("Then within 500 ms robot's lamp is off"));
+        List<String> told = said.lines().toList();
+        assertEquals("a.feature:4  Then within 500 ms robot's lamp is off", told.get(0), said);
+        assertTrue(told.get(1).matches("  at [\\d.]+ s: robot's lamp does not go off"), said);
+        assertTrue(said.contains("  this runs it again: gradle test -Pfeature="), said);
+        assertTrue(said.contains("a.feature:3 -Pseed=5\n"), said);
+        Path trace = folder.resolve("runs/a-3/trace.jsonl");
+        assertTrue(said.contains("javino watch --trace " + trace), said);
+        assertTrue(Files.readString(trace).contains("\"name\":\"lamp\",\"level\":1"));
+        assertTrue(Files.readString(folder.resolve("junit.xml")).contains("robot&#39;s lamp does not go off")
+                || Files.readString(folder.resolve("junit.xml")).contains("robot's lamp does not go off"));
+    }
+
+    @Test
+    void run_ofOneSeed_isTheSame() throws IOException {
+        String steps = "When the agent robot gets the goal blink(5) / Then it prints \"blink 1\"";
+        assertEquals(0, play(lines(steps)), said);
+        Path trace = folder.resolve("runs/a-3/trace.jsonl");
+        String first = Files.readString(trace);
+        assertEquals(0, play(lines(steps)), said);
+        assertEquals(first, Files.readString(trace));
+        assertEquals(0, play(lines("Given the seed 2 / " + steps)), said);
+        assertFalse(first.equals(Files.readString(trace)));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "robot.asl|+!start <- .port(\"a\").|+!start <- .port(\"a\"|robot.asl:2: ",
+            "robot.mas2j|agents:|agents|robot.mas2j:1: ",
+            "robot.mas2j|diffuser.Diffuser|diffuser.Difuser|agent robot cannot start: there is no class diffuser.Difuser",
+            "robot.mas2j|agents: robot|agents: bus|agent bus cannot start: there is no file",
+            "board.json|Blink.ino.elf|Other.ino.elf|Other.ino.elf",
+            "board.json|digital|digit|digit",
+            "board.json|\"boards\": [|\"boards\" [|board.json has not the form of a scenario",
+    })
+    void programThatCannotStart_failsWithItsPlace(String file, String old, String wrong, String expected)
+            throws IOException {
+        Files.writeString(folder.resolve("robot.asl"), "!start.\n+!start <- .port(\"a\").\n");
+        Path changed = folder.resolve(file);
+        Files.writeString(changed, Files.readString(changed).replace(old, wrong));
+        assertEquals(1, play("Then the agent robot prints \"a\""), said);
+        assertTrue(said.contains("the scenario cannot start: ") && said.contains(expected), said);
+    }
+}
