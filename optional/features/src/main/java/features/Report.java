@@ -9,6 +9,7 @@ import io.cucumber.plugin.event.TestRunFinished;
 import io.cucumber.plugin.event.TestStepFinished;
 import io.cucumber.plugin.event.TestStepStarted;
 import java.io.PrintStream;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -55,13 +56,16 @@ public final class Report implements ConcurrentEventListener {
     private void finished(TestCaseFinished event) {
         Status status = event.getResult().getStatus();
         ended.merge(status, 1, Integer::sum);
-        out.println((status.isOk() ? "passed: " : status.name().toLowerCase(java.util.Locale.ROOT) + ": ")
+        out.println((status.isOk() ? "passed: " : status.name().toLowerCase(Locale.ROOT) + ": ")
                 + event.getTestCase().getName());
     }
 
     private void finished(TestRunFinished event) {
-        out.println(ended.isEmpty() ? "no scenario was run" : "scenarios: " + ended.entrySet().stream()
-                .map(each -> each.getValue() + " " + each.getKey().name().toLowerCase(java.util.Locale.ROOT))
+        if (ended.isEmpty()) {
+            throw new IllegalStateException("no scenario was run; is there one at that file and line?");
+        }
+        out.println("scenarios: " + ended.entrySet().stream()
+                .map(each -> each.getValue() + " " + each.getKey().name().toLowerCase(Locale.ROOT))
                 .collect(Collectors.joining(", ")));
     }
 }

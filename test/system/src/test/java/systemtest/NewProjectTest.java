@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -135,6 +136,45 @@ class NewProjectTest {
         assertTrue(answers.get(0).endsWith(" Or take a Mega."), text);
     }
 
+    /** As its user calls it; what Gradle says, behind its exit status. */
+    private static String gradleSays(Path project, String... arguments) throws Exception {
+        Path said = project.resolveSibling("said");
+        int status = gradle(arguments).directory(project.toFile()).redirectErrorStream(true)
+                .redirectOutput(said.toFile()).start().waitFor();
+        return status + "\n" + Files.readString(said);
+    }
+
+    @Test
+    void test_playsTheFeatureAndNamesWhatIsWrong(@TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project).waitFor());
+        String passed = gradleSays(project, "test");
+        assertTrue(passed.startsWith("0\n") && passed.contains("scenarios: 2 passed"), passed);
+        assertTrue(Files.readString(project.resolve("build/test-results/features/TEST-features.xml"))
+                .contains("it gets dark"));
+        assertTrue(Files.size(project.resolve("build/reports/features.html")) > 0);
+        assertFalse(Files.exists(project.resolve("ports")));
+
+        Path agent = project.resolve("src/agt/robot.asl");
+        String program = Files.readString(agent);
+        Files.writeString(agent, program.replace(".print(\"it is dark: \", L); .act(lampOn)", ".act(lampOm)"));
+        String failed = gradleSays(project, "test", "-Pfeature=src/test/features/robot.feature:6", "-Pseed=3");
+        assertTrue(failed.startsWith("1\n") && failed.contains("scenarios: 1 failed"), failed);
+        assertTrue(failed.contains("robot has not performed lampOm: unknown_action"), failed);
+        assertTrue(failed.contains("gradle test -Pfeature=src/test/features/robot.feature:3 -Pseed=3"), failed);
+
+        Files.writeString(agent, program.replace("!start.\n", "!start\n"));
+        String wrong = gradleSays(project, "test");
+        assertTrue(wrong.startsWith("1\n") && wrong.contains("the scenario cannot start: ")
+                && wrong.contains("src/agt/robot.asl:5: + is not expected here"), wrong);
+
+        assertTrue(gradleSays(project, "bundle").startsWith("0\n"));
+        try (Stream<Path> jars = Files.list(project.resolve("build/bundle/lib"))) {
+            assertEquals(List.of(), jars.map(jar -> jar.getFileName().toString())
+                    .filter(jar -> jar.matches("(features|lockstep|cucumber).*")).toList());
+        }
+    }
+
     private static void write(Path file, String line) throws IOException {
         Files.createDirectories(file.getParent());
         Files.writeString(file, line + "\n");
@@ -147,7 +187,8 @@ class NewProjectTest {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, kind).waitFor());
         assertEquals(0,
-                gradle("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository")
+                gradle("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository",
+                        "-Pfeature=a.feature:3", "-Pseed=2")
                         .directory(project.toFile()).inheritIO().start().waitFor());
     }
 
