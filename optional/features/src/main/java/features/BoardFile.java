@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,17 +45,28 @@ final class BoardFile {
     /**
      * Reads a file.
      *
-     * @param radio what is to be otherwise than there.
+     * @param radio   what is to be otherwise than there.
+     * @param devices names of further boards, with the program that {@code javino.device} names.
      */
-    static BoardFile read(Path file, Map<String, Object> radio) throws IOException {
+    static BoardFile read(Path file, Map<String, Object> radio, Collection<String> devices) throws IOException {
         try {
             JsonObject scenario = JSON.fromJson(Files.readString(file), JsonObject.class);
             BoardFile read = new BoardFile(scenario);
-            boolean quiet = read.boards.size() == 1 && !scenario.has("radio") && radio.isEmpty();
+            boolean quiet = read.boards.size() == 1 && !scenario.has("radio") && radio.isEmpty()
+                    && devices.isEmpty();
             for (JsonObject board : read.boards.values()) {
                 Path firmware = file.toAbsolutePath().resolveSibling(board.get("firmware").getAsString()).normalize();
                 board.addProperty("firmware", firmware.toString());
                 watchAll(board, quiet);
+            }
+            for (String name : devices) {
+                JsonObject board = new JsonObject();
+                board.addProperty("name", name);
+                board.addProperty("firmware", Path.of(System.getProperty("javino.device", "build/device/09_Station.ino.elf"))
+                        .toAbsolutePath().toString());
+                board.addProperty("port", port(name));
+                scenario.getAsJsonArray("boards").add(board);
+                read.boards.put(name, board);
             }
             if (!radio.isEmpty() && !scenario.has("radio")) {
                 scenario.add("radio", new JsonObject());
@@ -64,6 +76,16 @@ final class BoardFile {
         } catch (JsonParseException | IllegalStateException | ClassCastException | NullPointerException e) {
             throw new IOException(file + " has not the form of a scenario (emulator/README.md): " + e.getMessage(), e);
         }
+    }
+
+    /** The port of a played device. */
+    static String port(String device) {
+        return "ports/played-" + device;
+    }
+
+    /** The port of a board. */
+    String portOf(String board) {
+        return boards.get(board).get("port").getAsString();
     }
 
     static String json(Map<String, Object> value) {

@@ -20,6 +20,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Frame;
+import javino.protocol.Key;
 import lockstep.AgentProgram;
 import lockstep.Simulation;
 import lockstep.TraceFile;
@@ -40,6 +44,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     /** A sketch whose loop(), percepts or action takes longer is told of. */
     private static final int SLOW_MILLIS = 50;
     private static final int MOST_SEEN = 25;
+    private static final long ASKING_NANOS = 100 * Window.MILLI;
 
     private static Run now;
 
@@ -52,6 +57,11 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private Path boardsFile = Path.of(System.getProperty("javino.boards", "board.json"));
     private long seed = Long.getLong("javino.seed", 1);
     private final Map<String, Object> radio = new TreeMap<>();
+    /** Those that are played, by name; without their boards until the run begins. */
+    private final Map<String, Device> devices = new TreeMap<>();
+    private final List<Shared> keys = new ArrayList<>();
+    /** The last packet of each board, in hexadecimal digits. */
+    private final Map<String, String> payloads = new TreeMap<>();
     private Simulation simulation;
     private TraceFile trace;
     private AgentProgram program;
@@ -65,6 +75,9 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private long whenNanos;
     private long returns = -1;
     private final Map<String, CompletableFuture<Map<String, Object>>> countsBefore = new TreeMap<>();
+
+    /** A key of a device and an agent's board; or two that should be one. */
+    private record Shared(Words.Peer peer, String device, boolean same) {}
 
     /** Something that is not to happen until the scenario ends. */
     private record Standing(String step, int from, String what, Predicate<Seen> matching) {}
@@ -125,6 +138,70 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         radio.put(key, value);
     }
 
+    void device(String name) {
+        choose();
+        devices.put(name, null);
+    }
+
+    void key(Words.Peer peer, String device, boolean same) {
+        choose();
+        if (!devices.containsKey(device)) {
+            throw failure("there is no device " + device + " yet: 'Given the device " + device + "' goes before", List.of());
+        }
+        keys.add(new Shared(peer, device, same));
+    }
+
+    private Device played(String name) {
+        begin();
+        Device found = devices.get(name);
+        if (found == null) {
+            throw failure("there is no device " + name + "; played are " + devices.keySet(), List.of());
+        }
+        return found;
+    }
+
+    /** Has the devices ready, with the keys that they share, before the agents start. */
+    private void play() {
+        devices.replaceAll((name, none) -> new Device(this, simulation, name, BoardFile.port(name)));
+        devices.forEach((name, device) -> device.setId(name));
+        for (Shared each : keys) {
+            Key key = Key.random(simulation.secureRandom());
+            devices.get(each.device).setKey(each.peer.address(), key);
+            try (Device host = new Device(this, simulation, each.peer.board(), boards.portOf(each.peer.board()))) {
+                host.setId(each.peer.address());
+                host.setKey(each.device, each.same ? key : Key.random(simulation.secureRandom()));
+            }
+        }
+        devices.values().forEach(Device::open);
+    }
+
+    void send(String device, Address to, Content content) {
+        Device sender = played(device);
+        mark();
+        sender.send(to, content);
+    }
+
+    /** Sends a broadcast that nobody has sealed, in the name of another. */
+    void inject(Address from, Content content) {
+        begin();
+        mark();
+        inject(new Frame(Address.BROADCAST, from, content.encode()).encode().hex());
+    }
+
+    private void inject(String payload) {
+        command(Map.of("do", "send", "position", List.of(0, 0), "payload", payload));
+    }
+
+    /** Sends the last packet of a board once more. */
+    void repeat(String who) {
+        begin();
+        if (!payloads.containsKey(who)) {
+            throw failure(who + " has sent no packet", seen);
+        }
+        mark();
+        inject(payloads.get(who));
+    }
+
     /** The board that words name. */
     String board(String words) {
         if (!words.equals("its")) {
@@ -166,7 +243,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
             return;
         }
         try {
-            boards = BoardFile.read(boardsFile, radio);
+            boards = BoardFile.read(boardsFile, radio, devices.keySet());
             Path scenario = boards.write(folder);
             Path traceFile = folder.resolve("trace.jsonl");
             Files.deleteIfExists(traceFile);
@@ -175,6 +252,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
                     "--trace", traceFile.toString(), "--keys", folder.resolve("keys").toString()), boards.ports(),
                     seed, Simulation.JITTER);
             trace = TraceFile.follow(simulation, traceFile, this::traced);
+            play();
             program = AgentProgram.observe(simulation, agentsFile, this);
         } catch (NoSuchFileException e) {
             throw new StepFailure("the scenario cannot start: there is no file " + e.getMessage());
@@ -288,8 +366,11 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         switch (what) {
             case "pin" -> see(nanos, Kind.PIN, board, text(event, "name"),
                     event.get("level").getAsInt() == 1 ? "on" : "off");
-            case "rf-tx" -> see(nanos, Kind.PACKET, board, text(event, "kind"),
-                    "to " + text(event, "destination") + " " + text(event, "content"));
+            case "rf-tx" -> {
+                payloads.put(board, text(event, "payload"));
+                see(nanos, Kind.PACKET, board, text(event, "kind"),
+                        "to " + text(event, "destination") + " " + text(event, "content"));
+            }
             case "fault", "crash", "uart", "reset", "port" -> see(nanos, Kind.BOARD, board, what,
                     Stream.of("do", "line", "why", "state").map(field -> text(event, field))
                             .filter(text -> !text.isEmpty()).findFirst().orElse(""));
@@ -305,6 +386,11 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
 
     private void see(long nanos, Kind kind, String who, String what, String more) {
         seen.add(new Seen(nanos, kind, who, what, more));
+    }
+
+    /** Now. */
+    void see(Kind kind, String who, String what, String more) {
+        see(simulation.nanos(), kind, who, what, more);
     }
 
     @Override
@@ -384,6 +470,22 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         }
         if (window.kind() == Window.Kind.NEVER) {
             standing.add(new Standing(step, seen.size(), what, matching));
+        }
+    }
+
+    /** Expects a counter of an agent's board to rise, since the scenario began. */
+    void expectCount(Window window, String agent, String counter) {
+        begin();
+        long before = number(get(countsBefore.get(agent)).get(counter));
+        long end = (window.ofReturn() ? returns : whenNanos) + window.nanos();
+        boolean not = window.kind() == Window.Kind.NOT_WITHIN || window.kind() == Window.Kind.NEVER;
+        boolean rose = false;
+        do {
+            runUntil(() -> false, Math.min(end, simulation.nanos() + ASKING_NANOS));
+            rose = number(get(program.agents().counts(agent)).get(counter)) > before;
+        } while (!rose && simulation.nanos() < end);
+        if (rose == not) {
+            throw failure(counter + (rose ? " rises" : " does not rise"), since());
         }
     }
 
@@ -494,6 +596,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
             if (program != null && !broken) {
                 program.close();
             }
+            devices.values().stream().filter(device -> device != null && !broken).forEach(Device::close);
         } finally {
             try (TraceFile read = trace) {
                 simulation.close();

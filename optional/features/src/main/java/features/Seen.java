@@ -16,7 +16,8 @@ record Seen(long nanos, Kind kind, String who, String what, String more) {
     enum Kind {
         PIN("%s's %s goes %s"), BELIEVES("%s believes %s"), FORGETS("%s no longer believes %s"),
         PRINTS("%s prints \"%s\""), ASKS("%s asks its board for %s"), PERFORMED("%s has performed %s"),
-        FAILED("%s has not performed %s: %s"), PACKET("%s sends a %s %s"), BOARD("%s's board: %s %s");
+        FAILED("%s has not performed %s: %s"), PACKET("%s sends a %s %s"),
+        GETS("%s gets %s from %s"), OUTCOME("%s's message %s is %s"), BOARD("%s's board: %s %s");
 
         private final String words;
 

@@ -31,12 +31,15 @@ public final class SeenSteps {
                         ? "; it is " + state + " all the time" : ""));
     }
 
-    /** A belief; it may have variables, and annotations that the agent's must have, too. */
-    @Then("{window}{agent} believes {term}{often}")
-    public void believes(Window window, String agent, String belief, Window.Count count) {
-        Predicate<String> matching = matching(belief);
+    /**
+     * A belief; it may have variables, and annotations that the agent's must have, too. {@code from SUPO, sealed} is what
+     * came by radio from that device, with the proof of its key.
+     */
+    @Then("{window}{agent} believes {term}{marks}{often}")
+    public void believes(Window window, String agent, String belief, String marks, Window.Count count) {
+        Predicate<String> matching = matching(belief).and(text -> marked(text, marks));
         Run.now().expect(window, count, each -> each.is(Kind.BELIEVES, agent) && matching.test(each.what()),
-                agent + " does not come to believe " + belief + (holds(agent, matching)
+                agent + " does not come to believe " + belief + marks + (holds(agent, matching)
                         ? "; it has believed it all the time" : ""));
     }
 
@@ -79,6 +82,12 @@ public final class SeenSteps {
         Predicate<String> matching = matching(action);
         Run.now().expect(window, null, each -> each.is(Kind.FAILED, agent) && matching.test(each.what())
                 && each.more().equals(error), agent + " does not fail to perform " + action + " with " + error);
+    }
+
+    private static boolean marked(String belief, String marks) {
+        boolean sealed = marks.endsWith("sealed");
+        String from = marks.replaceFirst("^ from (\\w+).*", "$1");
+        return (!sealed || belief.contains("peer(")) && (from.equals(marks) || belief.contains("source(" + from + ")"));
     }
 
     private static boolean holds(String agent, Predicate<String> matching) {

@@ -16,6 +16,19 @@ public final class Words {
         }
     }
 
+    /** The address that an agent gives its board. */
+    record Peer(String address, String board) {}
+
+    @ParameterType(value = "(\\w+) \\((\\w+)'s board\\)", useForSnippets = false)
+    public Peer peer(String address, String board) {
+        return new Peer(address, board);
+    }
+
+    @ParameterType(value = "delivered|undelivered|sent", useForSnippets = false)
+    public String outcome(String text) {
+        return text;
+    }
+
     /** A time, in ns. */
     @ParameterType(TIME)
     public Long time(String text) {
@@ -26,6 +39,12 @@ public final class Words {
     @ParameterType(value = "(?:(?:not )?within " + TIME + "(?: of its return)? |never )?", useForSnippets = false)
     public Window window(String text) {
         return Window.parse(text);
+    }
+
+    /** Of what came by radio: its sender, and that a key has proved it; may be empty. */
+    @ParameterType(value = "(?: from \\w+)?(?:,? sealed)?", useForSnippets = false)
+    public String marks(String text) {
+        return text == null ? "" : text;
     }
 
     /** How often something is expected; may be empty, and is null then. */

@@ -4,15 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import io.cucumber.core.cli.Main;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Properties;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,7 +18,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Features as a user writes them, played by Cucumber's own program on a board with the example Blink. */
 class FeaturesTest {
 
-    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final String AGENT = """
             !start.
             +!start <- .port("ports/robot"); .percepts(open); .act(ledOn); .wait(1000); .act(ledOff).
@@ -34,48 +28,20 @@ class FeaturesTest {
             +brightness(B) <- .print(B).
             """;
 
-    @TempDir
-    private Path folder;
-    private final Properties before = (Properties) System.getProperties().clone();
-    private String said = "";
+    private Project project;
 
     @BeforeEach
-    void write() throws IOException {
-        Files.writeString(folder.resolve("board.json"), """
-                {"boards": [{"name": "robot", "port": "ports/robot", "eeprom": "eeprom/robot.bin", "firmware": "%s",
-                 "sensors": [{"type": "digital", "pin": 2, "level": [[0, 1]]}],
-                 "watch": [{"pin": 13, "name": "lamp"}]}]}
-                """.formatted(ROOT.resolve("javino-firmware/build/blink/Blink.ino.elf")));
-        Files.writeString(folder.resolve("robot.mas2j"), "MAS robot { agents: robot agentArchClass diffuser.Diffuser; }");
-        Files.writeString(folder.resolve("robot.asl"), AGENT);
-        System.setProperty("javino.emulator", ROOT.resolve("emulator/build/javino-emulator").toString());
-        System.setProperty("javino.boards", folder.resolve("board.json").toString());
-        System.setProperty("javino.mas", folder.resolve("robot.mas2j").toString());
-        System.setProperty("javino.runs", folder.resolve("runs").toString());
+    void write(@TempDir Path folder) throws IOException {
+        project = new Project(folder, "blink/Blink", AGENT);
     }
 
     @AfterEach
     void restore() {
-        System.setProperties(before);
+        project.close();
     }
 
-    /** Plays a scenario of these steps. @return Cucumber's exit status. */
     private int play(String steps) throws IOException {
-        Path feature = Files.writeString(folder.resolve("a.feature"), "Feature: a\n\n  Scenario: b\n" + steps);
-        PrintStream out = System.out;
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
-        try {
-            return Main.run("--glue", "features", "--no-summary", "--plugin", "features.Report", "--plugin",
-                    "junit:" + folder.resolve("junit.xml"), feature.toString());
-        } finally {
-            System.setOut(out);
-            said = bytes.toString(StandardCharsets.UTF_8);
-        }
-    }
-
-    private static String lines(String steps) {
-        return steps.replace(" / ", "\n");
+        return project.play(steps);
     }
 
     /** The beginning is at the plan's wait, with the lamp lit. */
@@ -99,8 +65,8 @@ class FeaturesTest {
             "When 1500 ms pass / Then within 0.1 s the agent robot performs ledOff exactly 0 times",
     })
     void steps_whatIsSo_pass(String steps) throws IOException {
-        assertEquals(0, play(lines(steps)), said);
-        assertTrue(said.contains("scenarios: 1 passed"), said);
+        assertEquals(0, play(steps), project.said());
+        assertTrue(project.said().contains("scenarios: 1 passed"), project.said());
     }
 
     @ParameterizedTest
@@ -133,36 +99,36 @@ class FeaturesTest {
             "Then I like it|no step has these words",
     })
     void steps_whatIsNotSo_failAndSayWhatWasSeen(String steps, String expected) throws IOException {
-        assertEquals(1, play(lines(steps)), said);
-        assertTrue(said.contains(expected), said);
-        assertFalse(said.contains("\tat "), said);
+        assertEquals(1, play(steps), project.said());
+        assertTrue(project.said().contains(expected), project.said());
+        assertFalse(project.said().contains("\tat "), project.said());
     }
 
     @Test
     void failure_saysWhereWhenAndHowToRepeatIt() throws IOException {
         System.setProperty("javino.seed", "5");
-        assertEquals(1, play("Then within 500 ms robot's lamp is off"));
-        List<String> told = said.lines().toList();
-        assertEquals("a.feature:4  Then within 500 ms robot's lamp is off", told.get(0), said);
-        assertTrue(told.get(1).matches("  at [\\d.]+ s: robot's lamp does not go off"), said);
-        assertTrue(said.contains("  this runs it again: gradle test -Pfeature="), said);
-        assertTrue(said.contains("a.feature:3 -Pseed=5\n"), said);
-        Path trace = folder.resolve("runs/a-3/trace.jsonl");
-        assertTrue(said.contains("javino watch --trace " + trace), said);
+        assertEquals(1, play("Then within 500 ms robot's lamp is off"), project.said());
+        List<String> told = project.said().lines().toList();
+        assertEquals("a.feature:4  Then within 500 ms robot's lamp is off", told.get(0), project.said());
+        assertTrue(told.get(1).matches("  at [\\d.]+ s: robot's lamp does not go off"), project.said());
+        assertTrue(project.said().contains("  this runs it again: gradle test -Pfeature="), project.said());
+        assertTrue(project.said().contains("a.feature:3 -Pseed=5\n"), project.said());
+        Path trace = project.folder().resolve("runs/a-3/trace.jsonl");
+        assertTrue(project.said().contains("javino watch --trace " + trace), project.said());
         assertTrue(Files.readString(trace).contains("\"name\":\"lamp\",\"level\":1"));
-        assertTrue(Files.readString(folder.resolve("junit.xml")).contains("robot&#39;s lamp does not go off")
-                || Files.readString(folder.resolve("junit.xml")).contains("robot's lamp does not go off"));
+        assertTrue(Files.readString(project.folder().resolve("junit.xml")).contains("robot&#39;s lamp does not go off")
+                || Files.readString(project.folder().resolve("junit.xml")).contains("robot's lamp does not go off"));
     }
 
     @Test
     void run_ofOneSeed_isTheSame() throws IOException {
         String steps = "When the agent robot gets the goal blink(5) / Then it prints \"blink 1\"";
-        assertEquals(0, play(lines(steps)), said);
-        Path trace = folder.resolve("runs/a-3/trace.jsonl");
+        assertEquals(0, play(steps), project.said());
+        Path trace = project.folder().resolve("runs/a-3/trace.jsonl");
         String first = Files.readString(trace);
-        assertEquals(0, play(lines(steps)), said);
+        assertEquals(0, play(steps), project.said());
         assertEquals(first, Files.readString(trace));
-        assertEquals(0, play(lines("Given the seed 2 / " + steps)), said);
+        assertEquals(0, play("Given the seed 2 / " + steps), project.said());
         assertFalse(first.equals(Files.readString(trace)));
     }
 
@@ -178,10 +144,10 @@ class FeaturesTest {
     })
     void programThatCannotStart_failsWithItsPlace(String file, String old, String wrong, String expected)
             throws IOException {
-        Files.writeString(folder.resolve("robot.asl"), "!start.\n+!start <- .port(\"a\").\n");
-        Path changed = folder.resolve(file);
+        Files.writeString(project.folder().resolve("robot.asl"), "!start.\n+!start <- .port(\"a\").\n");
+        Path changed = project.folder().resolve(file);
         Files.writeString(changed, Files.readString(changed).replace(old, wrong));
-        assertEquals(1, play("Then the agent robot prints \"a\""), said);
-        assertTrue(said.contains("the scenario cannot start: ") && said.contains(expected), said);
+        assertEquals(1, play("Then the agent robot prints \"a\""), project.said());
+        assertTrue(project.said().contains("the scenario cannot start: ") && project.said().contains(expected), project.said());
     }
 }

@@ -212,7 +212,7 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
             if (trigger.getType() == Trigger.TEType.belief && trigger.isAddition() && place != null
                     && !trigger.getLiteral().isVar()) {
                 planned.putIfAbsent(trigger.getLiteral().getPredicateIndicator().toString(),
-                        place.getSrcFile().replaceFirst(".*/", "") + ":" + place.getBeginSrcLine());
+                        place.getSrcFile().replaceFirst("^(.*/|file:)+", "") + ":" + place.getBeginSrcLine());
             }
         }
         return planned;

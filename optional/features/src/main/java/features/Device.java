@@ -1,0 +1,78 @@
+package features;
+
+import java.time.Duration;
+import java.util.Locale;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.board.ReceivedMessage;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import lockstep.Simulation;
+
+/** A device that is only played: an emulated board with our firmware, and a host of ours instead of agents. */
+final class Device implements BoardListener, AutoCloseable {
+
+    private static final Duration LONGEST = Duration.ofSeconds(20);
+
+    private final Run run;
+    private final Simulation simulation;
+    private final String name;
+    private final Board board;
+
+    /** @param name its address, too, where it sends. */
+    Device(Run run, Simulation simulation, String name, String port) {
+        this.run = run;
+        this.simulation = simulation;
+        this.name = name;
+        board = Board.open(simulation.port(port), BoardConfig.create(config -> config.setPatience(LONGEST))
+                .in(simulation), this);
+    }
+
+    private <T> T get(CompletableFuture<T> request) {
+        try {
+            return simulation.get(simulation.orTimeout(request.copy(), LONGEST));
+        } catch (ExecutionException failed) {
+            throw new StepFailure("the device " + name + ": " + failed.getCause().getMessage());
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new StepFailure("the device " + name + " was interrupted");
+        }
+    }
+
+    void setId(String id) {
+        get(board.setRfId(Address.parse(id)));
+    }
+
+    void setKey(String peer, Key key) {
+        get(board.setKey(Address.parse(peer), key));
+    }
+
+    void open() {
+        get(board.radio(true));
+    }
+
+    /** Sends a message; what becomes of it is seen later. */
+    void send(Address to, Content content) {
+        board.transmit(to, content).end().whenComplete((outcome, thrown) -> run.see(Seen.Kind.OUTCOME, name, "" + content,
+                thrown == null ? told(outcome) : "not sent: " + thrown.getMessage()));
+    }
+
+    private static String told(Outcome outcome) {
+        return outcome.name().toLowerCase(Locale.ROOT);
+    }
+
+    @Override
+    public void message(ReceivedMessage message) {
+        run.see(Seen.Kind.GETS, name, "" + message.content(), "" + message.from());
+    }
+
+    @Override
+    public void close() {
+        board.close();
+    }
+}

@@ -1,0 +1,71 @@
+package features;
+
+import io.cucumber.core.cli.Main;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Properties;
+
+/** A user's project with one robot, whose features Cucumber's own program plays as a build calls it. */
+final class Project implements AutoCloseable {
+
+    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+
+    private final Path folder;
+    private final Properties before = (Properties) System.getProperties().clone();
+    private String said = "";
+
+    /** @param sketch one of the library's examples, as its folder and file are named where it is built. */
+    Project(Path folder, String sketch, String agent) throws IOException {
+        this.folder = folder;
+        Files.writeString(folder.resolve("board.json"), """
+                {"boards": [{"name": "robot", "port": "ports/robot", "eeprom": "eeprom/robot.bin", "firmware": "%s",
+                 "sensors": [{"type": "digital", "pin": 2, "level": [[0, 1]]}],
+                 "watch": [{"pin": 13, "name": "lamp"}]}]}
+                """.formatted(firmware(sketch)));
+        Files.writeString(folder.resolve("robot.mas2j"), "MAS robot { agents: robot agentArchClass diffuser.Diffuser; }");
+        Files.writeString(folder.resolve("robot.asl"), agent);
+        System.setProperty("javino.emulator", ROOT.resolve("emulator/build/javino-emulator").toString());
+        System.setProperty("javino.boards", folder.resolve("board.json").toString());
+        System.setProperty("javino.mas", folder.resolve("robot.mas2j").toString());
+        System.setProperty("javino.device", firmware("station/Station").toString());
+        System.setProperty("javino.runs", folder.resolve("runs").toString());
+    }
+
+    private static Path firmware(String sketch) {
+        return ROOT.resolve("javino-firmware/build/" + sketch + ".ino.elf");
+    }
+
+    Path folder() {
+        return folder;
+    }
+
+    /** Plays a scenario of these steps, which a slash divides. @return Cucumber's exit status. */
+    int play(String steps) throws IOException {
+        Path feature = Files.writeString(folder.resolve("a.feature"),
+                "Feature: a\n\n  Scenario: b\n" + steps.replace(" / ", "\n"));
+        PrintStream out = System.out;
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
+        try {
+            return Main.run("--glue", "features", "--no-summary", "--plugin", "features.Report", "--plugin",
+                    "junit:" + folder.resolve("junit.xml"), feature.toString());
+        } finally {
+            System.setOut(out);
+            said = bytes.toString(StandardCharsets.UTF_8);
+        }
+    }
+
+    /** What the last one has printed. */
+    String said() {
+        return said;
+    }
+
+    @Override
+    public void close() {
+        System.setProperties(before);
+    }
+}
