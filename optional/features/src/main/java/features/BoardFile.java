@@ -62,8 +62,9 @@ final class BoardFile {
             for (String name : devices) {
                 JsonObject board = new JsonObject();
                 board.addProperty("name", name);
-                board.addProperty("firmware", Path.of(System.getProperty("javino.device", "build/device/09_Station.ino.elf"))
-                        .toAbsolutePath().toString());
+                board.addProperty("firmware",
+                        Path.of(System.getProperty("javino.device", "build/device/09_Station.ino.elf"))
+                                .toAbsolutePath().toString());
                 board.addProperty("port", port(name));
                 scenario.getAsJsonArray("boards").add(board);
                 read.boards.put(name, board);
@@ -167,7 +168,7 @@ final class BoardFile {
     }
 
     /** The sensor at a pin: an hc-sr04's is that of its echo. */
-    Optional<JsonObject> sensor(Words.Pin pin) {
+    Optional<JsonObject> sensor(Parameters.Pin pin) {
         JsonObject board = boards.get(pin.board());
         return elements(board, "sensors").map(JsonElement::getAsJsonObject)
                 .filter(sensor -> number(board, sensor.get(sensor.has("echo") ? "echo" : "pin").getAsString())

@@ -22,25 +22,25 @@ public final class BoardSteps {
 
     /** 0 (dark) to 1023 (bright), at an {@code ldr} of {@code board.json}. */
     @When("the light at {pin} falls/rises/changes to {int}")
-    public void light(Words.Pin pin, int value) {
+    public void light(Parameters.Pin pin, int value) {
         set(pin, "ldr", "light", value);
     }
 
     /** In cm, at the echo pin of an {@code hc-sr04}. */
     @When("the distance at {pin} falls/rises/changes to {int} cm")
-    public void distance(Words.Pin pin, int value) {
+    public void distance(Parameters.Pin pin, int value) {
         set(pin, "hc-sr04", "distance", value);
     }
 
     /** 0 or 1, at a {@code digital} sensor. */
     @When("the level at {pin} falls/rises/changes to {int}")
-    public void level(Words.Pin pin, int value) {
+    public void level(Parameters.Pin pin, int value) {
         set(pin, "digital", "level", value);
     }
 
     /** The level at a {@code digital} sensor is the other one for that time. */
     @When("the button at {pin} is pressed for {time}")
-    public void button(Words.Pin pin, long nanos) {
+    public void button(Parameters.Pin pin, long nanos) {
         int idle = sensor(pin, "digital", "level").getAsJsonArray("level").get(0).getAsJsonArray().get(1).getAsInt();
         set(pin, "digital", "level", 1 - idle);
         Run.now().later(nanos, command(pin, idle));
@@ -52,19 +52,19 @@ public final class BoardSteps {
         Run.now().pass(nanos);
     }
 
-    private static JsonObject sensor(Words.Pin pin, String type, String measures) {
+    private static JsonObject sensor(Parameters.Pin pin, String type, String measures) {
         BoardFile boards = Run.now().boards();
         return boards.sensor(pin).filter(each -> each.get("type").getAsString().equals(type) && each.has(measures))
                 .orElseThrow(() -> Run.now().failure("board.json has no sensor of the type " + type + " at " + pin
                         + "; it has " + boards.sensors(pin.board()), java.util.List.of()));
     }
 
-    private static Map<String, Object> command(Words.Pin pin, int value) {
+    private static Map<String, Object> command(Parameters.Pin pin, int value) {
         Object number = pin.name().matches("\\d+") ? (Object) Integer.valueOf(pin.name()) : pin.name();
         return Map.of("do", "sensor", "board", pin.board(), "pin", number, "value", value);
     }
 
-    private static void set(Words.Pin pin, String type, String measures, int value) {
+    private static void set(Parameters.Pin pin, String type, String measures, int value) {
         sensor(pin, type, measures);
         Run.now().mark();
         Run.now().command(command(pin, value));

@@ -58,8 +58,9 @@ final class Device implements BoardListener, AutoCloseable {
 
     /** Sends a message; what becomes of it is seen later. */
     void send(Address to, Content content) {
-        board.transmit(to, content).end().whenComplete((outcome, thrown) -> run.see(Seen.Kind.OUTCOME, name, "" + content,
-                thrown == null ? told(outcome) : "not sent: " + thrown.getMessage()));
+        board.transmit(to, content).end()
+                .whenComplete((outcome, thrown) -> run.see(Seen.Kind.OUTCOME, name, "" + content,
+                        thrown == null ? told(outcome) : "not sent: " + thrown.getMessage()));
     }
 
     private static String told(Outcome outcome) {

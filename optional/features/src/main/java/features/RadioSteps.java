@@ -17,15 +17,15 @@ public final class RadioSteps {
         Run.now().device(name);
     }
 
-    /** A key, made for this scenario, is on both boards before the agents start; the agent gives its board the address. */
+    /** A key, made for this scenario, is on both boards before the agents start; the agent gives its board the id. */
     @Given("{peer} and the device {word} share a key")
-    public void key(Words.Peer peer, String device) {
+    public void key(Parameters.Peer peer, String device) {
         Run.now().key(peer, device, true);
     }
 
     /** Each has a key for the other, and they differ. */
     @Given("{peer} and the device {word} have different keys")
-    public void otherKey(Words.Peer peer, String device) {
+    public void otherKey(Parameters.Peer peer, String device) {
         Run.now().key(peer, device, false);
     }
 

@@ -41,7 +41,8 @@ public final class Report implements ConcurrentEventListener {
 
     private void finished(TestStepFinished event) {
         Throwable error = event.getResult().getError();
-        if (event.getResult().getStatus() == Status.UNDEFINED && event.getTestStep() instanceof PickleStepTestStep step) {
+        if (event.getResult().getStatus() == Status.UNDEFINED
+                && event.getTestStep() instanceof PickleStepTestStep step) {
             out.println(text(step) + "\n  no step has these words; docs/reference.md in Javino's folder lists all");
         } else if (error instanceof StepFailure) {
             out.println(error.getMessage());

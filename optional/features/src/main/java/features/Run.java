@@ -77,7 +77,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private final Map<String, CompletableFuture<Map<String, Object>>> countsBefore = new TreeMap<>();
 
     /** A key of a device and an agent's board; or two that should be one. */
-    private record Shared(Words.Peer peer, String device, boolean same) {}
+    private record Shared(Parameters.Peer peer, String device, boolean same) {}
 
     /** Something that is not to happen until the scenario ends. */
     private record Standing(String step, int from, String what, Predicate<Seen> matching) {}
@@ -143,10 +143,11 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         devices.put(name, null);
     }
 
-    void key(Words.Peer peer, String device, boolean same) {
+    void key(Parameters.Peer peer, String device, boolean same) {
         choose();
         if (!devices.containsKey(device)) {
-            throw failure("there is no device " + device + " yet: 'Given the device " + device + "' goes before", List.of());
+            throw failure("there is no device " + device + " yet: 'Given the device " + device + "' goes before",
+                    List.of());
         }
         keys.add(new Shared(peer, device, same));
     }
@@ -229,7 +230,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     }
 
     /** The name under which the emulator watches a pin. */
-    String watched(Words.Pin pin) {
+    String watched(Parameters.Pin pin) {
         return boards.watched(pin.board(), pin.name()).orElseThrow(() -> failure("board.json watches no pin "
                 + pin.name() + " of " + pin.board() + ", and its chip has none of that name; a name is one of "
                 + boards.watchedNames(pin.board()), List.of()));
@@ -422,7 +423,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     }
 
     /** Whether a pin is on now. */
-    boolean isOn(Words.Pin pin) {
+    boolean isOn(Parameters.Pin pin) {
         String name = watched(pin);
         boolean on = false;
         for (Seen each : seen) {

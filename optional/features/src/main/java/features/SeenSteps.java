@@ -18,7 +18,7 @@ public final class SeenSteps {
 
     /** A pin, as the program drives it; {@code analogWrite} between 1 and 254 cannot be seen. */
     @Then("{window}{pin} is {level}{often}")
-    public void pin(Window window, Words.Pin pin, int level, Window.Count count) {
+    public void pin(Window window, Parameters.Pin pin, int level, Window.Count count) {
         Run run = Run.now();
         String state = level == 1 ? "on" : "off";
         if (window.kind() == Window.Kind.UNSAID && count == null) {
@@ -27,13 +27,14 @@ public final class SeenSteps {
         }
         String name = run.watched(pin);
         run.expect(window, count, each -> each.is(Kind.PIN, pin.board()) && each.what().equals(name)
-                && each.more().equals(state), pin + " does not go " + state + (run.isOn(pin) == (level == 1)
-                        ? "; it is " + state + " all the time" : ""));
+                && each.more().equals(state), pin + " does not go " + state
+                        + (run.isOn(pin) == (level == 1)
+                                ? "; it is " + state + " all the time" : ""));
     }
 
     /**
-     * A belief; it may have variables, and annotations that the agent's must have, too. {@code from SUPO, sealed} is what
-     * came by radio from that device, with the proof of its key.
+     * A belief; it may have variables, and annotations that the agent's must have, too. {@code from SUPO, sealed} is
+     * what came by radio from that device, with the proof of its key.
      */
     @Then("{window}{agent} believes {term}{marks}{often}")
     public void believes(Window window, String agent, String belief, String marks, Window.Count count) {

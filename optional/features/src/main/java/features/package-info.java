@@ -1,2 +1,2 @@
-/** Steps of Cucumber: the boards that a feature has, what happens to them and to their agents, and what is seen then. */
+/** Steps of Cucumber: the boards that a feature has, what happens to them and their agents, and what is seen then. */
 package features;

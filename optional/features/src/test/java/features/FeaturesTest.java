@@ -47,8 +47,10 @@ class FeaturesTest {
     /** The beginning is at the plan's wait, with the lamp lit. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-            "Then robot's lamp is on / And robot's 13 is high / And its pin A3 is off / And within 1100 ms its lamp is off",
-            "When 100 ms pass / Then the agent robot still believes led(on) / And it does not believe led(off) / And it no longer believes led(_)",
+            "Then robot's lamp is on / And robot's 13 is high / And its pin A3 is off / "
+                    + "And within 1100 ms its lamp is off",
+            "When 100 ms pass / Then the agent robot still believes led(on) / "
+                    + "And it does not believe led(off) / And it no longer believes led(_)",
             "When 1500 ms pass / And the agent robot gets the goal blink(3) / Then it prints \"blink 1\" / "
                     + "And within 1 s robot's lamp is on exactly 3 times / And it performs ledOff exactly 3 times / "
                     + "And it believes led(off) at most 100 a second",
@@ -56,12 +58,15 @@ class FeaturesTest {
             "When the agent robot gets the belief dark / Then it believes dark[source(self)] / "
                     + "And not within 600 ms it performs ledOn / And within 800 ms it performs ledOn / "
                     + "When it loses the belief dark / Then within 100 ms it no longer believes dark",
-            "When 100 ms pass / And robot's board is unplugged for 3 s / Then the agent robot no longer believes led(_) / "
+            "When 100 ms pass / And robot's board is unplugged for 3 s / "
+                    + "Then the agent robot no longer believes led(_) / "
                     + "And within 2 s of its return the agent robot believes port(_, on)",
             "When robot's board is reset / Then robot's lamp is off",
-            "When robot's board has no power for 500 ms / Then within 2 s of its return the agent robot believes led(off)",
+            "When robot's board has no power for 500 ms / "
+                    + "Then within 2 s of its return the agent robot believes led(off)",
             "When the button at robot's 2 is pressed for 20 ms / And 2 s pass / Then never robot's lamp is on",
-            "Given the seed 7 / When the level at robot's 2 falls to 0 / Then not within 1 s the agent robot prints \"a\"",
+            "Given the seed 7 / When the level at robot's 2 falls to 0 / "
+                    + "Then not within 1 s the agent robot prints \"a\"",
             "When 1500 ms pass / Then within 0.1 s the agent robot performs ledOff exactly 0 times",
     })
     void steps_whatIsSo_pass(String steps) throws IOException {
@@ -82,7 +87,8 @@ class FeaturesTest {
             "Then the agent robot believes brightness(3)|robot has plans for what it has never believed: "
                     + "+brightness/1 (robot.asl:7), +dark/0 (robot.asl:6)",
             "When the agent robot gets the goal blink(3) / Then it performs ledOn exactly 2 times|seen 3 times",
-            "When the agent robot gets the goal blink(3) / Then it performs ledOn at most 2 a second|seen 3 times within",
+            "When the agent robot gets the goal blink(3) / "
+                    + "Then it performs ledOn at most 2 a second|seen 3 times within",
             "When the agent robot gets the goal wrong / Then it performs ledOm|has not performed ledOm: unknown_action",
             "When the agent robot gets the goal wrong / Then it fails to perform ledOm with port_off|does not fail",
             "When the light at robot's A0 falls to 1|no sensor of the type ldr at robot's A0; it has digital at 2",
@@ -95,7 +101,8 @@ class FeaturesTest {
             "When the agent robot gets the goal x( / Then it prints \"a\"|+!x( is no goal or belief",
             "Then robot's lamp is on / Given the seed 3|are chosen before the first other step",
             "Given the agents of \"other.mas2j\" / Then the agent robot prints \"a\"|cannot start: there is no file ",
-            "Given the boards of \"other.json\" / Then the agent robot prints \"a\"|cannot start: there is no file other.json",
+            "Given the boards of \"other.json\" / "
+                    + "Then the agent robot prints \"a\"|cannot start: there is no file other.json",
             "Then I like it|no step has these words",
     })
     void steps_whatIsNotSo_failAndSayWhatWasSeen(String steps, String expected) throws IOException {
@@ -136,7 +143,8 @@ class FeaturesTest {
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
             "robot.asl|+!start <- .port(\"a\").|+!start <- .port(\"a\"|robot.asl:2: ",
             "robot.mas2j|agents:|agents|robot.mas2j:1: ",
-            "robot.mas2j|diffuser.Diffuser|diffuser.Difuser|agent robot cannot start: there is no class diffuser.Difuser",
+            "robot.mas2j|diffuser.Diffuser|diffuser.Difuser|"
+                    + "agent robot cannot start: there is no class diffuser.Difuser",
             "robot.mas2j|agents: robot|agents: bus|agent bus cannot start: there is no file",
             "board.json|Blink.ino.elf|Other.ino.elf|Other.ino.elf",
             "board.json|digital|digit|digit",
@@ -148,6 +156,7 @@ class FeaturesTest {
         Path changed = project.folder().resolve(file);
         Files.writeString(changed, Files.readString(changed).replace(old, wrong));
         assertEquals(1, play("Then the agent robot prints \"a\""), project.said());
-        assertTrue(project.said().contains("the scenario cannot start: ") && project.said().contains(expected), project.said());
+        assertTrue(project.said().contains("the scenario cannot start: ") && project.said().contains(expected),
+                project.said());
     }
 }

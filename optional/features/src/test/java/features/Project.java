@@ -26,7 +26,8 @@ final class Project implements AutoCloseable {
                  "sensors": [{"type": "digital", "pin": 2, "level": [[0, 1]]}],
                  "watch": [{"pin": 13, "name": "lamp"}]}]}
                 """.formatted(firmware(sketch)));
-        Files.writeString(folder.resolve("robot.mas2j"), "MAS robot { agents: robot agentArchClass diffuser.Diffuser; }");
+        Files.writeString(folder.resolve("robot.mas2j"),
+                "MAS robot { agents: robot agentArchClass diffuser.Diffuser; }");
         Files.writeString(folder.resolve("robot.asl"), agent);
         System.setProperty("javino.emulator", ROOT.resolve("emulator/build/javino-emulator").toString());
         System.setProperty("javino.boards", folder.resolve("board.json").toString());

@@ -22,7 +22,8 @@ class RadioFeaturesTest {
             """;
     private static final String DEVICE = "Given the device SUPO / ";
     private static final String SEALED = DEVICE + "And ROMA (robot's board) and the device SUPO share a key / ";
-    private static final String WRONG_KEY = DEVICE + "And ROMA (robot's board) and the device SUPO have different keys / ";
+    private static final String WRONG_KEY =
+            DEVICE + "And ROMA (robot's board) and the device SUPO have different keys / ";
     private static final String SENDS = "When the device SUPO sends tell hello(1) to ROMA / ";
 
     private Project project;
@@ -39,12 +40,15 @@ class RadioFeaturesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-            DEVICE + "When the device SUPO sends tell hello(1) by broadcast / Then the agent robot believes hello(1) from SUPO "
+            DEVICE + "When the device SUPO sends tell hello(1) by broadcast / "
+                    + "Then the agent robot believes hello(1) from SUPO "
                     + "/ And it prints \"hello 1 from SUPO\"",
             SEALED + SENDS + "Then within 5 s the message of the device SUPO is delivered / "
                     + "And within 5 s the agent robot believes hello(1) from SUPO, sealed / "
-                    + "When the agent robot gets the goal ask / Then within 5 s the device SUPO gets tell question(1) exactly "
-                    + "1 time / When an attacker repeats the last packet of SUPO / Then not within 2 s it believes hello(1)",
+                    + "When the agent robot gets the goal ask / "
+                    + "Then within 5 s the device SUPO gets tell question(1) exactly "
+                    + "1 time / When an attacker repeats the last packet of SUPO / "
+                    + "Then not within 2 s it believes hello(1)",
             WRONG_KEY + SENDS + "Then within 3 s the counter radioBadTag of the agent robot rises / "
                     + "And not within 4 s it believes hello(1)",
             DEVICE + "When the radio is jammed for 2 s / And the device SUPO sends tell hello(1) by broadcast / "
@@ -60,10 +64,13 @@ class RadioFeaturesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
             WRONG_KEY + SENDS + "Then within 5 s the agent robot believes hello(1)|radioBadTag +",
-            WRONG_KEY + SENDS + "Then within 5 s the message of the device SUPO is delivered|no message of the device SUPO is",
+            WRONG_KEY + SENDS
+                    + "Then within 5 s the message of the device SUPO is delivered|no message of the device SUPO is",
             SEALED + SENDS + "Then within 5 s the agent robot believes hello(1) from ROMA|believe hello(1) from ROMA",
-            "When an attacker sends tell hello(2) as SUPO / Then the agent robot believes hello(2), sealed|hello(2), sealed",
-            SEALED + SENDS + "Then not within 3 s the counter radioReceived of the agent robot rises|radioReceived rises",
+            "When an attacker sends tell hello(2) as SUPO / "
+                    + "Then the agent robot believes hello(2), sealed|hello(2), sealed",
+            SEALED + SENDS
+                    + "Then not within 3 s the counter radioReceived of the agent robot rises|radioReceived rises",
             "When the device SUPO sends tell a to ROMA|there is no device SUPO",
             DEVICE + "When the device SUPO sends wish a to ROMA|expected a performative such as tell",
             "When an attacker repeats the last packet of robot|robot has sent no packet",

@@ -33,7 +33,7 @@ public final class AgentProgram implements AutoCloseable {
         /** An agent printed, or was warned. */
         void printed(String agent, String line);
 
-        /** A cycle of an agent has added a belief, with its annotations, to its belief base, or removed it from there. */
+        /** A cycle of an agent has added a belief, with its annotations, to its belief base, or removed it. */
         default void believes(String agent, String belief, boolean added) {}
 
         /** An agent asks its board for an action. */

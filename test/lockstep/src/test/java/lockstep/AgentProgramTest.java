@@ -145,7 +145,8 @@ class AgentProgramTest {
             "MAS one { agents: one; }         | `!start.\n+!start <- .print(\"a).` | one.asl:2: ",
             "MAS one { agents one; }          | !start.                  | one.mas2j:1: one is not expected here",
             "MAS one { agents: one \"two; }    | !start.                  | one.mas2j:1: ",
-            "MAS one { agents: one agentArchClass a.Missing; } | !start. | agent one cannot start: there is no class a.M",
+            "MAS one { agents: one agentArchClass a.Missing; } | !start. |"
+                    + " agent one cannot start: there is no class a.M",
             "MAS one { agents: one agentClass a.Missing; } | !start. | agent one cannot start: there is no class a.M",
             "MAS one { environment: a.Missing agents: one; } | !start.   | a.Missing"
     })

@@ -158,10 +158,10 @@ class NewProjectTest {
         Path agent = project.resolve("src/agt/robot.asl");
         String program = Files.readString(agent);
         Files.writeString(agent, program.replace(".print(\"it is dark: \", L); .act(lampOn)", ".act(lampOm)"));
-        String failed = gradleSays(project, "test", "-Pfeature=src/test/features/robot.feature:6", "-Pseed=3");
+        String failed = gradleSays(project, "test", "-Pfeature=src/test/features/robot.feature:9", "-Pseed=3");
         assertTrue(failed.startsWith("1\n") && failed.contains("scenarios: 1 failed"), failed);
         assertTrue(failed.contains("robot has not performed lampOm: unknown_action"), failed);
-        assertTrue(failed.contains("gradle test -Pfeature=src/test/features/robot.feature:3 -Pseed=3"), failed);
+        assertTrue(failed.contains("gradle test -Pfeature=src/test/features/robot.feature:6 -Pseed=3"), failed);
 
         Files.writeString(agent, program.replace("!start.\n", "!start\n"));
         String wrong = gradleSays(project, "test");

@@ -30,7 +30,9 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
 
     /** The platform that runs the agent of a project. */
     enum Kind {
-        JASON("jason", "robot.mas2j", "", List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl",
+        JASON("jason", "robot.mas2j", """
+                | `src/test/features/robot.feature` | what `gradle test` plays and checks |
+                """, List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl",
                 "src/test/features/robot.feature")),
         JACAMO("jacamo", "robot.jcm", """
                 | `src/agt/teller.asl` | another agent, without a board |

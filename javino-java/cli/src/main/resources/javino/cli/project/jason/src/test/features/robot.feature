@@ -1,5 +1,8 @@
+# gradle test plays these scenarios, each from the start, on the emulated board, and checks them.
+# docs/reference.md in Javino's folder lists all steps.
 Feature: a lamp for the dark
 
+  # The lamp has flashed at the start; the scenario goes on when that is over.
   Scenario: it gets dark
     Given within 1 s robot's lamp is off
     When the light at robot's A0 falls to 150

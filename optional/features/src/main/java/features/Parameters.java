@@ -3,7 +3,7 @@ package features;
 import io.cucumber.java.ParameterType;
 
 /** The parameters of steps. */
-public final class Words {
+public final class Parameters {
 
     private static final String TIME = "\\d+(?:\\.\\d+)? (?:ms|s|min)";
 
