@@ -9,13 +9,13 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
@@ -43,6 +43,9 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private static final Pattern OF_EACH_RUN = Pattern.compile("cycle|nb\\w+|serialRequests|radioSent|radioLateMicros");
     /** A sketch whose loop(), percepts or action takes longer is told of. */
     private static final int SLOW_MILLIS = 50;
+    /** A board whose loop() waits answers nothing meanwhile. */
+    private static final String UNANSWERED =
+            "no answer of the board within 10 s (does its loop() wait, as by delay()?)";
     private static final int MOST_SEEN = 25;
     private static final long ASKING_NANOS = 100 * Window.MILLI;
 
@@ -495,20 +498,26 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         return seen.subList(mark, seen.size());
     }
 
-    /** What the agents' boards and architectures have counted since the scenario began. */
+    /** What the agents' boards and architectures have counted since they have power. */
     private List<String> counters() {
         List<String> lines = new ArrayList<>();
         for (String agent : program.agents().agents()) {
-            Map<String, Object> before = get(countsBefore.get(agent));
             get(program.agents().counts(agent)).forEach((name, value) -> {
-                long rise = number(value) - number(before.get(name));
-                if (name.endsWith("Millis") ? number(value) >= SLOW_MILLIS && rise > 0
-                        : rise > 0 && !OF_EACH_RUN.matcher(name).matches()) {
-                    lines.add(name + " " + (name.endsWith("Millis") ? "is " + value : "+" + rise));
+                long count = number(value);
+                if (count >= (name.endsWith("Millis") ? SLOW_MILLIS : 1) && !OF_EACH_RUN.matcher(name).matches()) {
+                    lines.add(name.equals(UNANSWERED) ? name : name + " " + count);
                 }
             });
         }
         return lines;
+    }
+
+    /** The pins that are on now. */
+    private List<String> on() {
+        Map<String, Boolean> levels = new TreeMap<>();
+        seen.stream().filter(each -> each.kind() == Kind.PIN)
+                .forEach(each -> levels.put(each.who() + "'s " + each.what(), each.more().equals("on")));
+        return levels.keySet().stream().filter(levels::get).toList();
     }
 
     private static long number(Object value) {
@@ -518,9 +527,12 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
     private Map<String, Object> get(CompletableFuture<Map<String, Object>> counts) {
         try {
             return counts == null ? Map.of() : simulation.get(simulation.orTimeout(counts.copy(),
-                    Duration.ofSeconds(2)));
-        } catch (ExecutionException | InterruptedException none) {
-            return new HashMap<>();
+                    Duration.ofSeconds(10)));
+        } catch (ExecutionException late) {
+            return late.getCause() instanceof TimeoutException ? Map.of(UNANSWERED, 1) : Map.of();
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            return Map.of();
         }
     }
 
@@ -542,6 +554,7 @@ final class Run implements AgentProgram.Observer, AutoCloseable {
         }
         if (program != null) {
             program.agents().agents().forEach(agent -> describe(agent, text));
+            list(text, "  on: ", on());
             list(text, "  counted: ", counters());
         }
         return new StepFailure(text + "  this runs it again: gradle test -Pfeature=" + feature + " -Pseed=" + seed

@@ -81,6 +81,7 @@ class FeaturesTest {
             "Then within 500 ms robot's lamp is off|robot's lamp does not go off",
             "Then not within 2 s robot's lamp is off|it happens at 1.",
             "Then never robot's lamp is off|it happens at 1.",
+            "When 100 ms pass / Then robot's lamp is off|  on: robot's lamp",
             "When 1500 ms pass / Then never robot's lamp is on / When the agent robot gets the goal blink(1) / "
                     + "Then it prints \"blink 1\"|it happens at",
             "When 100 ms pass / Then within 500 ms the agent robot believes led(on)|it has believed it all the time",

@@ -63,7 +63,7 @@ class RadioFeaturesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-            WRONG_KEY + SENDS + "Then within 5 s the agent robot believes hello(1)|radioBadTag +",
+            WRONG_KEY + SENDS + "Then within 5 s the agent robot believes hello(1)|radioBadTag ",
             WRONG_KEY + SENDS
                     + "Then within 5 s the message of the device SUPO is delivered|no message of the device SUPO is",
             SEALED + SENDS + "Then within 5 s the agent robot believes hello(1) from ROMA|believe hello(1) from ROMA",

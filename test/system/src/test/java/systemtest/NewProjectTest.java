@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import trace.TraceEvent;
 import trace.TraceReader;
@@ -173,6 +174,31 @@ class NewProjectTest {
             assertEquals(List.of(), jars.map(jar -> jar.getFileName().toString())
                     .filter(jar -> jar.matches("(features|lockstep|cucumber).*")).toList());
         }
+    }
+
+    /** What students do wrong: the file, what stands there, what they write, and what they are told of it. */
+    @Tag("soak")
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "sketch/Robot/Robot.ino|LED_BUILTIN, |12, |robot's pin 12 goes off",
+            "sketch/Robot/Robot.ino|`LED_BUILTIN, HIGH`|`LED_BUILTIN, LOW`|it is off all the time",
+            "sketch/Robot/Robot.ino|board.run();|board.run(); delay(3000);|does its loop() wait, as by delay()?",
+            "sketch/Robot/Robot.ino|percepts.literal(|for (int i = 0; i < 60; i++) "
+                    + "percepts.add(F(\"aVeryLongNameOfAPercept\"), i); percepts.literal(|perceptsLeftOut",
+            "src/agt/robot.asl|`, L); .act(lampOn)`|`, L); .act(lampOm)`|robot has not performed lampOm: unknown_action",
+            "src/agt/robot.asl|+light(L) : L < 300|+brightness(L) : L < 300|+brightness/1 (robot.asl:12)",
+            "src/agt/robot.asl|.percepts(open);|.print(a);|its plans need .percepts(open)",
+    })
+    void test_ofAFault_failsAndNamesItsPlace(String file, String right, String wrong, String told, @TempDir Path folder)
+            throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project).waitFor());
+        Path changed = project.resolve(file);
+        String text = Files.readString(changed);
+        assertTrue(text.contains(right), text);
+        Files.writeString(changed, text.replace(right, wrong));
+        String said = gradleSays(project, "test");
+        assertTrue(said.startsWith("1\n") && said.contains(told), said);
     }
 
     private static void write(Path file, String line) throws IOException {
