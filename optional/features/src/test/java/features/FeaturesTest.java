@@ -81,6 +81,9 @@ class FeaturesTest {
             "Then within 500 ms robot's lamp is off|robot's lamp does not go off",
             "Then not within 2 s robot's lamp is off|it happens at 1.",
             "Then never robot's lamp is off|it happens at 1.",
+            "When the agent robot gets the belief dark / Then within 1 s it performs ledOn / "
+                    + "And within 100 ms it performs ledOn|robot does not perform ledOn",
+            "When 1500 ms pass / Then within 1 s robot's lamp is off|it is off all the time",
             "When 100 ms pass / Then robot's lamp is off|  on: robot's lamp",
             "When 1500 ms pass / Then never robot's lamp is on / When the agent robot gets the goal blink(1) / "
                     + "Then it prints \"blink 1\"|it happens at",
