@@ -185,7 +185,7 @@ class NewProjectTest {
             "sketch/Robot/Robot.ino|board.run();|board.run(); delay(3000);|does its loop() wait, as by delay()?",
             "sketch/Robot/Robot.ino|percepts.literal(|for (int i = 0; i < 60; i++) "
                     + "percepts.add(F(\"aVeryLongNameOfAPercept\"), i); percepts.literal(|perceptsLeftOut",
-            "src/agt/robot.asl|`, L); .act(lampOn)`|`, L); .act(lampOm)`|robot has not performed lampOm: unknown_action",
+            "src/agt/robot.asl|`, L); .act(lampOn)`|`, L); .act(lampOm)`|has not performed lampOm: unknown_action",
             "src/agt/robot.asl|+light(L) : L < 300|+brightness(L) : L < 300|+brightness/1 (robot.asl:12)",
             "src/agt/robot.asl|.percepts(open);|.print(a);|its plans need .percepts(open)",
     })
