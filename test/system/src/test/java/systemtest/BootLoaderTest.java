@@ -12,6 +12,7 @@ import java.util.Map;
 import javino.board.SessionCounter;
 import javino.protocol.Address;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,6 +64,7 @@ class BootLoaderTest {
     }
 
     @Test
+    @Tag("verify")
     void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario("Station").start(folder); Host host = Host.of(emulator, "lamp")) {
             int boots = get(host.board.greeted()).bootEpoch();

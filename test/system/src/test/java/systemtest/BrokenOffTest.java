@@ -11,6 +11,7 @@ import java.util.Map;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Content;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -36,6 +37,7 @@ class BrokenOffTest {
     }
 
     @Test
+    @Tag("verify")
     void packet_thatLacksItsLastBits_isMended(@TempDir Path folder) throws Exception {
         Map<String, Object> more = Map.of("resetOnOpen", false);
         try (Emulator emulator = new Emulator.Scenario().speed("2")

@@ -109,7 +109,6 @@ class LostStateTest {
     }
 
     @Test
-    @Tag("verify")
     void epochs_writtenOverTwice_repeatNoNonceAndLetNoRecordingIn() throws Exception {
         keys = folder.resolve("keys").toString();
         Map<String, String> sealed = new HashMap<>();

@@ -72,6 +72,7 @@ class MovesTest {
     }
 
     @Test
+    @Tag("verify")
     void moveOut_thereAndBack_isAwakeInOnePlaceAtATime() throws Exception {
         begin(2, true);
         travels.await("arrivals", 2, line -> line.contains("arrived mutualism"));

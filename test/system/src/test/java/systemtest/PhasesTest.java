@@ -22,6 +22,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -286,6 +287,7 @@ class PhasesTest {
     }
 
     @Test
+    @Tag("verify")
     void receiver_cutOffBeforeItsHostHasTakenAMessage_handsItOverAgain() throws Exception {
         support.close();
         transmit("SUPP", "tell;unread");

@@ -18,6 +18,7 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -60,6 +61,7 @@ class RadioExchangeTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_reachesItsDeviceAloneAndSealed() throws Exception {
         police.send("SUPP", "achieve;comeTo(\"km 12\")");
 

@@ -23,6 +23,7 @@ import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Payload;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -135,6 +136,7 @@ class RelayTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_byARelayOnAnUno_isDelivered() throws Exception {
         line(2, "Relay", Map.of("model", "uno"));
         assertEquals(Outcome.DELIVERED, send("tell;help"));

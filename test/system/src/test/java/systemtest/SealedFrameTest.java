@@ -70,6 +70,7 @@ class SealedFrameTest {
     }
 
     @Test
+    @Tag("verify")
     void sameFrameAgain_isDroppedAndCounted() throws Exception {
         attacker.send(frame);
         attacker.send(frame);

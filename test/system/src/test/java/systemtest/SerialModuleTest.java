@@ -15,6 +15,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,6 +72,7 @@ class SerialModuleTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_byARelay_isDelivered() throws Exception {
         start("hc-12", 0, 2, "1");
         try (Host relay = Host.of(emulator, "relay")) {

@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -112,6 +113,7 @@ class SerialSessionTest {
     }
 
     @Test
+    @Tag("verify")
     void boardThatWasReset_isGreetedAgainAndDoesWhatItIsAsked() throws Exception {
         blink((board, host) -> {
             host.board.percepts(true);

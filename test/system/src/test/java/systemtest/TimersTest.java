@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -41,6 +42,7 @@ class TimersTest {
     }
 
     @Test
+    @Tag("verify")
     void onTimer3OfAMega_itTalks(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario().board("one", "Timer3Station").board("other", "Station").start(folder);
                 Host one = Host.of(emulator, "one");

@@ -78,6 +78,7 @@ class VirtualWireTest {
     }
 
     @Test
+    @Tag("verify")
     void handMadePacket_isHeard(@TempDir Path folder) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("other", "Transmitter").board("police", "Station").start(folder);
