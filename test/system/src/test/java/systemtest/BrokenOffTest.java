@@ -40,7 +40,7 @@ class BrokenOffTest {
     @Tag("verify")
     void packet_thatLacksItsLastBits_isMended(@TempDir Path folder) throws Exception {
         Map<String, Object> more = Map.of("resetOnOpen", false);
-        try (Emulator emulator = new Emulator.Scenario().speed("2")
+        try (Emulator emulator = new Emulator.Scenario()
                 .board("police", "Station", more).fault(reset("police", 30))
                 .board("support", "Station", more).fault(powerCut("support", 18))
                 .board("bus", "Station", more).fault(reset("bus", 77))

@@ -48,7 +48,7 @@ class CounterexampleTest {
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
                 .board("police", "Station").board("thief", "Transmitter").board("support", "Station")
-                .speed("0.5").start(folder);
+                .start(folder);
         thief = Transmitter.of(emulator, "thief");
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));

@@ -85,7 +85,7 @@ class UnoTest {
         emulator.command(Map.of("do", "power-cut", "board", "mega", "duration", 0.2));
         mega.awaitOnline(2);
         get(mega.board.radio(true));
-        new Nuisance(emulator, List.of()).pass(LONG_UP_SECONDS);
+        Host.pause(LONG_UP_SECONDS);
 
         uno.send("ROMA", "tell;after");
 
