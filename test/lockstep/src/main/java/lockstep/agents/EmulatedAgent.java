@@ -2,7 +2,6 @@ package lockstep.agents;
 
 import diffuser.TimeSource;
 
-import jason.asSemantics.TransitionSystem;
 import jason.infra.local.LocalAgArch;
 
 import javino.link.Time;
@@ -34,15 +33,6 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
     @Override
     public Time time() {
         return simulation;
-    }
-
-    /** Its agent gets a clock and a die before it reads its program. */
-    @Override
-    public void setTS(TransitionSystem ts) {
-        super.setTS(ts);
-        if (ts != null && ts.getAg() != null) {
-            EmulatedActions.give(ts.getAg(), simulation);
-        }
     }
 
     /** Begins to reason. */

@@ -86,7 +86,6 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
         Field scheduler = Agent.class.getDeclaredField("scheduler");
         scheduler.setAccessible(true);
         scheduler.set(null, new EmulatedScheduler(simulation));
-        EmulatedActions.replaceFunctions(simulation);
         Clock.set(simulation);
         RuntimeServicesFactory.set(new Services());
         init(new String[] {program.toString(), "--no-net"});
