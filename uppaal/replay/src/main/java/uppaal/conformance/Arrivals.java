@@ -8,7 +8,10 @@ import trace.TraceEvent;
 
 /** The packets that have come to each board, and those that a point may be about. */
 final class Arrivals {
-    /** By board and number, what it may not have read yet, and the last. Of two at once either may end first. */
+    /**
+     * By board and number, what it may not have read yet, and the last. Of two at once either may end first. A board
+     * without trace points reads nothing, so that it has the latest alone.
+     */
     private final Map<String, TreeMap<Integer, Reception>> all = new HashMap<>();
     /** By board, when packets have begun to overlap there last, in seconds. */
     private final Map<String, Double> overlapped = new HashMap<>();
@@ -42,6 +45,9 @@ final class Arrivals {
                 Math.max(here.isEmpty() ? 0 : here.lastEntry().getValue().readBy(), readBy));
         RefusedException.require(here.put(packet.number(), reception) == null,
                 event.board() + " hears " + packet + " twice", "once");
+        if (here.size() > BoundedMap.MOST) {
+            here.pollFirstEntry();
+        }
         return reception;
     }
 
