@@ -120,10 +120,11 @@ class KeysTest {
     @Tag("verify")
     void erasedBoard_getsNewKeysOnly_andNoRecordingIsTakenAndNoNonceComesTwice() throws Exception {
         String keys = folder.resolve("keys").toString();
-        assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO", "--pair",
-                "SUPP,SUHO", "--group", "SU"));
         List<byte[]> recorded;
         try (Emulator emulator = scenario().start(folder)) {
+            // In the time of the emulator, as all random numbers are.
+            assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO",
+                    "--pair", "SUPP,SUHO", "--group", "SU"));
             for (String board : IDS.keySet()) {
                 assertDone(provision(emulator, board));
             }

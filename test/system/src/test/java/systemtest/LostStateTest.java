@@ -109,8 +109,9 @@ class LostStateTest {
         keys = folder.resolve("keys").toString();
         Map<String, String> sealed = new HashMap<>();
         List<byte[]> recorded;
-        assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP"));
         try (Emulator emulator = start()) {
+            // By then in its time, as all random numbers are.
+            assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP"));
             assertDone(javino(emulator, "provision", "police", "SUPO"));
             assertDone(javino(emulator, "provision", "support", "SUPP"));
             exchange(emulator, "before", sealed);
