@@ -51,7 +51,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
     }
 
     private static boolean isSet(ExtensionContext context, String name) {
-        return given(context, name).map(Boolean::parseBoolean).orElse(false);
+        return !given(context, name).orElse("false").equals("false"); // -Pkeep gives an empty value
     }
 
     private static long number(ExtensionContext context, String name) {

@@ -129,9 +129,9 @@ class SeededRunsTest {
     @Test
     void keep_runThatPasses_leavesTheSameTraceEachTime() throws Exception {
         Path trace = FAILURES.resolve(BEGIN + 1).resolve("trace1.jsonl");
-        run(Map.of("javino.keep", "true"), new ByteArrayOutputStream());
+        run(Map.of("javino.keep", ""), new ByteArrayOutputStream());
         String first = Files.readString(trace);
-        run(Map.of("javino.keep", "true"), new ByteArrayOutputStream());
+        run(Map.of("javino.keep", ""), new ByteArrayOutputStream());
         assertEquals(first, Files.readString(trace));
         assertFalse(Files.exists(trace.resolveSibling("again")), "it has not failed");
     }
