@@ -240,8 +240,9 @@ final class Relay {
     }
 
     private void begun(Point point, RelayedPacket place) throws RefusedException {
-        take(point, place, place::is);
-        place.begin(came(point, place::is));
+        List<Transmission> mayCome = came(point, place::is);
+        place.take(point, mayCome, score(place.packet.destination()));
+        place.begin(mayCome);
         place.restart(point);
         place.isSoon = false;
         follows(point, place.instance.isAt("Reserve") ? "RELAY_RESERVE" : "RELAY_DRAW");
