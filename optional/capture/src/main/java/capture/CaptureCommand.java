@@ -98,7 +98,7 @@ public final class CaptureCommand implements CommandPlugin {
         String name = link.name().substring(link.name().lastIndexOf('/') + 1);
         OverheardPackets ear = new OverheardPackets(name, this::note, CaptureCommand::now);
         try (Board board = Board.open(link, BoardConfig.create(), ear)) {
-            BoardInfo info = Await.result(board.greeted());
+            BoardInfo info = Await.result(board, board.greeted());
             try (Sink sink = sink(now(), info.rfId().map(id -> Map.of(name, id.toString())).orElse(Map.of()))) {
                 ear.to(sink);
                 Overhearing.begin(board, link.name());
@@ -134,7 +134,7 @@ public final class CaptureCommand implements CommandPlugin {
 
     private static long dropped(Board board) throws InterruptedException {
         try {
-            return Await.result(board.statistics()).getOrDefault(Counter.RADIO_OVERHEARD_DROPPED, 0L);
+            return Await.result(board, board.statistics()).getOrDefault(Counter.RADIO_OVERHEARD_DROPPED, 0L);
         } catch (JavinoException e) {
             // The ear was told why; a board that has started again has counted nothing.
             return 0;

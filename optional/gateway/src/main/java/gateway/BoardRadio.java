@@ -48,7 +48,7 @@ final class BoardRadio implements Radio {
             }
         }));
         try {
-            if (Await.result(radio.board.greeted()).hasUnicastsOnly()) {
+            if (Await.result(radio.board, radio.board.greeted()).hasUnicastsOnly()) {
                 throw new JavinoException(link.name() + ": " + Status.UNICASTS_ONLY.explanation());
             }
             Overhearing.begin(radio.board, link.name());

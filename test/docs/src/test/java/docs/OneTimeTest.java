@@ -1,6 +1,7 @@
 package docs;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.DataInputStream;
@@ -9,11 +10,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.time.LocalDate;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -31,7 +36,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Hosts ask their {@code Time}, and not the computer, for time, random numbers, threads and waits: a simulation could
- * not give them else. What asks the computer all the same is in a table, with the reason.
+ * not give them else, and tests in emulated time could not wait for them. What asks the computer all the same is in a
+ * table, with the reason.
  */
 class OneTimeTest {
 
@@ -39,7 +45,7 @@ class OneTimeTest {
 
     /** Of the other modules only what tests use with boards. */
     private static final Pattern ALL_BUT =
-            Pattern.compile("javino/cli/(?!Provisioning\\b).*|gateway/(Broker|Gateway|GatewayCommand)\\b.*");
+            Pattern.compile("gateway/(Broker|Gateway|GatewayCommand)\\b.*");
 
     /** What asks the computer: owner, member and descriptor; or a class alone. */
     private static final Pattern REAL = Pattern.compile(String.join("|",
@@ -107,8 +113,8 @@ class OneTimeTest {
     }
 
     @Test
-    void hosts_askTheirTimeOnly_butForWhatIsInTheTable() throws IOException {
-        Set<String> found = new TreeSet<>();
+    void hostsAndTestsInEmulatedTime_askTheirTimeOnly_butForWhatIsInTheTable() throws IOException {
+        Set<String> found = new TreeSet<>(ofTestsInEmulatedTime());
         for (String jar : System.getProperty("javino.hosts").split(File.pathSeparator)) {
             try (JarFile classes = new JarFile(jar)) {
                 for (JarEntry each : classes.stream().filter(entry -> entry.getName().endsWith(".class"))
@@ -123,6 +129,59 @@ class OneTimeTest {
                 "each row has a class, what it asks, and the reason");
         assertEquals(rows.stream().map(row -> row[0] + "  " + row[1]).collect(Collectors.joining("\n")),
                 String.join("\n", found), "ask javino.link.Time, or give a reason in " + TABLE);
+    }
+
+    /** What the tests ask that are in emulated time, and all classes of tests that they name, and so on. */
+    private static Set<String> ofTestsInEmulatedTime() throws IOException {
+        List<Path> folders = Stream.of(System.getProperty("javino.emulated").split(File.pathSeparator)).map(Path::of)
+                .filter(Files::isDirectory).toList();
+        Set<String> seen = new TreeSet<>();
+        Deque<Path> left = new ArrayDeque<>();
+        for (Path folder : folders) {
+            for (Path each : Repository.files(folder.toString(), ".class")) {
+                if (Files.readString(each, StandardCharsets.ISO_8859_1).contains("Lharness/InEmulatedTime;")) {
+                    left.add(each);
+                }
+            }
+        }
+        assertFalse(left.isEmpty());
+        Set<String> asked = new TreeSet<>();
+        for (Path next = left.poll(); next != null; next = left.poll()) {
+            String name = next.getParent().getFileName() + "/" + next.getFileName();
+            if (seen.add(name)) {
+                try (InputStream bytes = Files.newInputStream(next)) {
+                    asked.addAll(real(name, bytes));
+                }
+                try (InputStream bytes = Files.newInputStream(next)) {
+                    for (String named : named(bytes).toList()) {
+                        folders.stream().map(folder -> folder.resolve(named + ".class")).filter(Files::exists)
+                                .forEach(left::add);
+                    }
+                }
+            }
+        }
+        return asked;
+    }
+
+    /** In emulated time no threads race. */
+    @Test
+    void testsInEmulatedTime_runOneInRealTime_unlessAllAreTooLong() {
+        List<String> others = new ArrayList<>();
+        for (Path file : Repository.files("test", "Test.java")) {
+            String text = Repository.text(file);
+            if (text.contains("\n@InEmulatedTime\n") && !text.contains("\n@Tag(\"soak\")\n")) {
+                long all = count(text, "    @(Parameterized|Repeated)?Test\\b");
+                long tooLong = count(text, "    @Tag\\(\"soak\"\\)");
+                if (count(text, "    @Tag\\(\"verify\"\\)") != (all == tooLong ? 0 : 1)) {
+                    others.add(file.getFileName().toString());
+                }
+            }
+        }
+        assertEquals(List.of(), others, "one of its methods has @Tag(\"verify\")");
+    }
+
+    private static long count(String text, String pattern) {
+        return Pattern.compile("(?m)^" + pattern).matcher(text).results().count();
     }
 
     /** Asks in each way. */

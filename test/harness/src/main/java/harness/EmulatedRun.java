@@ -5,11 +5,15 @@ import java.nio.file.Path;
 /** A run of a test in emulated time. */
 final class EmulatedRun {
 
+    /** More than anybody tries. */
+    private static final long SEEDS = 1_000_000_000;
+
     private static EmulatedRun current;
 
     private final long seed;
     private final Path folder;
     private int traces;
+    private int seeds;
 
     /** @param folder for its traces. */
     EmulatedRun(long seed, Path folder) {
@@ -29,6 +33,11 @@ final class EmulatedRun {
 
     long seed() {
         return seed;
+    }
+
+    /** The seed of its next emulator; of each another one, or hosts would draw the same keys once more. */
+    long newSeed() {
+        return seed + SEEDS * seeds++;
     }
 
     Path folder() {

@@ -94,20 +94,18 @@ public final class Host implements AutoCloseable {
     }
 
     /**
-     * For boards that write much to their EEPROM: on a busy machine their answers come late by the clock on the wall.
+     * For boards in real time that write much to their EEPROM: on a busy machine their answers come late by the clock
+     * on the wall.
      */
     public static Host patient(Emulator emulator, String board) {
-        return emulator.closing(patient(link(emulator.port(board))), Host::close);
+        return emulator.closing(new Host(link(emulator.port(board)),
+                BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS)))), Host::close);
     }
 
-    public static Host patient(LinkOpener link) {
-        return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
-    }
-
-    /** A host as {@link #patient}, with the notes that an agent's host has. */
+    /** A host as {@link #of}, with the notes that an agent's host has. */
     public static Host noting(Emulator emulator, String board) {
-        return emulator.closing(new Host(link(emulator.port(board)), BoardConfig.create(
-                config -> patience(config.setAttempts(PATIENT_ATTEMPTS).setNotes(BoardNotes.ofHost())))), Host::close);
+        return emulator.closing(new Host(link(emulator.port(board)),
+                BoardConfig.create(config -> patience(config.setNotes(BoardNotes.ofHost())))), Host::close);
     }
 
     /** A host for boards that hang, and lines on which a damaged word may make the time of an action pass in vain. */
@@ -118,6 +116,11 @@ public final class Host implements AutoCloseable {
     /** On a busy machine a board may take long to boot, and to perform an action. */
     public static void patience(BoardConfig.Builder config) {
         config.setPatience(LONGEST).setActionTime(LONGEST);
+    }
+
+    /** Waits for so long by the time of the test. */
+    public static void pause(double seconds) {
+        Simulation.here().pause((long) (1e9 * seconds));
     }
 
     /** Waits until the board was greeted so often. */

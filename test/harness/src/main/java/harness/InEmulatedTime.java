@@ -9,8 +9,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
- * Has the tests of a class run in the emulated time of their boards, by a seed: the same run each time. {@code verify}
- * runs them in real time, where threads race, too. What they wait for must come by {@link Host} or {@link Emulator}.
+ * Has the tests of a class run in the emulated time of their boards, by a seed: the same run each time. The one that is
+ * tagged {@code verify} runs in real time, too, where threads race. What they wait for must come by {@link Host} or
+ * {@link Emulator}.
  */
 @Target(ElementType.TYPE)
 @Retention(RetentionPolicy.RUNTIME)

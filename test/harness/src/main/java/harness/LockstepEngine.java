@@ -28,7 +28,7 @@ final class LockstepEngine implements Engine {
         Files.createFile(file);
         List<String> whole = new ArrayList<>(command);
         whole.addAll(List.of("--trace", file.toString()));
-        simulation = Simulation.start(whole, ports, run.seed(), Simulation.JITTER);
+        simulation = Simulation.start(whole, ports, run.newSeed(), Simulation.JITTER);
         trace = TraceFile.follow(simulation, file, lines);
     }
 

@@ -97,7 +97,7 @@ public final class MovingAgents implements AutoCloseable {
             if (side == HOME) {
                 write(side, "walker.asl", walker, words);
             }
-            try (Host host = Host.patient(emulator, boards.get(side))) {
+            try (Host host = Host.of(emulator, boards.get(side))) {
                 host.as(ids.get(side).toString(), Map.of(ids.get(1 - side).toString(), TestKeys.PAIR));
             }
         }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.logging.FileHandler;
 import java.util.logging.Handler;
 import java.util.logging.Logger;
@@ -26,10 +27,6 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
     /** Where a failed run leaves its traces, its log and what repeats it. */
     private static final Path FAILURES = Path.of("build/failures");
     private static final Logger ROOT = Logger.getLogger("");
-    private static final boolean REAL_TIME = Boolean.getBoolean("javino.realTime");
-    private static final boolean KEEP = Boolean.getBoolean("javino.keep");
-    private static final long FIRST_SEED = Long.getLong("javino.seed", 1);
-    private static final int SEEDS = Integer.getInteger("javino.seeds", 1);
 
     private boolean failed;
 
@@ -40,11 +37,25 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
 
     @Override
     public Stream<ClassTemplateInvocationContext> provideClassTemplateInvocationContexts(ExtensionContext context) {
-        if (REAL_TIME) {
+        if (isSet(context, "realTime")) {
             return Stream.of(run("in real time", List.of()));
         }
-        return LongStream.range(FIRST_SEED, FIRST_SEED + SEEDS).takeWhile(seed -> !failed)
+        long first = number(context, "seed");
+        return LongStream.range(first, first + number(context, "seeds")).takeWhile(seed -> !failed)
                 .mapToObj(seed -> run("seed " + seed, List.of(new Seeded(seed))));
+    }
+
+    /** A property of the program, unless who launches the tests gives another value. */
+    private static Optional<String> given(ExtensionContext context, String name) {
+        return context.getConfigurationParameter("javino." + name);
+    }
+
+    private static boolean isSet(ExtensionContext context, String name) {
+        return !given(context, name).orElse("false").equals("false"); // -Pkeep gives an empty value
+    }
+
+    private static long number(ExtensionContext context, String name) {
+        return given(context, name).map(Long::parseLong).orElse(1L);
     }
 
     private static ClassTemplateInvocationContext run(String name, List<Extension> extensions) {
@@ -108,7 +119,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
 
         @Override
         public void testSuccessful(ExtensionContext test) {
-            if (!KEEP) {
+            if (!isSet(test, "keep")) {
                 delete(run.folder());
             }
         }
@@ -116,7 +127,7 @@ final class SeededRuns implements ClassTemplateInvocationContextProvider {
         @Override
         public void testFailed(ExtensionContext test, Throwable cause) {
             failed = true;
-            String again = "gradle " + System.getProperty("javino.suite") + " --tests '"
+            String again = "gradle " + given(test, "suite").orElse("test") + " --tests '"
                     + test.getRequiredTestClass().getSimpleName() + "." + test.getRequiredTestMethod().getName()
                     + "' -Pseed=" + seed;
             System.out.println(test.getDisplayName() + " has failed with seed " + seed + ": " + cause

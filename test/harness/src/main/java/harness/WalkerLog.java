@@ -42,7 +42,6 @@ public final class WalkerLog {
         Matcher tick = TICK.matcher(line);
         if (tick.find()) {
             ticks.add(new Tick(Long.parseLong(tick.group(3)), side, life, Integer.parseInt(tick.group(2))));
-            notifyAll();
         }
     }
 

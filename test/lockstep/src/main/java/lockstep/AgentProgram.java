@@ -77,9 +77,13 @@ public final class AgentProgram implements AutoCloseable {
     /** What the programs share with the simulation. */
     private static final List<String> SHARED = List.of("javino.", "lockstep.");
     private static final String OWN = "lockstep.agents.";
-    /** Tells an agent for how long it has waited. */
-    private static final String OF_THE_CLOCK = "jason.stdlib.wait$WaitEvent";
-    private static final String CLOCK = "lockstep/agents/Clock";
+    /** The classes of Jason's library that ask Java for time or chance, and what they ask in the place of what. */
+    static final Set<String> ASKING = Set.of("jason.functions.Random", "jason.functions.time", "jason.stdlib.date",
+            "jason.stdlib.nano_time", "jason.stdlib.random", "jason.stdlib.random$1", "jason.stdlib.set_random_seed",
+            "jason.stdlib.shuffle", "jason.stdlib.time", "jason.stdlib.wait$WaitEvent");
+    static final Map<String, String> ASKED = Map.of("java/lang/System", "lockstep/agents/Clock",
+            "java/util/GregorianCalendar", "lockstep/agents/Clock$Date",
+            "java/util/Random", "lockstep/agents/Dice", "java/util/Collections", "lockstep/agents/Dice");
     /** Above the loggers of all agents; a field, as nobody else keeps it. */
     private static final Logger AGENTS = Logger.getLogger("jason");
 
@@ -91,11 +95,11 @@ public final class AgentProgram implements AutoCloseable {
 
         @Override
         protected Class<?> findClass(String name) throws ClassNotFoundException {
-            if (!name.equals(OF_THE_CLOCK)) {
+            if (!ASKING.contains(name)) {
                 return super.findClass(name);
             }
             try (InputStream file = findResource(name.replace('.', '/') + ".class").openStream()) {
-                byte[] patched = ClassPatch.replace(file.readAllBytes(), "java/lang/System", CLOCK);
+                byte[] patched = ClassPatch.replace(file.readAllBytes(), ASKED);
                 return defineClass(name, patched, 0, patched.length);
             } catch (IOException e) {
                 throw new ClassNotFoundException(name, e);

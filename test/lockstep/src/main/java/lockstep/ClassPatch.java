@@ -5,16 +5,17 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.util.Map;
 
-/** Makes a class call another one than it was compiled for. */
+/** Makes a class call others than it was compiled for. */
 final class ClassPatch {
 
     private static final int TEXT = 1;
 
     private ClassPatch() {}
 
-    /** The bytes of a class, with another text in the place of one in its table of constants. */
-    static byte[] replace(byte[] bytes, String text, String by) throws IOException {
+    /** The bytes of a class, with other names of classes in the place of some, wherever its constants have them. */
+    static byte[] replace(byte[] bytes, Map<String, String> texts) throws IOException {
         DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes));
         ByteArrayOutputStream patched = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(patched);
@@ -27,7 +28,10 @@ final class ClassPatch {
             switch (tag) {
                 case TEXT -> {
                     String constant = in.readUTF();
-                    out.writeUTF(constant.equals(text) ? by : constant);
+                    for (Map.Entry<String, String> text : texts.entrySet()) {
+                        constant = constant.replace(text.getKey(), text.getValue());
+                    }
+                    out.writeUTF(constant);
                 }
                 case 5, 6 -> {  // Two places each.
                     out.write(in.readNBytes(8));

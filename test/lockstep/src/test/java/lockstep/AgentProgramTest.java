@@ -6,13 +6,20 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,19 +65,48 @@ class AgentProgramTest {
         List<String> printed = printed(1, """
                 !start.
                 +!start <- .date(Y, M, D); .time(H, Min, _); .print(Y, "-", M, "-", D, " ", H, ":", Min);
-                    T = system.time; .wait(61000); .print(math.round((system.time - T) / 1000)); .time(_, Later, _);
-                    .print(Later).
+                    .nano_time(N); T = system.time; .wait(61000);
+                    .print(math.round((system.time - T) / 1000)); .time(_, Later, _); .print(Later);
+                    .nano_time(After); .print(math.round((After - N) / 1000000000)).
                 """, 70);
-        assertEquals(List.of("[one] 2027-1-1 12:0", "[one] 61", "[one] 1"), printed);
+        assertEquals(List.of("[one] 2027-1-1 12:0", "[one] 61", "[one] 1", "[one] 61"), printed);
     }
 
     @Test
     void dice_areThoseOfTheSeed() throws Exception {
-        String plans = "!start. +!start <- .random(X); Y = math.random; .print(X, \" \", Y).";
+        String plans = """
+                !start.
+                +!start <- .random(X); Y = math.random; .shuffle([1, 2, 3, 4, 5, 6, 7, 8], Z); .print(X, " ", Y);
+                    .print(Z).
+                """;
         List<String> first = printed(1, plans, 1);
-        assertEquals(1, first.size(), first.toString());
+        assertEquals(2, first.size(), first.toString());
         assertEquals(first, printed(1, plans, 1));
-        assertNotEquals(first, printed(2, plans, 1));
+        List<String> others = printed(2, plans, 1);
+        assertNotEquals(first.get(0), others.get(0));
+        assertNotEquals(first.get(1), others.get(1));
+    }
+
+    /** A newer Jason may ask for them elsewhere, too. */
+    @Test
+    void jasonsLibrary_asksJavaForTimeAndChanceWhereItIsPatched() throws Exception {
+        Pattern asks = Pattern.compile("currentTimeMillis|nanoTime|java/util/(Random|Date|Calendar|Timer)\\W"
+                + "|GregorianCalendar|java/lang/Math\\W.*\0\6random|\0\7shuffle|java/time/|randomUUID"
+                + "|ThreadLocalRandom|SecureRandom|concurrent/Executors|java/lang/Thread\\W.*\0\5(sleep|start)",
+                Pattern.DOTALL);
+        Set<String> asking = new TreeSet<>();
+        try (JarFile jason = new JarFile(Path.of(jason.asSemantics.Agent.class.getProtectionDomain().getCodeSource()
+                .getLocation().toURI()).toFile())) {
+            for (JarEntry entry : Collections.list(jason.entries())) {
+                try (InputStream file = jason.getInputStream(entry)) {
+                    if (entry.getName().matches("jason/(stdlib|functions)/.*[.]class")
+                            && asks.matcher(new String(file.readAllBytes(), StandardCharsets.ISO_8859_1)).find()) {
+                        asking.add(entry.getName().replaceFirst("[.]class$", "").replace('/', '.'));
+                    }
+                }
+            }
+        }
+        assertEquals(new TreeSet<>(AgentProgram.ASKING), asking);
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.util.Map;
 import javino.board.SessionCounter;
 import javino.protocol.Address;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +29,7 @@ class BootLoaderTest {
     /** The time from a reset to a board that serves: left alone, the boot loader takes 0.8, after a hello 5. */
     private static final double MOST_EMULATED_SECONDS = 4;
     /** A board holds a poll for ten times as long. */
-    private static final int HELD_MILLIS = 200;
+    private static final double HELD_SECONDS = 0.2;
 
     private static Emulator.Scenario scenario(String sketch) {
         return new Emulator.Scenario().board("lamp", sketch, Map.of("bootLoader", BOOT_LOADER));
@@ -50,11 +51,11 @@ class BootLoaderTest {
     }
 
     /** Waits until the board holds a poll: one that came just after a reset would keep the boot loader for long. */
-    private static void awaitPoll(Host host) throws InterruptedException {
+    private static void awaitPoll(Host host) {
         long before;
         do {
             before = requests(host);
-            Thread.sleep(HELD_MILLIS);
+            Host.pause(HELD_SECONDS);
         } while (before == 0 || before != requests(host));
     }
 
@@ -63,6 +64,7 @@ class BootLoaderTest {
     }
 
     @Test
+    @Tag("verify")
     void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario("Station").start(folder); Host host = Host.of(emulator, "lamp")) {
             int boots = get(host.board.greeted()).bootEpoch();

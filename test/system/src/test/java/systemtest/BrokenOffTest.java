@@ -11,6 +11,7 @@ import java.util.Map;
 import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Content;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -36,9 +37,10 @@ class BrokenOffTest {
     }
 
     @Test
+    @Tag("verify")
     void packet_thatLacksItsLastBits_isMended(@TempDir Path folder) throws Exception {
         Map<String, Object> more = Map.of("resetOnOpen", false);
-        try (Emulator emulator = new Emulator.Scenario().speed("2")
+        try (Emulator emulator = new Emulator.Scenario()
                 .board("police", "Station", more).fault(reset("police", 30))
                 .board("support", "Station", more).fault(powerCut("support", 18))
                 .board("bus", "Station", more).fault(reset("bus", 77))

@@ -21,6 +21,7 @@ import javino.protocol.Outcome;
 import javino.protocol.Payload;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -47,7 +48,7 @@ class CounterexampleTest {
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
                 .board("police", "Station").board("thief", "Transmitter").board("support", "Station")
-                .speed("0.5").start(folder);
+                .start(folder);
         thief = Transmitter.of(emulator, "thief");
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
@@ -55,6 +56,7 @@ class CounterexampleTest {
 
     /** Faults "no nonce check" and "no duplicate check". */
     @Test
+    @Tag("verify")
     void replay_afterItsMessageAndAfterALaterOne_isRefused() throws Exception {
         police.send("SUPP", "tell;first");
         byte[] first = overheard("police", 1);

@@ -13,6 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -20,6 +22,9 @@ import trace.TraceEvent;
 /** The examples of the Arduino library that no other test uses. */
 @InEmulatedTime
 class ExamplesTest {
+
+    private static final int STEPS = 3000;
+    private static final int STEPS_A_SECOND = 1500;
 
     @Test
     void thermometer_tellsDegreesOnBoardsOfEachSupply(@TempDir Path folder) throws Exception {
@@ -70,6 +75,26 @@ class ExamplesTest {
     }
 
     @Test
+    void stepper_turnsAtItsSpeedWhileItsAgentIsTold(@TempDir Path folder) throws Exception {
+        Map<String, Object> watched = Map.of("model", "uno", "watch", List.of(Map.of("pin", 3, "name", "step")));
+        try (Emulator emulator = new Emulator.Scenario().board("motor", "Stepper", watched).start(folder);
+                Host host = Host.of(emulator, "motor")) {
+            host.board.percepts(true);
+            get(host.board.act("turn(" + STEPS + ")"));
+            host.percepts(List.of("position(" + STEPS + ")")::equals);
+            Predicate<TraceEvent> step = event -> event.is("pin", "motor") && event.number("level") == 1;
+            // The percept may be here before the trace of the last steps.
+            emulator.await("the last step", STEPS, step);
+            List<Double> steps = emulator.trace().stream().filter(step).map(TraceEvent::seconds).toList();
+            assertEquals(STEPS, steps.size());
+            double aSecond = (STEPS - 1) / (steps.get(STEPS - 1) - steps.get(0));
+            assertEquals(STEPS_A_SECOND, aSecond, 0.05 * STEPS_A_SECOND);
+            get(host.board.act("turn(-" + STEPS + ")"));
+            host.percepts(List.of("position(0)")::equals);
+        }
+    }
+
+    @Test
     void twoBoards_chatByWhatIsTyped(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario()
                 .board("one", "TwoBoards", Map.of("model", "uno"))
@@ -95,6 +120,7 @@ class ExamplesTest {
     }
 
     @Test
+    @Tag("verify")
     void twoBoards_isUnderstoodByAgentsAndUnderstandsThem(@TempDir Path folder) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("one", "TwoBoards").board("station", "Station").start(folder);

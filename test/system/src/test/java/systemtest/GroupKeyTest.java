@@ -20,6 +20,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import keyagreement.BoardKeyAgreement;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -90,6 +91,7 @@ class GroupKeyTest {
     }
 
     @Test
+    @Tag("verify")
     void boardThatWasErased_getsAnotherKeyAndNoNonceAgain_andNoRecordingIsTaken() throws Exception {
         identities = folder.resolve("identities");
         List<byte[]> first;

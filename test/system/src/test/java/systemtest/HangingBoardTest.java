@@ -8,6 +8,7 @@ import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.List;
 import javino.board.SessionCounter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +20,7 @@ class HangingBoardTest {
     private static final List<String> WORKS = List.of("works");
 
     @ParameterizedTest
+    @Tag("verify")
     @ValueSource(strings = {"hang", "hangInPercepts"})
     void board_hangs_isResetAndWorksAgain(String action, @TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("board", "Hanging").start(folder);

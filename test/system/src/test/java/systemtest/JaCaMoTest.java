@@ -175,4 +175,10 @@ class JaCaMoTest {
             house.await("; no board has answered on ports/robot yet");
         }
     }
+
+    @JaCaMo.EachVersion
+    void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards(String version, @TempDir Path folder)
+            throws Exception {
+        SeveralBoardsTest.run(JaCaMo.platform(version), folder);
+    }
 }

@@ -106,6 +106,7 @@ class KeyAgreementTest {
     }
 
     @Test
+    @Tag("verify")
     void agents_thatNeverMet_talkAskAndMeetAgainAfterAReset() throws Exception {
         authority.enroll("SUPO", identities);
         try (AgentProcess police = police("true");

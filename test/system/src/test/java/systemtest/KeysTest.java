@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.Transmitter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -32,6 +33,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Three emulated Megas of a group, and their keys. */
+@InEmulatedTime
 class KeysTest {
 
     private static final Map<String, String> IDS = new LinkedHashMap<>();
@@ -43,7 +45,7 @@ class KeysTest {
 
     private static final int NONCE_AT = 10;
     private static final int NONCE_END = 16;
-    private static final int BUSY_PAUSE_MILLIS = 100;
+    private static final double BUSY_PAUSE_SECONDS = 0.1;
 
     @TempDir
     private Path folder;
@@ -66,7 +68,7 @@ class KeysTest {
     }
 
     private static Host open(Emulator emulator, String board) throws InterruptedException {
-        Host host = Host.patient(emulator, board);
+        Host host = Host.of(emulator, board);
         host.awaitOnline(1);
         Host.get(host.board.radio(true));
         return host;
@@ -118,10 +120,11 @@ class KeysTest {
     @Tag("verify")
     void erasedBoard_getsNewKeysOnly_andNoRecordingIsTakenAndNoNonceComesTwice() throws Exception {
         String keys = folder.resolve("keys").toString();
-        assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO", "--pair",
-                "SUPP,SUHO", "--group", "SU"));
         List<byte[]> recorded;
         try (Emulator emulator = scenario().start(folder)) {
+            // In the time of the emulator, as all random numbers are.
+            assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO",
+                    "--pair", "SUPP,SUHO", "--group", "SU"));
             for (String board : IDS.keySet()) {
                 assertDone(provision(emulator, board));
             }
@@ -213,13 +216,13 @@ class KeysTest {
     private static void take(Supplier<CompletableFuture<?>> step) throws Exception {
         while (true) {
             try {
-                step.get().get();
+                Host.await(step.get());
                 return;
             } catch (ExecutionException e) {
                 if (!(e.getCause() instanceof RequestFailedException refused) || refused.status() != Status.BUSY) {
                     throw e;
                 }
-                Thread.sleep(BUSY_PAUSE_MILLIS);
+                Host.pause(BUSY_PAUSE_SECONDS);
             }
         }
     }
@@ -268,7 +271,7 @@ class KeysTest {
             for (String board : IDS.keySet()) {
                 Map<String, byte[]> keys = new LinkedHashMap<>();
                 partners(board).forEach(partner -> keys.put(partner.toString(), OLD.bytes().toArray()));
-                hosts.put(board, Host.patient(emulator, board).as(IDS.get(board), keys));
+                hosts.put(board, Host.of(emulator, board).as(IDS.get(board), keys));
             }
             round(List.of("police", "support", "hospital"), (host, with) -> host.board.renewKey(with, NEW));
             round(List.of("support", "hospital", "police"), (host, with) -> host.board.useKey(with));

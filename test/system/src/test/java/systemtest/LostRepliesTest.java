@@ -22,6 +22,8 @@ import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -70,8 +72,14 @@ class LostRepliesTest {
                 link -> new LosingLink(link, ofReplies, ofRequests))), Host::close);
     }
 
+    @Test
+    @Tag("verify")
+    void messages_whereEachTenthPieceIsLost_comeOnce() throws Exception {
+        messages_whereEachNthPieceIsLost_comeOnce(10, 0);
+    }
+
     @ParameterizedTest
-    @CsvSource({"3, 0", "5, 0", "10, 0", "0, 5", "9, 7"})
+    @CsvSource({"3, 0", "5, 0", "0, 5", "9, 7"})
     void messages_whereEachNthPieceIsLost_comeOnce(int ofReplies, int ofRequests) throws Exception {
         emulator = new Emulator.Scenario().board("police", "Vehicle").board("support", "Station").start(folder);
         Host police = host("police", ofReplies, ofRequests).as("SUPO", Map.of("SUPP", TestKeys.PAIR));

@@ -72,6 +72,7 @@ class MovesTest {
     }
 
     @Test
+    @Tag("verify")
     void moveOut_thereAndBack_isAwakeInOnePlaceAtATime() throws Exception {
         begin(2, true);
         travels.await("arrivals", 2, line -> line.contains("arrived mutualism"));
@@ -132,7 +133,7 @@ class MovesTest {
         for (int side : List.of(MovingAgents.HOME, MovingAgents.AWAY)) {
             Path place = Files.createDirectories(folder.resolve(BOARDS.get(side)));
             String there = IDS.get(1 - side).toString();
-            try (Host board = Host.patient(emulator, BOARDS.get(side))) {
+            try (Host board = Host.of(emulator, BOARDS.get(side))) {
                 board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR, "SUHO", TestKeys.PAIR));
             }
             Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
@@ -202,7 +203,7 @@ class MovesTest {
                 +openness(_). +movedIn(A, _) <- +guest(A). +enough[cast(unicast, _)] : guest(A) <-
                     .send(A, tell, come_home).
                 """);
-        try (Host forger = Host.patient(emulator, "forger")) {
+        try (Host forger = Host.of(emulator, "forger")) {
             forger.as("SUHO", Map.of("SUSS", TestKeys.PAIR, "SUBB", TestKeys.PAIR));
             both.get(MovingAgents.AWAY).await("I am here");
             Bytes offer = Bytes.join(Bytes.ofNumber(7, 4), Bytes.ofText(protocol),
@@ -281,7 +282,6 @@ class MovesTest {
         if (told().contains("arrived")) {
             assertSides(MovingAgents.HOME, MovingAgents.AWAY);
         } else {
-            // On a machine with too much to do nothing was heard for a minute.
             assertSides(MovingAgents.HOME);
         }
     }

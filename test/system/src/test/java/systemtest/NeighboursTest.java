@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,6 +39,7 @@ class NeighboursTest {
     }
 
     @Test
+    @Tag("verify")
     void eepromOfTheSketch_andIdAndKeys_outliveABoot() throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("station", "NeighbourStation").start(folder)) {
             try (Host host = Host.of(emulator, "station").as("ROMA", Map.of("SUPO", TestKeys.PAIR))) {

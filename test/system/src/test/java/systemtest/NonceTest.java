@@ -35,7 +35,7 @@ class NonceTest {
 
     // Nobody hears the unicasts, so they are sent again and again: with the same nonce, but byte for byte.
     private static void sendMany(Path folder, Map<String, String> frames) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().speed("max").board("police", "Station").start(folder);
+        try (Emulator emulator = new Emulator.Scenario().board("police", "Station").start(folder);
                 Host police =
                         Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP))) {
             for (int message = 0; message < MESSAGES_A_RUN; message++) {

@@ -6,8 +6,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
-import javino.link.Time;
-import lockstep.Simulation;
 import trace.TraceEvent;
 
 /** Disturbs boards by commands to their emulator; each has taken effect when its method returns. */
@@ -56,33 +54,9 @@ final class Nuisance {
                 : Map.of("do", what, "board", board, "duration", POWER_CUT_SECONDS));
     }
 
-    /** In real time a slower run leaves a test more time to react. */
-    void speed(double times) throws InterruptedException {
-        if (Simulation.here() == Time.REAL) {
-            command(Map.of("do", "speed", "value", times));
-        }
-    }
-
-    /** Waits until so much emulated time has passed. */
-    void pass(double seconds) throws InterruptedException {
-        if (Simulation.here() != Time.REAL) {
-            Simulation.here().pause((long) (1e9 * seconds));
-            return;
-        }
-        double end = now() + seconds;
-        while (now() < end) {
-            Thread.onSpinWait();
-        }
-    }
-
-    /** Emulated time, by a command that changes nothing. */
-    double now() throws InterruptedException {
-        return command(Map.of("do", "light", "value", 0));
-    }
-
-    private double command(Map<String, Object> command) throws InterruptedException {
+    private void command(Map<String, Object> command) throws InterruptedException {
         int before = (int) emulator.trace().stream().filter(COMMANDS).count();
         emulator.command(command);
-        return emulator.await(command.toString(), before + 1, COMMANDS).seconds();
+        emulator.await(command.toString(), before + 1, COMMANDS);
     }
 }

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 class OpennessTest {
 
     @Test
+    @Tag("verify")
     void boardGoesAndComes_agentGoesThroughAllTransitionsOfFigureOne(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("antenna", "Vehicle").start(folder);
                 AgentProcess agent = AgentProcess.start("wanderer", folder)) {

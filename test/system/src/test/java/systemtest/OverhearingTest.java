@@ -26,6 +26,7 @@ import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -82,6 +83,7 @@ class OverhearingTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_betweenCells_isDeliveredThoughNobodyBetweenHasAKey() throws Exception {
         Outcome outcome = Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse("tell;help")).end());
         assertEquals(Outcome.DELIVERED, outcome);

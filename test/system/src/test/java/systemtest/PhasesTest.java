@@ -22,6 +22,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -54,7 +55,6 @@ class PhasesTest {
     private static final double PATIENCE = 0.17;
     private static final double LATE_PATIENCE = 0.62;
     private static final int LATE = 2;
-    private static final double SLOW = 0.3;
 
     @AutoClose
     private Emulator emulator;
@@ -64,7 +64,7 @@ class PhasesTest {
 
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
-        emulator = new Emulator.Scenario().speed("1") // what disturbs a phase has to come in time
+        emulator = new Emulator.Scenario()
                 .board("police", "Station", Map.of("resetOnOpen", false, "position", POLICE))
                 .board("support", "Station", Map.of("resetOnOpen", false, "position", SUPPORT))
                 .start(folder);
@@ -100,7 +100,7 @@ class PhasesTest {
         nuisance.makeNoise();
         nuisance.makeNoise();
         next("rf-tx", "injector", before);
-        nuisance.pass(A_WHILE);
+        Host.pause(A_WHILE);
         nuisance.cut("police", RESET);
         police.awaitOnline(1);
     }
@@ -113,7 +113,7 @@ class PhasesTest {
         police.close();
         emulator.await("the last attempt", MOST_ATTEMPTS,
                 event -> event.is("rf-tx", "police") && event.text("destination").equals("SUHO"));
-        nuisance.pass(LATE_PATIENCE + A_WHILE);
+        Host.pause(LATE_PATIENCE + A_WHILE);
         resetWithoutHost();
 
         police.send("SUPP", "tell;last");
@@ -180,7 +180,7 @@ class PhasesTest {
         emulator.await("the first fragment", 1, fragments);
         nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
         emulator.await("the second fragment", 2, fragments);
-        nuisance.pass(A_WHILE * 2);
+        Host.pause(A_WHILE * 2);
         keepSupportBusy();
         emulator.await("the third fragment", 3, fragments);
         nuisance.makeNoise();
@@ -190,11 +190,10 @@ class PhasesTest {
 
     @Test
     void fragment_thatIsLostEachTime_isGivenUp() throws Exception {
-        nuisance.speed(SLOW);
         CompletableFuture<Outcome> lost = transmit("SUPP", LONG);
         next("rf-tx", "police", 0);
         nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
-        for (int known = 1; !lost.isDone(); nuisance.pass(A_MOMENT)) {
+        for (int known = 1; !lost.isDone(); Host.pause(A_MOMENT)) {
             List<TraceEvent> sent = emulator.trace().stream().filter(event -> event.name().equals("rf-tx")).toList();
             for (; known < sent.size(); known++) {
                 // The lost fragment comes next behind an answer, and once after an attempt that had none.
@@ -241,7 +240,7 @@ class PhasesTest {
         next("rf-tx", "police", sent);
         nuisance.jam(PART_OF_A_FRAGMENT, BEHIND);
         next("rf-tx", "police", sent + 1);
-        nuisance.pass(A_WHILE);
+        Host.pause(A_WHILE);
         nuisance.jam(UNTIL_IT_IS_ANSWERED, BEFORE);
         next("rf-tx", "support", answered);
         nuisance.send(next("rf-tx", "police", sent + 1).text("payload"));
@@ -255,7 +254,7 @@ class PhasesTest {
         CompletableFuture<Outcome> end = transmit("SUPP", "tell;carried");
         for (int sent = 0; sent < MOST_ATTEMPTS; sent++) {
             String packet = next("rf-tx", "police", sent).text("payload");
-            nuisance.pass(sent < LATE ? PATIENCE : LATE_PATIENCE);
+            Host.pause(sent < LATE ? PATIENCE : LATE_PATIENCE);
             nuisance.sendCopy(packet);
         }
         assertEquals(Outcome.UNDELIVERED, Host.get(end));
@@ -264,7 +263,6 @@ class PhasesTest {
 
     @Test
     void receiver_cutOffWhileItOwesAnAnswer_givesItsHostNothingTwice() throws Exception {
-        nuisance.speed(SLOW);
         for (String what : List.of(RESET, POWER_CUT)) {
             int before = count("host-taking", "support");
             transmit("SUPP", "tell;taken");
@@ -277,7 +275,7 @@ class PhasesTest {
             nuisance.send(sent.get(sent.size() - 1).text("payload"));
             nuisance.makeNoise();
             next("rf-tx", "injector", noises);
-            nuisance.pass(A_WHILE / 2);
+            Host.pause(A_WHILE / 2);
             cutSupport(what);
             next("rf-tx", "injector", noises + 1);
         }
@@ -286,6 +284,7 @@ class PhasesTest {
     }
 
     @Test
+    @Tag("verify")
     void receiver_cutOffBeforeItsHostHasTakenAMessage_handsItOverAgain() throws Exception {
         support.close();
         transmit("SUPP", "tell;unread");
@@ -301,7 +300,7 @@ class PhasesTest {
     }
 
     private void handOverToMutedHost(String content, int times) throws Exception {
-        try (Host muted = Host.patient(MutedLink.opener(emulator.port("support"), content))) {
+        try (Host muted = Host.over(MutedLink.opener(emulator.port("support"), content))) {
             muted.awaitOnline(1);
             Host.get(muted.board.radio(true));
             if (times == 1) {

@@ -14,6 +14,7 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -54,6 +55,7 @@ class ProMiniTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_isDeliveredBothWays() throws Exception {
         mini.send("ROMA", "tell;bright");
         assertMessage(mega.message(), "LAMP", "tell;bright");

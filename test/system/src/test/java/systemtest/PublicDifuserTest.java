@@ -7,6 +7,7 @@ import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 class PublicDifuserTest {
 
     @Test
+    @Tag("verify")
     void twoAgents_transmitAndAcknowledgeByRadio(@TempDir Path folder) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {

@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -67,6 +68,7 @@ class PublishedSketchesTest {
     }
 
     @Test
+    @Tag("verify")
     void functions_arePerceptsAndActions() throws Exception {
         run("PublishedBlink", List.of(), host -> {
             perceives(host, "lamp(off)");

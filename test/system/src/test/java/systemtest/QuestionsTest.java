@@ -14,6 +14,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 class QuestionsTest {
 
     @Test
+    @Tag("verify")
     void agentsAskEachOther_answersResumeWhoAskedAndNothingIsReadable(@TempDir Path folder) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {

@@ -1,29 +1,21 @@
 package systemtest;
 
-import static harness.Host.get;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import harness.Emulator;
-import harness.Host;
-import harness.InEmulatedTime;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import trace.TraceEvent;
 
-/** How often {@code loop()} turns, as the firmware's page says, and the example Stepper. */
-@InEmulatedTime
+/** How often {@code loop()} turns, as the firmware's page says. */
 class QuickLoopTest {
 
     private static final int EMULATED_SECONDS = 2;
@@ -31,9 +23,6 @@ class QuickLoopTest {
     private static final int TURNS = 16;
     /** The page's figures may be so far from those of a changed library. */
     private static final double TOLERANCE = 0.1;
-
-    private static final int STEPS = 3000;
-    private static final int STEPS_A_SECOND = 1500;
 
     @TempDir
     private Path folder;
@@ -67,25 +56,5 @@ class QuickLoopTest {
                 """.formatted(board, program)).stream().filter(event -> event.is("pin", "tested"))
                 .map(TraceEvent::seconds).filter(seconds -> seconds > 1).toList();
         return (edges.size() - 1) * TURNS / (edges.get(edges.size() - 1) - edges.get(0));
-    }
-
-    @Test
-    void stepper_turnsAtItsSpeedWhileItsAgentIsTold() throws Exception {
-        Map<String, Object> watched = Map.of("model", "uno", "watch", List.of(Map.of("pin", 3, "name", "step")));
-        try (Emulator emulator = new Emulator.Scenario().board("motor", "Stepper", watched).start(folder);
-                Host host = Host.of(emulator, "motor")) {
-            host.board.percepts(true);
-            get(host.board.act("turn(" + STEPS + ")"));
-            host.percepts(List.of("position(" + STEPS + ")")::equals);
-            Predicate<TraceEvent> step = event -> event.is("pin", "motor") && event.number("level") == 1;
-            // The percept may be here before the trace of the last steps.
-            emulator.await("the last step", STEPS, step);
-            List<Double> steps = emulator.trace().stream().filter(step).map(TraceEvent::seconds).toList();
-            assertEquals(STEPS, steps.size());
-            double aSecond = (STEPS - 1) / (steps.get(STEPS - 1) - steps.get(0));
-            assertEquals(STEPS_A_SECOND, aSecond, 0.05 * STEPS_A_SECOND);
-            get(host.board.act("turn(-" + STEPS + ")"));
-            host.percepts(List.of("position(0)")::equals);
-        }
     }
 }

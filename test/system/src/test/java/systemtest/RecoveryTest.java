@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -26,6 +27,7 @@ class RecoveryTest {
     }
 
     @Test
+    @Tag("verify")
     void unpluggedBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
         comesBack(folder, "unplug", "plug");
     }

@@ -38,7 +38,7 @@ class SealedFrameTest {
 
     @BeforeEach
     void recordSealedFrame(@TempDir Path folder) throws Exception {
-        emulator = new Emulator.Scenario().speed("max")
+        emulator = new Emulator.Scenario()
                 .board("police", "Station", Map.of("position", List.of(0, 0)))
                 .board("attacker", "Transmitter", Map.of("position", List.of(90, 0)))
                 .board("support", "Station", Map.of("position", List.of(180, 0)))
@@ -70,6 +70,7 @@ class SealedFrameTest {
     }
 
     @Test
+    @Tag("verify")
     void sameFrameAgain_isDroppedAndCounted() throws Exception {
         attacker.send(frame);
         attacker.send(frame);

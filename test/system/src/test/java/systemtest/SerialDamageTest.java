@@ -17,6 +17,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.regex.Pattern;
 import javino.JavinoException;
 import javino.board.SessionCounter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,6 +39,7 @@ class SerialDamageTest {
     }
 
     @Test
+    @Tag("verify")
     void requests_completeOrFailClearlyAndNoneIsPerformedTwice() throws Exception {
         try (SketchBoard board = start(folder)) {
             List<String> failures = new ArrayList<>();

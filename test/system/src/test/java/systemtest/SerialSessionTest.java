@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -36,7 +37,7 @@ class SerialSessionTest {
     /** Starts a board with some of the emulator's sensors. */
     SketchBoard start(String sketch, Path where, List<Map<String, Object>> sensors) throws Exception {
         String model = List.of("Counter", "OtherPort").contains(sketch) ? "mega" : "uno";
-        return new AvrBoard(new Emulator.Scenario().speed("0.3").board("board", sketch,
+        return new AvrBoard(new Emulator.Scenario().board("board", sketch,
                 Map.of("model", model, "sensors", sensors, "watch", List.of(AvrBoard.LAMP))).start(where), "board");
     }
 
@@ -112,6 +113,7 @@ class SerialSessionTest {
     }
 
     @Test
+    @Tag("verify")
     void boardThatWasReset_isGreetedAgainAndDoesWhatItIsAsked() throws Exception {
         blink((board, host) -> {
             host.board.percepts(true);

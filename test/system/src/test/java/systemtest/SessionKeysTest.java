@@ -25,6 +25,7 @@ import javino.protocol.Reply;
 import javino.protocol.Status;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -111,6 +112,7 @@ class SessionKeysTest {
     }
 
     @Test
+    @Tag("verify")
     void message_withoutAKey_isToldToTheHostAndDeliveredOnceBothHaveAKey() throws Exception {
         ExecutionException failed = assertThrows(ExecutionException.class,
                 () -> Host.await(police.board.transmit(SUPP, Content.parse("tell;x")).taken()));

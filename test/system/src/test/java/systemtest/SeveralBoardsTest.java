@@ -6,34 +6,30 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
+import harness.InEmulatedTime;
 import harness.Platform;
 import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
 
 /** Two agents of one MAS, in one Java virtual machine, each with a board of its own. */
+@InEmulatedTime
 class SeveralBoardsTest {
 
     private static final Map<String, Integer> HEADLIGHTS = Map.of("pin", 30);
 
-    @TempDir
-    private Path folder;
-
     @Test
-    void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards() throws Exception {
-        run(Platform.USUAL);
+    @Tag("verify")
+    void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards(@TempDir Path folder) throws Exception {
+        run(Platform.USUAL, folder);
     }
 
-    @JaCaMo.EachVersion
-    void twoAgentsOfOneMas_underJaCaMo_doTheSame(String version) throws Exception {
-        run(JaCaMo.platform(version));
-    }
-
-    private void run(Platform platform) throws Exception {
+    static void run(Platform platform, Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario()
                 .board("scout", "Vehicle", light(List.of(List.of(0, 100))))
                 .board("base", "Vehicle", light(List.of(List.of(0, 900), List.of(3, 900), List.of(3.00001, 950))))

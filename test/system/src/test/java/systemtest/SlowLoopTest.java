@@ -9,6 +9,7 @@ import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.List;
 import javino.board.SessionCounter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 class SlowLoopTest {
 
     @Test
+    @Tag("verify")
     void board_waitsInLoop_isWarnedOfAndNotLost(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("board", "SlowLoop").start(folder);
                 Host host = Host.of(emulator, "board")) {

@@ -8,6 +8,7 @@ import harness.InEmulatedTime;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -20,6 +21,7 @@ class SonarTest {
             Map.of("type", "hc-sr04", "trigger", 22, "echo", 2, "distance", List.of(List.of(0, 300)))));
 
     @Test
+    @Tag("verify")
     void resetInTheMiddleOfAnEcho_makesNoObstacle(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("car", "Vehicle", WALL_AT_300_CM).start(folder)) {
             for (int reset = 0; reset < RESETS; reset++) {

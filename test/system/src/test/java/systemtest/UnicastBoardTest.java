@@ -17,6 +17,7 @@ import javino.protocol.Counter;
 import javino.protocol.Key;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -40,6 +41,7 @@ class UnicastBoardTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_isDeliveredBothWays() throws Exception {
         uno.send("ROMA", "tell;there");
         assertEquals("tell;there", mega.message().content().toString());

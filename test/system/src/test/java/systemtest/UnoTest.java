@@ -16,6 +16,7 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -58,6 +59,7 @@ class UnoTest {
     }
 
     @Test
+    @Tag("verify")
     void unicast_isDeliveredBothWays() throws Exception {
         uno.send("ROMA", "tell;bright");
         assertMessage(mega.message(), "LAMP", "ROMA", "tell;bright");
@@ -83,7 +85,7 @@ class UnoTest {
         emulator.command(Map.of("do", "power-cut", "board", "mega", "duration", 0.2));
         mega.awaitOnline(2);
         get(mega.board.radio(true));
-        new Nuisance(emulator, List.of()).pass(LONG_UP_SECONDS);
+        Host.pause(LONG_UP_SECONDS);
 
         uno.send("ROMA", "tell;after");
 

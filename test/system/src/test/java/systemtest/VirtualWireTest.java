@@ -49,7 +49,7 @@ class VirtualWireTest {
     void trailers_disturbNoVirtualWireReceiver(@TempDir Path folder) throws Exception {
         Random random = new Random(5);
         try (Emulator emulator = new Emulator.Scenario().board("other", "Transmitter").board("plain", "SampledModem")
-                .speed("max").start(folder);
+                .start(folder);
                 Transmitter other = Transmitter.of(emulator, "other");
                 Link plain = Host.link(emulator.port("plain")).open()) {
             for (int i = 1; i <= 40; i++) {
@@ -78,6 +78,7 @@ class VirtualWireTest {
     }
 
     @Test
+    @Tag("verify")
     void handMadePacket_isHeard(@TempDir Path folder) throws Exception {
         try (Emulator emulator =
                 new Emulator.Scenario().board("other", "Transmitter").board("police", "Station").start(folder);

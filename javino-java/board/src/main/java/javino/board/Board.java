@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import javino.link.LinkOpener;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -283,6 +284,11 @@ public final class Board implements AutoCloseable {
      */
     public CompletableFuture<BoardInfo> greeted() {
         return session.greeted().copy();
+    }
+
+    /** In which the session lives. */
+    public Time time() {
+        return context.time();
     }
 
     /** The state of the session. */

@@ -75,18 +75,19 @@ final class Perception {
      *         by then: it tells only what differs from its last reading, which the listener has no more.
      */
     boolean update() {
+        // Who comes after this look waits for the next one: percepts may be wanted again while their end is told.
+        List<Reading> before = List.copyOf(waiting);
         if (wanted) {
             Duration due = dueIn();
-            List<Reading> inVain = waiting.stream().filter(reading -> reading.within().compareTo(due) < 0).toList();
-            waiting.removeAll(inVain);
-            inVain.forEach(reading -> reading.taken().complete(null));
+            release(before.stream().filter(reading -> reading.within().compareTo(due) < 0).toList());
             return true;
         }
         if (percepts != null) {
             percepts = null;
             tell(List.of());
         }
-        end();
+        release(before);
+        release(underWay);
         return false;
     }
 
@@ -125,19 +126,20 @@ final class Perception {
         }
         told = time.nanos();
         if (!late) {
-            release();
+            release(underWay);
         }
     }
 
     /** There will be none: nobody waits any more. */
     void end() {
         asked();
-        release();
+        release(underWay);
     }
 
-    private void release() {
-        underWay.forEach(reading -> reading.taken().complete(null));
-        underWay.clear();
+    private void release(List<Reading> ended) {
+        ended.forEach(reading -> reading.taken().complete(null));
+        waiting.removeAll(ended);
+        underWay.removeAll(List.copyOf(ended));
     }
 
     private void tell(List<Bytes> literals) {

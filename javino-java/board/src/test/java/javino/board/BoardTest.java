@@ -622,9 +622,10 @@ class BoardTest extends BoardFixture {
         assertEquals(List.of(), listener.rest());
     }
 
-    /** Wanted again before the board is told that they were not. */
-    @Test
-    void percepts_wantedAgainWhileTheirEndIsTold_areToldAnew() throws Exception {
+    /** Wanted again before the board is told that they were not: so do plans that block and open them at once. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void percepts_wantedAgainWhileTheirEndIsTold_areToldAnewAndWaitedFor(boolean awaited) throws Exception {
         fake.perceive("dark");
         CountDownLatch online = new CountDownLatch(1);
         open(new BoardListener() {
@@ -638,6 +639,9 @@ class BoardTest extends BoardFixture {
                 listener.percepts(literals);
                 if (literals.isEmpty()) {
                     board.percepts(true);
+                    if (awaited) {
+                        board.reading(HOUR).thenRun(() -> listener.note("read"));
+                    }
                 }
             }
         });
@@ -648,6 +652,9 @@ class BoardTest extends BoardFixture {
             board.percepts(false);
             assertEquals("percepts []", listener.next());
             assertEquals("percepts [dark]", listener.next());
+            if (awaited) {
+                assertEquals("read", listener.next());
+            }
         }
     }
 

@@ -57,7 +57,7 @@ final class ActCommand implements Callable<Integer> {
 
     private static void act(Board board, String action) throws JavinoException, InterruptedException {
         try {
-            Await.result(board.act(action));
+            Await.result(board, board.act(action));
         } catch (RequestFailedException e) {
             if (e.status() != Status.UNKNOWN_ACTION) {
                 throw e;

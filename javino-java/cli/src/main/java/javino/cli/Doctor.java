@@ -77,19 +77,19 @@ final class Doctor {
         Told told = new Told();
         try (Board board = Board.open(link, port.config(), told)) {
             if (isReached(board, link)) {
-                BoardInfo info = Await.result(board.greeted());
+                BoardInfo info = Await.result(board, board.greeted());
                 report.ifPresent(wanted -> wanted.board(info));
                 TrafficCheck traffic = new TrafficCheck(board, findings);
                 // Most boards have booted just now, and not called the sketch's function yet.
                 board.percepts(true);
-                Await.result(board.reading(READING));
+                Await.result(board, board.reading(READING));
                 if (!info.hasRadio()) {
-                    Thread.sleep(Math.min(listen.toMillis(), LOOK_MILLIS));
+                    Await.pause(board, Math.min(listen.toMillis(), LOOK_MILLIS));
                     traffic.examine();
                 } else {
                     EepromCheck eeprom = new EepromCheck(port.name(), findings);
                     eeprom.examineId(info, id);
-                    eeprom.examineKeys(Await.result(board.keys()), keys, id);
+                    eeprom.examineKeys(Await.result(board, board.keys()), keys, id);
                     eeprom.examineNonces(info, noted, id);
                     traffic.examine(listen);
                 }
@@ -98,7 +98,7 @@ final class Doctor {
                     findings.trouble("timer", told.timer);
                 }
                 if (report.isPresent()) {
-                    report.get().counters(Await.result(board.statistics()), board.counters());
+                    report.get().counters(Await.result(board, board.statistics()), board.counters());
                 }
                 if (!info.hasRadio() && id != null) {
                     findings.trouble("RF id", "none; " + Status.NO_RADIO.explanation());
@@ -127,7 +127,7 @@ final class Doctor {
 
     private boolean isReached(Board board, Watched link) throws InterruptedException {
         try {
-            BoardInfo info = Await.result(board.greeted());
+            BoardInfo info = Await.result(board, board.greeted());
             examinePort();
             port.takers().running().ifPresent(found -> findings.ok("programs", found));
             findings.ok("board", info.firmware());

@@ -60,7 +60,7 @@ final class ForgetCommand implements Callable<Integer> {
     public Integer call() throws JavinoException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
-            List<Address> held = Await.result(board.keys()).stream().map(StoredKey::address).distinct().toList();
+            List<Address> held = Await.result(board, board.keys()).stream().map(StoredKey::address).distinct().toList();
             forget(board, which.all ? held : which.held(held), out);
         }
         return 0;
@@ -69,7 +69,7 @@ final class ForgetCommand implements Callable<Integer> {
     private static void forget(Board board, List<Address> addresses, PrintWriter out)
             throws JavinoException, InterruptedException {
         for (Address address : addresses) {
-            Await.result(board.deleteKey(address));
+            Await.result(board, board.deleteKey(address));
             out.println("key for " + address + " forgotten");
         }
         if (addresses.isEmpty()) {

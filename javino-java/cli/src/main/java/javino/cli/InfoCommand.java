@@ -57,13 +57,13 @@ final class InfoCommand implements Callable<Integer> {
     private void show() throws JavinoException, IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
-            BoardInfo info = Await.result(board.greeted());
+            BoardInfo info = Await.result(board, board.greeted());
             boolean hasKeys = info.hasRadio() || info.isLegacy();
-            List<Reply.StoredKey> keys = hasKeys ? Await.result(board.keys()) : List.of();
+            List<Reply.StoredKey> keys = hasKeys ? Await.result(board, board.keys()) : List.of();
             print(info, keys, out);
             LostState.ofFloors(keys).ifPresent(what -> out.println(line("floors", what)));
             if (seconds == null) {
-                Await.result(board.statistics()).forEach((counter, value) -> out.println(line(counter, value)));
+                Await.result(board, board.statistics()).forEach((counter, value) -> out.println(line(counter, value)));
             } else {
                 UntilInterrupted.listen(board, () -> count(board, info, out));
             }
@@ -71,9 +71,9 @@ final class InfoCommand implements Callable<Integer> {
     }
 
     private void count(Board board, BoardInfo before, PrintWriter out) throws JavinoException, InterruptedException {
-        Map<Counter, Long> counted = Await.result(board.statistics());
-        TimeUnit.SECONDS.sleep(seconds);
-        Map<Counter, Long> counters = Await.result(board.statistics());
+        Map<Counter, Long> counted = Await.result(board, board.statistics());
+        Await.pause(board, TimeUnit.SECONDS.toMillis(seconds));
+        Map<Counter, Long> counters = Await.result(board, board.statistics());
         if (board.info().orElseThrow().bootEpoch() != before.bootEpoch()) {
             throw new JavinoException(port.name() + ": the board has booted meanwhile, and counts from 0; try again");
         }

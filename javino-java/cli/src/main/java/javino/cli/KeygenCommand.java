@@ -12,6 +12,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.JavinoException;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Key;
 import picocli.CommandLine.ArgGroup;
@@ -47,6 +48,13 @@ final class KeygenCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    private final Time time;
+
+    /** @param time gives the random numbers. */
+    KeygenCommand(Time time) {
+        this.time = time;
+    }
+
     /** The file to write; one of the two is set. */
     private static final class Which {
 
@@ -73,7 +81,7 @@ final class KeygenCommand implements Callable<Integer> {
             throw wrongUsage(ids.isEmpty() ? "Name at least one --pair or --group" : "--id is for --renew");
         }
         Keyring keyring = new Keyring();
-        SecureRandom random = new SecureRandom();
+        SecureRandom random = time.secureRandom();
         try {
             named().forEach(members -> keyring.add(members, Key.random(random)));
         } catch (IllegalArgumentException e) {
@@ -87,7 +95,7 @@ final class KeygenCommand implements Callable<Integer> {
     private void renew() throws IOException, JavinoException, InterruptedException {
         Keyring before = Keyring.read(which.renew);
         Set<Keyring.Members> chosen = chosen(before);
-        SecureRandom random = new SecureRandom();
+        SecureRandom random = time.secureRandom();
         Keyring.change(which.renew, keyring -> chosen.forEach(members -> keyring.renew(members, Key.random(random))));
         spec.commandLine().getOut().println("new keys for " + names(chosen) + " in " + which.renew
                 + "; now javino provision on each board, three times");

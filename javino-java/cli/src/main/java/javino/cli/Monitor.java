@@ -10,6 +10,7 @@ import javino.Printable;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.board.SketchTimes;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
@@ -30,15 +31,18 @@ final class Monitor implements BoardListener {
 
     private final PrintWriter out;
     private final Ansi ansi;
-    private final long start = System.nanoTime();
+    private final Time time;
+    private final long start;
     private final PerceptChanges changes = new PerceptChanges();
     private Map<Counter, Long> counted = Map.of();
     private boolean wasOnline;
 
     /** @param ansi whether the lines are coloured. */
-    Monitor(PrintWriter out, Ansi ansi) {
+    Monitor(PrintWriter out, Ansi ansi, Time time) {
         this.out = out;
         this.ansi = ansi;
+        this.time = time;
+        start = time.nanos();
     }
 
     @Override
@@ -100,7 +104,7 @@ final class Monitor implements BoardListener {
     }
 
     private void line(Style colour, String kind, String what) {
-        String when = String.format(Locale.ROOT, "%8.3f s  ", (System.nanoTime() - start) / NANOS_A_SECOND);
+        String when = String.format(Locale.ROOT, "%8.3f s  ", (time.nanos() - start) / NANOS_A_SECOND);
         String text = String.format("%-8s  %s", kind, Printable.of(what));
         boolean coloured = ansi.enabled() && colour != Style.reset;
         out.println(when + (coloured ? colour.on() + text + Style.reset.on() : text));

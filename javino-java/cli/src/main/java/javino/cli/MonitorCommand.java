@@ -36,13 +36,13 @@ final class MonitorCommand implements Callable<Integer> {
 
     private void watch() throws JavinoException, IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
-        Monitor monitor = new Monitor(out, spec.commandLine().getColorScheme().ansi());
+        Monitor monitor = new Monitor(out, spec.commandLine().getColorScheme().ansi(), port.config().time());
         try (Board board = port.open(monitor)) {
             board.percepts(true);
             UntilInterrupted.listen(board, () -> {
                 while (!out.checkError()) {
                     count(board, monitor);
-                    Thread.sleep(COUNT_INTERVAL_MILLIS);
+                    Await.pause(board, COUNT_INTERVAL_MILLIS);
                 }
             });
         }
@@ -50,7 +50,7 @@ final class MonitorCommand implements Callable<Integer> {
 
     private static void count(Board board, Monitor monitor) throws JavinoException, InterruptedException {
         try {
-            monitor.count(Await.result(board.statistics()));
+            monitor.count(Await.result(board, board.statistics()));
         } catch (BoardOfflineException | OutcomeUnknownException e) {
             // The monitor was told why, and the session looks for the board, but for one that it cannot talk to.
             if (board.state() == BoardState.INCOMPATIBLE) {

@@ -1,16 +1,17 @@
 package javino.cli;
 
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardState;
 import javino.board.RequestFailedException;
+import javino.link.Time;
 import javino.protocol.Status;
 
 /** Has a board overhear all packets on the air. */
 public final class Overhearing {
 
-    private static final int SECONDS_TO_END = 1;
+    private static final Duration TO_END = Duration.ofSeconds(1);
 
     private Overhearing() {
     }
@@ -23,7 +24,7 @@ public final class Overhearing {
      */
     public static void begin(Board board, String port) throws JavinoException, InterruptedException {
         try {
-            Await.result(board.overhear(true));
+            Await.result(board, board.overhear(true));
         } catch (RequestFailedException e) {
             throw e.status() == Status.UNKNOWN_COMMAND
                     ? new JavinoException(port + ": this board cannot overhear: flash a current sketch on a Mega", e)
@@ -34,8 +35,8 @@ public final class Overhearing {
     /** Ends, if the board is there to be told. */
     public static void end(Board board) {
         if (board.state() == BoardState.ONLINE) {
-            board.overhear(false).completeOnTimeout(null, SECONDS_TO_END, TimeUnit.SECONDS)
-                    .exceptionally(gone -> null).join();
+            Time time = board.time();
+            time.join(time.completeOnTimeout(board.overhear(false), null, TO_END).exceptionally(gone -> null));
         }
     }
 }

@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
 import javino.Printable;
 import javino.board.Board;
@@ -42,7 +41,7 @@ final class PerceptsCommand implements Callable<Integer> {
         } else {
             Once percepts = new Once();
             try (Board board = port.open(percepts)) {
-                print(Await.result(percepts.of(board)));
+                print(percepts.of(board));
             }
         }
         return 0;
@@ -53,7 +52,7 @@ final class PerceptsCommand implements Callable<Integer> {
         try (Board board = port.open(follower)) {
             board.percepts(true);
             while (board.state() != BoardState.INCOMPATIBLE && !out().checkError()) {
-                Thread.sleep(CHECK_MILLIS);
+                Await.pause(board, CHECK_MILLIS);
             }
         }
         if (follower.lost != null) {
@@ -78,12 +77,14 @@ final class PerceptsCommand implements Callable<Integer> {
 
         private final CompletableFuture<List<String>> first = new CompletableFuture<>();
 
-        CompletableFuture<List<String>> of(Board board) {
-            CompletableFuture.delayedExecutor(port.config().patience().toMillis(), TimeUnit.MILLISECONDS)
-                    .execute(() -> first.completeExceptionally(
-                            new JavinoException(port.name() + ": the board does not tell its percepts")));
+        List<String> of(Board board) throws JavinoException, InterruptedException {
             board.percepts(true);
-            return first;
+            List<String> literals = Await.result(board,
+                    board.time().completeOnTimeout(first, null, port.config().patience()));
+            if (literals == null) {
+                throw new JavinoException(port.name() + ": the board does not tell its percepts");
+            }
+            return literals;
         }
 
         @Override

@@ -2,8 +2,10 @@ package javino.cli;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javino.JavinoException;
 import javino.board.Board;
@@ -51,22 +53,19 @@ final class PortOption {
 
     /** A factory as {@link #factory(Function, BoardConfig)}, for commands by another clock. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, BoundedClock clock) {
-        CommandLine.IFactory rest = factory(links, config.with(config.notes(), clock));
-        return new CommandLine.IFactory() {
-            @Override
-            public <K> K create(Class<K> type) throws Exception {
-                return type == ClockOption.class ? type.cast(new ClockOption(clock, config.time())) : rest.create(type);
-            }
-        };
+        return factory(links, config.with(config.notes(), clock));
     }
 
     /** A factory as {@link #factory(Function, BoardConfig)}, with another folder than the root. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, Path system) {
         CommandLine.IFactory rest = CommandLine.defaultFactory();
+        Map<Class<?>, Supplier<?>> made = Map.of(PortOption.class, () -> new PortOption(links, config, system),
+                ClockOption.class, () -> new ClockOption(config.clock(), config.time()),
+                KeygenCommand.class, () -> new KeygenCommand(config.time()));
         return new CommandLine.IFactory() {
             @Override
             public <K> K create(Class<K> type) throws Exception {
-                return type == PortOption.class ? type.cast(new PortOption(links, config, system)) : rest.create(type);
+                return made.containsKey(type) ? type.cast(made.get(type).get()) : rest.create(type);
             }
         };
     }
@@ -117,7 +116,7 @@ final class PortOption {
     /** The same board once it was greeted; closed if that fails. */
     private Board greeted(Board board) throws JavinoException, InterruptedException {
         try {
-            Await.result(board.greeted(), config.time());
+            Await.result(board, board.greeted());
             return board;
         } catch (JavinoException | InterruptedException e) {
             board.close();

@@ -68,7 +68,7 @@ final class ProvisionCommand implements Callable<Integer> {
             }
         };
         try (Board board = port.open(Optional.ofNullable(keyring), right, losses)) {
-            new Provisioning(board, right, port.config().time(), port.name(), id, keyring, out).run(keys);
+            new Provisioning(board, right, port.name(), id, keyring, out).run(keys);
         }
         return 0;
     }

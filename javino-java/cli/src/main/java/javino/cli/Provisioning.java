@@ -20,7 +20,6 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.LostState;
 import javino.board.RequestFailedException;
-import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -34,11 +33,10 @@ import javino.protocol.Status;
  */
 final class Provisioning {
 
-    private static final Duration BUSY_PAUSE = Duration.ofMillis(100);
+    private static final int BUSY_PAUSE_MILLIS = 100;
 
     private final Board board;
     private final BoundedClock clock;
-    private final Time time;
     private final String port;
     private final Address id;
     private final Path file;
@@ -50,15 +48,13 @@ final class Provisioning {
     /**
      * @param port  for error lines.
      * @param clock as the board's session has it.
-     * @param time  that of the session.
      * @param id   the address that the board is to have.
      * @param file the keyring; null where there is none.
      * @param out  told a line for each thing that was done; never a key.
      */
-    Provisioning(Board board, BoundedClock clock, Time time, String port, Address id, Path file, PrintWriter out) {
+    Provisioning(Board board, BoundedClock clock, String port, Address id, Path file, PrintWriter out) {
         this.board = board;
         this.clock = clock;
-        this.time = time;
         this.port = port;
         this.id = id;
         this.file = file;
@@ -265,22 +261,22 @@ final class Provisioning {
     }
 
     private void use(Address with) throws JavinoException, InterruptedException {
-        long end = time.nanos() + patience.toNanos();
+        long end = board.time().nanos() + patience.toNanos();
         while (true) {
             try {
                 result(board.useKey(with));
                 return;
             } catch (RequestFailedException e) {
-                if (e.status() != Status.BUSY || time.nanos() > end) {
+                if (e.status() != Status.BUSY || board.time().nanos() > end) {
                     throw e;
                 }
-                time.pause(BUSY_PAUSE.toNanos());
+                Await.pause(board, BUSY_PAUSE_MILLIS);
             }
         }
     }
 
     private <T> T result(CompletableFuture<T> answer) throws JavinoException, InterruptedException {
-        return Await.result(answer, time);
+        return Await.result(board, answer);
     }
 
     private void done(String line) {

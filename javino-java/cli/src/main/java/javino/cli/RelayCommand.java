@@ -34,7 +34,7 @@ final class RelayCommand implements Callable<Integer> {
     @Override
     public Integer call() throws JavinoException, InterruptedException {
         try (Board board = port.open()) {
-            boolean relays = Await.result(wish == null ? board.isRelaying() : board.relaying(wish == Wish.on));
+            boolean relays = Await.result(board, wish == null ? board.isRelaying() : board.relaying(wish == Wish.on));
             spec.commandLine().getOut().println(relays ? "on" : "off");
         } catch (RequestFailedException e) {
             if (e.status() != Status.UNKNOWN_COMMAND) {

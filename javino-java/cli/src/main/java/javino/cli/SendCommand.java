@@ -67,7 +67,7 @@ final class SendCommand implements Callable<Integer> {
         SilenceCheck check = new SilenceCheck(to);
         try (Board board = port.open(check)) {
             check.begin(board);
-            Outcome outcome = Await.result(board.transmit(to, content).end());
+            Outcome outcome = Await.result(board, board.transmit(to, content).end());
             spec.commandLine().getOut().println(outcome.toString().toLowerCase(Locale.ROOT));
             if (outcome == Outcome.UNDELIVERED) {
                 spec.commandLine().getErr().println("javino: " + check.end(board) + "; the message may have arrived: "

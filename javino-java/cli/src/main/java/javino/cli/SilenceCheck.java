@@ -51,8 +51,8 @@ final class SilenceCheck implements BoardListener {
         if (to.kind() != Address.Kind.DEVICE) {
             return;
         }
-        before = Await.result(board.statistics());
-        overhears = board.overhear(true).handle((begun, failure) -> failure == null).join();
+        before = Await.result(board, board.statistics());
+        overhears = board.time().join(board.overhear(true).handle((begun, failure) -> failure == null));
     }
 
     /** The known facts about a silence. */
@@ -61,7 +61,7 @@ final class SilenceCheck implements BoardListener {
             return loss;
         }
         try {
-            return describe(Await.result(board.statistics()));
+            return describe(Await.result(board, board.statistics()));
         } catch (JavinoException e) {
             return e.getMessage();
         }

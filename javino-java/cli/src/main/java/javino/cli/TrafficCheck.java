@@ -46,7 +46,7 @@ final class TrafficCheck {
 
     /** Examines a board without a radio. */
     void examine() throws JavinoException, InterruptedException {
-        Map<Counter, Long> counters = Await.result(board.statistics());
+        Map<Counter, Long> counters = Await.result(board, board.statistics());
         boolean lasts = examineSketch(counters, false);
         examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L), lasts);
         findings.ok("radio", "none");
@@ -55,11 +55,11 @@ final class TrafficCheck {
     /** The counters once a radio packet was received undamaged, or when the time is over. */
     private Map<Counter, Long> listen(Duration longest)
             throws JavinoException, InterruptedException {
-        long end = System.nanoTime() + longest.toNanos();
-        Map<Counter, Long> counters = Await.result(board.statistics());
-        while (counters.getOrDefault(Counter.RADIO_RECEIVED, 0L) == 0 && System.nanoTime() < end) {
-            Thread.sleep(ASK_INTERVAL_MILLIS);
-            counters = Await.result(board.statistics());
+        long end = board.time().nanos() + longest.toNanos();
+        Map<Counter, Long> counters = Await.result(board, board.statistics());
+        while (counters.getOrDefault(Counter.RADIO_RECEIVED, 0L) == 0 && board.time().nanos() < end) {
+            Await.pause(board, ASK_INTERVAL_MILLIS);
+            counters = Await.result(board, board.statistics());
         }
         return counters;
     }

@@ -50,7 +50,7 @@ public final class UntilInterrupted {
             return;
         }
         try {
-            Await.result(board.radio(true));
+            Await.result(board, board.radio(true));
             work.run();
         } finally {
             blockRadio(board);
@@ -60,7 +60,7 @@ public final class UntilInterrupted {
     private static void blockRadio(Board board) throws InterruptedException {
         try {
             if (board.state() == BoardState.ONLINE) {
-                Await.result(board.radio(false));
+                Await.result(board, board.radio(false));
             }
         } catch (JavinoException e) {
             // The board went at the same time.

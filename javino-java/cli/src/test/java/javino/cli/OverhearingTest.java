@@ -19,7 +19,7 @@ class OverhearingTest {
     void begin_boardWithoutRadio_saysSo() throws Exception {
         FakeBoard fake = new FakeBoard().setCapabilities(Capability.SAYS_TAKEN);
         try (Board board = Board.open(fake.port, BoardConfig.create(), new BoardListener() {})) {
-            Await.result(board.greeted());
+            Await.result(board, board.greeted());
             assertEquals("overhear failed: NO_RADIO, the board has no radio; for one, its sketch makes a "
                     + "JavinoRadioBoard",
                     assertThrows(RequestFailedException.class,

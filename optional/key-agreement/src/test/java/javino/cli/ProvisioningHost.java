@@ -28,7 +28,8 @@ public final class ProvisioningHost {
 
     /** Makes new keys for a device, unless others are not finished yet. */
     public static String renew(Path keyring, Address id) {
-        return run(new CommandLine(KeygenCommand.class), "--renew", keyring.toString(), "--id", id.toString());
+        return run(new CommandLine(KeygenCommand.class, PortOption.factory(name -> null, BoardConfig.create())),
+                "--renew", keyring.toString(), "--id", id.toString());
     }
 
     private static String run(CommandLine command, String... options) {

@@ -110,8 +110,8 @@ final class MoveSizes {
     private Moment plain(Field field) throws InterruptedException {
         Field.Post from = field.cell(0).get(0);
         Field.Post to = field.cell(0).get(1);
-        try (Host sender = Host.patient(field.emulator(), from.name());
-                Host receiver = Host.patient(field.emulator(), to.name())) {
+        try (Host sender = Host.of(field.emulator(), from.name());
+                Host receiver = Host.of(field.emulator(), to.name())) {
             sender.as(from.address().toString(), Map.of(to.address().toString(), TestKeys.PAIR));
             receiver.as(to.address().toString(), Map.of(from.address().toString(), TestKeys.PAIR));
             Moment begun = now(field.cell(0));

@@ -8,8 +8,11 @@ import harness.Report;
 import harness.Results;
 import harness.Table;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -52,6 +55,28 @@ class ReportTest {
         assertEquals(PAGE.replace("`one`", "`one -Pseed=2`").replace("**1**", "**3**"), Files.readString(page));
         new Results(root).write("two", "`two`", "- b: **4**", "more");
         assertTrue(Files.readString(page).endsWith("## two\n\n`two`\n\n- b: **4**\n"));
+    }
+
+    @Test
+    void write_inAClone_namesTheCommitAndWhetherFilesHaveChanged() throws Exception {
+        Path code = Files.writeString(root.resolve("code"), "1");
+        git("init");
+        git("add", ".");
+        git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "-m", "first");
+        new Results(root).write("one", "`one`", "- a: **3**", "more");
+        new Results(root).write("one", "`one`", "- a: **3**", "more");
+        assertTrue(Files.readString(page).matches("(?s).*\n`one` \\([0-9a-f]{8}\\)\n.*"), Files.readString(page));
+        Files.writeString(code, "2");
+        new Results(root).write("one", "`one`", "- a: **3**", "more");
+        assertTrue(Files.readString(page).matches("(?s).*\n`one` \\([0-9a-f]{8}, changed\\)\n.*"));
+    }
+
+    private void git(String... arguments) throws Exception {
+        List<String> command = new ArrayList<>(List.of("git", "-C", root.toString()));
+        command.addAll(List.of(arguments));
+        Process git = new ProcessBuilder(command).redirectErrorStream(true).start();
+        String said = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, git.waitFor(), said);
     }
 
     @Test

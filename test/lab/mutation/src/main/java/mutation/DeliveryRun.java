@@ -161,7 +161,7 @@ final class DeliveryRun {
             IDS.stream().filter(other -> !other.equals(id)).forEach(other -> keys.put(other, TestKeys.PAIR));
             keys.put(ABSENT, TestKeys.PAIR);
             keys.put(GROUP, TestKeys.GROUP);
-            talkers.add(new Talker(id, Host.patient(emulator, id).as(id, keys)));
+            talkers.add(new Talker(id, Host.of(emulator, id).as(id, keys)));
         }
         if (apart != 0) {
             Host.get(talkers.get(1).host.board.relaying(true));

@@ -7,7 +7,6 @@ import diffuser.Diffuser;
 import diffuser.TimeSource;
 import diffuser.report.Failure;
 
-import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
@@ -48,15 +47,6 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
     @Override
     public Time time() {
         return simulation;
-    }
-
-    /** Its agent gets a clock and a die before it reads its program. */
-    @Override
-    public void setTS(TransitionSystem ts) {
-        super.setTS(ts);
-        if (ts != null && ts.getAg() != null) {
-            EmulatedActions.give(ts.getAg(), simulation);
-        }
     }
 
     /** Begins to reason. */

@@ -117,7 +117,6 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
         Field scheduler = Agent.class.getDeclaredField("scheduler");
         scheduler.setAccessible(true);
         scheduler.set(null, new EmulatedScheduler(simulation));
-        EmulatedActions.replaceFunctions(simulation);
         Clock.set(simulation);
         RuntimeServicesFactory.set(new Services());
         parse(program);

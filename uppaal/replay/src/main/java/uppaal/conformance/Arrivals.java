@@ -8,8 +8,13 @@ import trace.TraceEvent;
 
 /** The packets that have come to each board, and those that a point may be about. */
 final class Arrivals {
-    /** By board and number, what it may not have read yet, and the last. Of two at once either may end first. */
+    /**
+     * By board and number, what it may not have read yet, and the last. Of two at once either may end first. A board
+     * without trace points reads nothing, so that it has the latest alone.
+     */
     private final Map<String, TreeMap<Integer, Reception>> all = new HashMap<>();
+    /** By board, when packets have begun to overlap there last, in seconds. */
+    private final Map<String, Double> overlapped = new HashMap<>();
     private final Header header;
     private final double arrival;
 
@@ -22,14 +27,27 @@ final class Arrivals {
         return all.computeIfAbsent(board, added -> new TreeMap<>());
     }
 
-    Reception add(TraceEvent event, Transmission packet) throws RefusedException {
+    void overlap(TraceEvent collision) {
+        overlapped.put(collision.board(), collision.seconds());
+    }
+
+    /** Whether no other packet has overlapped with one that the trace tells now to have come. */
+    boolean isAlone(TraceEvent came) {
+        return overlapped.getOrDefault(came.board(), Double.NEGATIVE_INFINITY) < came.real("start") - arrival;
+    }
+
+    /** @param isAlone else its board may find wrong bits in what is intact by the trace, and mend them */
+    Reception add(TraceEvent event, Transmission packet, boolean isAlone) throws RefusedException {
         TreeMap<Integer, Reception> here = at(event.board());
-        boolean isAtOnce = event.is("rf-rx") && !packet.isOfModule();
+        boolean isAtOnce = event.is("rf-rx") && isAlone && !packet.isOfModule();
         double readBy = event.seconds() + (isAtOnce ? arrival : header.longest());
         Reception reception = new Reception(event, packet,
                 Math.max(here.isEmpty() ? 0 : here.lastEntry().getValue().readBy(), readBy));
         RefusedException.require(here.put(packet.number(), reception) == null,
                 event.board() + " hears " + packet + " twice", "once");
+        if (here.size() > BoundedMap.MOST) {
+            here.pollFirstEntry();
+        }
         return reception;
     }
 

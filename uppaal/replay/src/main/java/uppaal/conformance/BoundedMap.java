@@ -6,7 +6,7 @@ import java.util.Map;
 /** A map that forgets what was put in longest ago when it is full, so that hours of traffic do not fill the memory. */
 final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
     private static final long serialVersionUID = 1L;
-    private static final int MOST = 1024;
+    static final int MOST = 1024;
     private final int most;
 
     BoundedMap() {

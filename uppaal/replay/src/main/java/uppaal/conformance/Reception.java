@@ -5,8 +5,8 @@ import trace.TraceEvent;
 /**
  * A packet that comes to a board, perhaps damaged.
  *
- * @param readBy the board has read it in the first run() behind this, in seconds; what is damaged, and what a module
- *     hands on late, may take longer, and what comes behind that waits
+ * @param readBy the board has read it in the first run() behind this, in seconds; what is damaged, what others overlap,
+ *     and what a module hands on late, may take longer, and what comes behind that waits
  */
 record Reception(TraceEvent event, Transmission packet, double readBy) {
 

@@ -4,9 +4,12 @@ import static uppaal.conformance.RefusedException.require;
 
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Counter;
@@ -46,6 +49,8 @@ final class Relay {
     private Point before;
     /** When its last packet ended. */
     private double sentUntil;
+    /** By packet, the paths with which it has come, damaged or not. */
+    private final Map<Payload, Set<Integer>> paths = new BoundedMap<>();
     /** The numbers of origins of which it has surely read a packet. */
     private final Set<Integer> read = new HashSet<>();
 
@@ -162,14 +167,21 @@ final class Relay {
         }
     }
 
-    private Transmission came(Point point, Predicate<Payload> wanted) throws RefusedException {
-        return point.packets().stream().map(Reception::packet).filter(packet -> wanted.test(packet.payload()))
-                .reduce((first, last) -> last)
+    /**
+     * What has come of a packet, as the trace tells it. A board that mends a damaged copy may take it for one that has
+     * come before (SPEC 6), and so for one of that path: this may be what came, too.
+     */
+    private List<Transmission> came(Point point, Predicate<Payload> wanted) throws RefusedException {
+        Reception last = point.packets().stream().filter(each -> wanted.test(each.packet().payload()))
+                .reduce((first, other) -> other)
                 .orElseThrow(() -> new RefusedException(point.toString(), "that the packet has come to it"));
+        Transmission packet = last.packet();
+        Set<Integer> before = last.isIntact() ? Set.of() : paths.getOrDefault(packet.payload(), Set.of());
+        return Stream.concat(Stream.of(packet), before.stream().map(packet::of)).toList();
     }
 
     private void take(Point point, RelayedPacket place, Predicate<Payload> wanted) throws RefusedException {
-        place.take(point, came(point, wanted), score(place.packet.destination()), Map.of());
+        place.take(point, came(point, wanted), score(place.packet.destination()));
     }
 
     private static int number(String address) {
@@ -183,6 +195,7 @@ final class Relay {
     /** A packet has come, perhaps damaged, and tells how far its origin may be. */
     void heard(Transmission packet) {
         String origin = packet.payload().origin();
+        paths.computeIfAbsent(packet.payload(), added -> new TreeSet<>()).add(packet.path());
         if (!origin.isEmpty() && !origin.equals(id)) {
             hops.merge(number(origin), 1 << packet.hops(), (some, more) -> some | more);
             scores.put(number(origin), score(origin));
@@ -200,7 +213,7 @@ final class Relay {
     private void begin(Point point, int number) throws RefusedException {
         Transmission packet = came(point, payload -> RelayedPacket.isCopied(payload)
                 && RelayedPacket.mark(payload) == point.operand("nonce")
-                && !payload.destination().equals(id) && !payload.origin().equals(id));
+                && !payload.destination().equals(id) && !payload.origin().equals(id)).get(0);
         RelayedPacket old = places.get(number);
         point.require(old == null || old.due == Timer.NONE && !old.isOnAir,
                 "another place, as that has something to send, or RELAY_REFUSED");
@@ -227,7 +240,9 @@ final class Relay {
     }
 
     private void begun(Point point, RelayedPacket place) throws RefusedException {
-        take(point, place, place::is);
+        List<Transmission> mayCome = came(point, place::is);
+        place.take(point, mayCome, score(place.packet.destination()));
+        place.begin(mayCome);
         place.restart(point);
         place.isSoon = false;
         follows(point, place.instance.isAt("Reserve") ? "RELAY_RESERVE" : "RELAY_DRAW");
@@ -261,6 +276,7 @@ final class Relay {
         } else {
             credit(place.isToMany(), Interval.of(-cost));
             place.spent += cost;
+            place.tells(point.operand("path") % TraceEvent.HOPS);
             send(point, place, place.instance.get("own"), place.told);
         }
     }
@@ -274,7 +290,7 @@ final class Relay {
     }
 
     private void answered(Point point, RelayedPacket place) throws RefusedException {
-        place.answer = came(point, place::isAnswer);
+        place.answer = came(point, place::isAnswer).get(0);
         point.require(place.isAnsweredWholeBy(place.answer.payload()), "a whole message's answer");
         boolean isDirect = place.answer.told() == 0;
         boolean isCopied = place.instance.get("copied") == 1;

@@ -1,6 +1,10 @@
 package uppaal.conformance;
 
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javino.protocol.Payload;
 import trace.TraceEvent;
 
@@ -39,6 +43,8 @@ final class RelayedPacket {
     /** One more than the distance that its copies tell; 0 if they tell none. */
     int told;
     Timer due = Timer.NONE;
+    /** The hops that its first copy may tell, if what began it may have been one of several. */
+    private Set<Integer> mayTell = Set.of();
     /** When something happened to it last, in seconds. */
     private double happened;
     /** The slots of quiet times that are over, of those that count since a moment. */
@@ -87,7 +93,7 @@ final class RelayedPacket {
     boolean isUnheeded(Transmission heard, double run) {
         boolean isAnswer = answer != null;
         boolean isOfThis = isAnswer ? isAnsweredWholeBy(heard.payload()) && heard.told() != 0 : is(heard.payload());
-        if (!isOfThis || happened >= run) {
+        if (!isOfThis || happened >= run || mayTell.size() > 1) {
             return false;
         }
         int from = isAnswer ? heard.told() - 1 : heard.hops();
@@ -119,6 +125,38 @@ final class RelayedPacket {
                 "hops", from, "by", model.constant("SENDER"), "genuine", 1, "spent", 0, "doubt", score), effect);
         due = Timer.NONE;
         happened = point.seconds();
+    }
+
+    /** One of those comes. */
+    void take(Point point, List<Transmission> mayCome, int score) throws RefusedException {
+        RefusedException refusal = null;
+        int own = instance.get("own");
+        for (int told : Stream.concat(Stream.of(own), mayTell.stream()).toList()) {
+            instance.set("own", told);
+            for (Transmission comes : mayCome) {
+                try {
+                    take(point, comes, score, Map.of());
+                    return;
+                } catch (RefusedException refused) {
+                    refusal = refusal == null ? refused : refusal;
+                }
+            }
+        }
+        instance.set("own", own);
+        throw refusal;
+    }
+
+    /** It has begun with one of those. */
+    void begin(List<Transmission> mayCome) {
+        mayTell = mayCome.stream().map(comes -> (comes.hops() + 1) % TraceEvent.HOPS).collect(Collectors.toSet());
+    }
+
+    /** Its copy tells so many hops. */
+    void tells(int hops) {
+        if (mayTell.contains(hops)) {
+            instance.set("own", hops);
+        }
+        mayTell = Set.of();
     }
 
     /** Milliseconds as the model has them, in which packets for many are late at the same time as others. */

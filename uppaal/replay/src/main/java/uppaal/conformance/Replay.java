@@ -116,7 +116,11 @@ public final class Replay {
                         () -> each(check -> check.ends(packets.get(event.number("packet")))));
             }
             // A board may have read a packet before the trace tells that it is damaged.
-            case "rf-rx", "rf-damaged" -> add(event, event.real("end") - header.bit(), () -> hears(event));
+            case "rf-rx", "rf-damaged" -> {
+                boolean isAlone = arrivals.isAlone(event);
+                add(event, event.real("end") - header.bit(), () -> hears(event, isAlone));
+            }
+            case "rf-collision" -> arrivals.overlap(event);
             case "host-transmit", "host-relay" ->
                 add(event, event.real("asked"), () -> each(check -> check.event(event)));
             default -> add(event, event.seconds(), () -> {
@@ -155,13 +159,13 @@ public final class Replay {
         each(check -> check.begins(packet));
     }
 
-    private void hears(TraceEvent event) throws RefusedException {
+    private void hears(TraceEvent event, boolean isAlone) throws RefusedException {
         Transmission packet = event.has("packet") ? packets.get(event.number("packet")) : null;
         String from = event.textOrEmpty("from");
         RefusedException.require(packet != null && packet.board().equals(from) && !from.equals(event.board()),
                 event.board() + " hears a packet" + (from.isEmpty() ? "" : " of " + from),
                 "one that another board sent");
-        Reception reception = arrivals.add(event, packet);
+        Reception reception = arrivals.add(event, packet, isAlone);
         each(check -> check.hears(reception));
     }
 

@@ -31,6 +31,11 @@ record Transmission(TraceEvent event, int number, Point declared, Payload payloa
                 event.textOrEmpty("trailer"), event.number("bits"), event.real("start"), event.real("end"));
     }
 
+    /** The same with another path. */
+    Transmission of(int other) {
+        return new Transmission(event, number, declared, payload, other, trailer, bits, start, end);
+    }
+
     /** Whether its board has declared it by a point of this name, or whose name begins so. */
     boolean isDeclared(String point) {
         return declared != null && declared.name().startsWith(point);

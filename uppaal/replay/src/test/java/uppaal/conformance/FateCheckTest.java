@@ -44,6 +44,10 @@ class FateCheckTest {
                     + "1.2405 c COUNT counter=11; 2 c QUIET | expected a packet of its own address",
             "forged as a whole  | 1 a>b FIRST; 1.1625 FRAGMENT; 1.1625 COUNT counter=13; 2 QUIET | accepted",
             "first run          | " + HEARD + "1.2415 QUIET | accepted",
+            "late               | " + HEARD + "1.26 " + NOT_FOR_US + END + "of no packet that came",
+            "mended, overlapped | 1.2386 b rf-collision boards=a,c; " + HEARD + "1.26 " + NOT_FOR_US + END + "accepted",
+            "of one before      | 0.9 b rf-collision boards=a,c; " + HEARD + "1.26 " + NOT_FOR_US + END
+                    + "of no packet that came",
             "reset              | " + HEARD + "1.3 b reset why=fault; 2 QUIET | accepted",
             "numbered otherwise | 1.0001 c>b UNICAST; 1 a>b UNICAST; 2 COUNT counter=26 packet=2; "
                     + "3 COUNT counter=26 packet=2; 4 QUIET | accepted",

@@ -14,6 +14,13 @@ class RelayCheckTest {
     private static final String COPY = "1.515 RELAY_COPY path=1; 1.5152 b UNICAST hops=1; ";
     private static final String COPIED = WAITS + COPY + "1.7557 QUIET; 1.7557 RELAY_COPY_ENDED; ";
     private static final String ANSWERED = COPIED + "1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=0; ";
+    /** A copy of c comes damaged, behind others of the same bytes. */
+    private static final String DAMAGED = COPIED + "2.25 BUSY; 2.26 c UNICAST hops=2; "
+            + "2.5041 b rf-damaged from=c packet=3 why=any start=2.26 end=2.4995; 2.51 QUIET; 2.516 ";
+    private static final String DAMAGED_LATE = WAITS + "1.265 BUSY; 1.2695 c>b UNICAST hops=1; 1.51 RELAY_PEER; "
+            + "1.51 COUNT counter=10; 1.51 QUIET; 3.25 BUSY; 3.26 c UNICAST hops=2; 3.5041 b rf-damaged from=c "
+            + "packet=3 why=any start=3.26 end=3.4995; 3.51 QUIET; 3.516 RELAY_ANEW packet=3; "
+            + "3.516 RELAY_DRAW slots=3 packet=3; 3.775 RELAY_COPY packet=3 ";
     /** It comes from so many hops away. */
     private static final String NEAR = "0.6 c>b ACK; ";
     private static final String FAR = "0.6 c>b ACK hops=1; ";
@@ -36,13 +43,19 @@ class RelayCheckTest {
                     + "1.7 RELAY_COPY path=1 | is Known; expected ",
             "copied by a peer     | 1.265 BUSY; 1.2695 c>b UNICAST hops=1; 1.51 RELAY_PEER; 1.51 COUNT counter=10 "
                     + "| accepted",
+            "damaged, gone on     | " + DAMAGED + "RELAY_GONE_ON soon=0 packet=3; 3 QUIET | accepted",
+            "damaged, for another | " + DAMAGED + "RELAY_DRAW_AGAIN slots=6 packet=3; 2.55 BUSY | accepted",
+            "damaged, for none    | " + DAMAGED + "RELAY_PEER packet=3 | is Known; expected RELAY_GONE_ON",
+            "begun by a damaged   | " + DAMAGED_LATE + "path=3; 3.7752 b UNICAST hops=3 | accepted",
+            "begun by one before  | " + DAMAGED_LATE + "path=1; 3.7752 b UNICAST hops=1 | accepted",
+            "begun by none before | " + DAMAGED_LATE + "path=0 | expected path 3, with 3 hops",
             "peer not told        | 1.265 BUSY; 1.2695 c>b UNICAST hops=1; 1.51 COUNT counter=10 "
                     + "| expected RELAY_PEER or RELAY_GONE_ON of place 7",
             "gone on not told     | 1.265 BUSY; 1.2695 c>b UNICAST hops=2; 1.51 COUNT counter=10 "
                     + "| expected RELAY_PEER or RELAY_GONE_ON of place 7",
             "acknowledged without | 1.26 BUSY; 1.776 c>b ACK; 1.926 RELAY_ANSWERED doubt=2 | accepted"})
     void copy_isJudged(String what, String story, String verdict) {
-        check(WAITS + story, verdict);
+        check(story.startsWith(COMES) ? story : WAITS + story, verdict);
     }
 
     @ParameterizedTest
