@@ -159,6 +159,12 @@ static void complete_timer_modes(struct avr_t *avr) {
   }
 }
 
+static void duty_changed(void *context, char port, int bit, double duty) {
+  board *b = context;
+  if (b->ports[port_index(port)].observed >> bit & 1)
+    b->listener.duty(b->listener.context, pin_at(b->model, port, bit), duty, board_now(b));
+}
+
 int board_init(board *b, const model *m, const char *firmware, board_listener listener, char *error,
                size_t error_size) {
   memset(b, 0, sizeof *b);
@@ -173,6 +179,7 @@ int board_init(board *b, const model *m, const char *firmware, board_listener li
   b->avr->reset = chip_reset;
   complete_timer_modes(b->avr);
   link_ports(b);
+  pwm_init(&b->duties, b->avr, (pwm_listener){b, duty_changed});
   avr_register_io_write(b->avr, GPIOR0, point_written, b);
   eeprom_init(&b->memory, b->avr, (eeprom_listener){b, eeprom_written});
   sleep_init(&b->sleep, b->avr, m);
@@ -181,6 +188,7 @@ int board_init(board *b, const model *m, const char *firmware, board_listener li
 
 void board_release(board *b) {
   if (!b->avr) return;
+  pwm_release(&b->duties);
   avr_terminate(b->avr);
   free(b->avr);
   for (int i = 0; i < BOARD_PORTS; i++) free(b->ports[i].link);
@@ -221,6 +229,7 @@ static void release_outputs(board *b) {
     avr_raise_irq(latch, 0);
     avr_raise_irq(port_irq(b, i, IOPORT_IRQ_DIRECTION_ALL), 0);
   }
+  pwm_reset(&b->duties);
 }
 
 static void settle_after_reset(board *b) {

@@ -11,6 +11,7 @@
 #include "eeprom.h"
 #include "model.h"
 #include "prng.h"
+#include "pwm.h"
 #include "sleep.h"
 
 struct avr_t;
@@ -30,6 +31,8 @@ typedef struct {
   void (*eeprom_written)(void *context, uint16_t address, uint8_t byte);
   // The program has written to GPIOR0; the others hold these.
   void (*point)(void *context, uint8_t number, uint8_t first, uint8_t second);
+  // An observed pin has this duty, 0…1, by a timer; negative: it has the program's level again.
+  void (*duty)(void *context, int pin, double duty, cycles_t at);
 } board_listener;
 
 // A level that an input pin will have.
@@ -52,6 +55,7 @@ typedef struct {
   reset_cause cause;
   bool halted;  // sleeps with interrupts off: only a reset wakes it
   sleep_clocks sleep;
+  pwm duties;
   struct {
     uint8_t direction, latch;  // DDRx and PORTx
     uint8_t observed;          // pins whose output is of interest

@@ -21,6 +21,27 @@ static bool is_motor(const vehicle_config *vehicle, int pin) {
   return vehicle->radius_m > 0 && found;
 }
 
+// Tells of a watched pin its level, or if it has a duty, that.
+static void tell_pin(node *n, int pin, bool level, double duty, cycles_t at) {
+  trace *out = n->owner->out;
+  for (size_t i = 0; i < n->config->watch_count; i++) {
+    if (n->config->watches[i].pin != pin) continue;
+    trace_begin(out, at, n->config->name, duty < 0 ? "pin" : "pwm");
+    trace_count(out, "pin", (uint64_t)pin);
+    trace_text(out, "name", n->config->watches[i].name);
+    if (duty < 0)
+      trace_count(out, "level", level);
+    else
+      trace_number(out, "duty", duty);
+    trace_end(out);
+  }
+}
+
+static void duty_changed(void *context, int pin, double duty, cycles_t at) {
+  node *n = context;
+  tell_pin(n, pin, board_output(&n->arduino, pin), duty, at);
+}
+
 static void pin_changed(void *context, int pin, bool level, cycles_t at) {
   node *n = context;
   emulation *e = n->owner;
@@ -31,14 +52,7 @@ static void pin_changed(void *context, int pin, bool level, cycles_t at) {
   fault_plan_output(&e->faults, n->index, pin, level, at);
   if (is_motor(&n->config->vehicle, pin)) world_wake(&e->surroundings, at);
   for (size_t i = 0; i < n->config->sensor_count; i++) sensor_output(&n->sensors[i], pin, level, at);
-  for (size_t i = 0; i < n->config->watch_count; i++) {
-    if (n->config->watches[i].pin != pin) continue;
-    trace_begin(e->out, at, n->config->name, "pin");
-    trace_count(e->out, "pin", (uint64_t)pin);
-    trace_text(e->out, "name", n->config->watches[i].name);
-    trace_count(e->out, "level", level);
-    trace_end(e->out);
-  }
+  tell_pin(n, pin, level, -1, at);
 }
 
 static void board_was_reset(void *context, reset_cause cause) {
@@ -161,7 +175,7 @@ static int out_of_memory(emulation *e) {
 static int open_node(emulation *e, node *n, uint8_t *const *eeproms) {
   char error[400];
   if (board_init(&n->arduino, n->config->model, n->config->firmware,
-                 (board_listener){n, pin_changed, board_was_reset, eeprom_written, point_told}, error,
+                 (board_listener){n, pin_changed, board_was_reset, eeprom_written, point_told, duty_changed}, error,
                  sizeof error) != 0 ||
       (n->config->boot_loader &&
        firmware_add_boot_loader(n->arduino.avr, n->config->model, n->config->boot_loader, error, sizeof error) != 0)) {
@@ -177,7 +191,7 @@ static int open_node(emulation *e, node *n, uint8_t *const *eeproms) {
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
   if (!n->sensors) return out_of_memory(e);
   for (size_t i = 0; i < n->config->sensor_count; i++)
-    sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i], (sensor_world){n, world_value});
+    sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i], (sensor_world){n, world_value, &n->noise});
   observe_pins(n);
   if (eeproms && eeproms[n->index]) eeprom_load(&n->arduino.memory, eeproms[n->index]);
   if (n->config->eeprom && !eeproms &&

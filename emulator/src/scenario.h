@@ -70,6 +70,7 @@ typedef struct {
   sensor_kind kind;
   int pin;        // LDR: analog pin; digital: pin; HC-SR04: echo
   int trigger;    // HC-SR04 only
+  double noise;   // standard deviation of its measurements, in their unit
   series values;  // HC-SR04: cm; LDR: 0…1023 as analogRead() gives; digital: 0 or 1; empty: what the world has
   int after_pin;  // the series' clock starts when this pin first has after_level; -1: at once
   int after_level;

@@ -130,7 +130,7 @@ void after_read(const json_node *node, const model *m, int *pin, int *level) {
 }
 
 static void read_hc_sr04(sensor_config *sensor, const model *m, const json_node *node) {
-  static const char *const KEYS[] = {"type", "trigger", "echo", "distance", "after", NULL};
+  static const char *const KEYS[] = {"type", "trigger", "echo", "distance", "noise", "after", NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node trigger = json_member(node, "trigger");
   json_node echo = json_member(node, "echo");
@@ -141,7 +141,7 @@ static void read_hc_sr04(sensor_config *sensor, const model *m, const json_node 
 }
 
 static void read_ldr(sensor_config *sensor, const model *m, const json_node *node) {
-  static const char *const KEYS[] = {"type", "pin", "light", "after", NULL};
+  static const char *const KEYS[] = {"type", "pin", "light", "noise", "after", NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node pin = json_member(node, "pin");
   json_node light = json_member(node, "light");
@@ -170,6 +170,8 @@ static void read_sensor(sensor_config *sensor, const model *m, const json_node *
     case SENSOR_DIGITAL: read_digital(sensor, m, node); break;
   }
   json_node after = json_member(node, "after");
+  json_node noise = json_member(node, "noise");
+  sensor->noise = json_number(&noise, 0, sensor_most(sensor->kind), 0);
   after_read(&after, m, &sensor->after_pin, &sensor->after_level);
 }
 

@@ -6,6 +6,8 @@
 #include <simavr/avr_adc.h>
 #include <simavr/sim_avr.h>
 
+#include "scenario_board.h"
+
 // The HC-SR04, from its data sheet, and for the delay from measurements: eight cycles of 40 kHz and some more.
 #define MIN_TRIGGER (10 * CYCLES_PER_US)
 #define ECHO_DELAY (450 * CYCLES_PER_US)
@@ -28,8 +30,15 @@ static double value_at(const sensor *s, double seconds) {
                                            : series_linear(&s->config->values, seconds);
 }
 
+// What the sensor measures, with its noise.
+static double measure(const sensor *s, cycles_t at) {
+  double value = value_at(s, seconds_at(s, at));
+  if (s->config->noise > 0) value += s->config->noise * prng_normal(s->world.noise);
+  return fmin(fmax(value, 0), sensor_most(s->config->kind));
+}
+
 static cycles_t echo_length(const sensor *s, cycles_t at) {
-  double cm = value_at(s, seconds_at(s, at));
+  double cm = measure(s, at);
   if (cm > MAX_DISTANCE_CM) return NO_ECHO_PULSE;
   return (cycles_t)((cm < MIN_DISTANCE_CM ? MIN_DISTANCE_CM : cm) * CYCLES_PER_CM);
 }
@@ -52,7 +61,7 @@ static void conversion_started(struct avr_irq_t *irq, uint32_t value, void *cont
   const sensor *s = context;
   (void)irq;
   (void)value;
-  double reading = round(value_at(s, seconds_at(s, board_now(s->owner))));
+  double reading = round(measure(s, board_now(s->owner)));
   // Rounded up, as the converter rounds down.
   avr_raise_irq(s->channel, (uint32_t)ceil(reading * s->owner->model->supply_mv / MAX_READING));
 }

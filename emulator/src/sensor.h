@@ -12,10 +12,11 @@
 #include "board.h"
 #include "scenario.h"
 
-// The source of values for a sensor without a series.
+// The source of values for a sensor without a series, and of what they vary by.
 typedef struct {
   void *context;
   double (*value)(void *context, sensor_kind kind);
+  prng *noise;
 } sensor_world;
 
 typedef struct {

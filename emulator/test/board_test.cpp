@@ -216,3 +216,24 @@ TEST(Board, the_timers_of_an_idle_arduino_let_it_sleep) {
   }
   EXPECT_GT(longest, CYCLES_PER_MS / 4);  // and not the 64 cycles of one timer clock
 }
+
+TEST(Board, tells_the_duty_of_a_pin_until_the_program_has_it_again) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"car","firmware":"@pwm",
+      "watch":[{"pin":11,"name":"motor"},{"pin":4,"name":"lamp"}]}]})");
+  run.run_until(0.1);
+  std::vector<std::string> duties;
+  for (const Event &event : run.events("car", "pwm"))
+    duties.push_back(event.text("name") + " " + std::to_string(std::lround(event.real("duty") * 100)));
+  EXPECT_EQ(duties, (std::vector<std::string>{"motor 0", "motor 20", "lamp 0", "lamp 80", "lamp 20"}));
+  auto levels = run.events("car", "pin");
+  ASSERT_EQ(levels.size(), 2u);
+  EXPECT_EQ(levels[0].text("name") + levels[1].text("name"), "motormotor");
+  EXPECT_EQ(levels[0].number("level"), 0);
+  EXPECT_EQ(levels[1].number("level"), 1);
+  EXPECT_EQ(run.command(R"({"do":"reset","board":"car"})"), "");
+  auto after = run.events("car", "pin");
+  ASSERT_EQ(after.size(), 4u);
+  EXPECT_EQ(after[3].text("name"), "lamp");
+  EXPECT_EQ(after[3].number("level"), 0);
+}

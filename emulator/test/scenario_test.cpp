@@ -325,6 +325,7 @@ TEST(Scenario, each_mistake_in_a_sensor_gets_a_line_that_helps) {
       {R"({"type":"ldr","pin":"A0","light":[[0,2000]]})", ".light[0][1]: expected a number from 0 to 1023, found 2000"},
       {R"({"type":"ldr","pin":"A0","light":[[1,1],[1,2]]})",
        ".light[1]: expected a later time than that of the point before, found [1,2]"},
+      {R"({"type":"ldr","pin":"A0","light":[[0,1]],"noise":-1})", ".noise: expected a number from 0 to 1023, found -1"},
       {R"({"type":"digital","pin":4,"level":[[0,1]],"after":{"level":1}})",
        ".after.pin: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
   };

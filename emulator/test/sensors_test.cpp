@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.h"
 
+#include <cmath>
 #include <sstream>
 
 // The readings that the program printed: centimetres, light, button.
@@ -70,6 +71,29 @@ TEST(Sensors, wait_for_the_pin_that_starts_their_clock) {
       EXPECT_EQ(all[i][1], started ? 900 : 10) << i;
       EXPECT_EQ(all[i][2], !started) << i;
     }
+  }
+}
+
+TEST(Sensors, tremble_by_their_noise_and_the_seed) {
+  std::vector<std::vector<int>> first;
+  for (uint64_t seed : {1, 1, 2}) {
+    Scratch scratch;
+    Emulation run(scratch, car(R"("distance":[[0,100]],"noise":5)", R"("light":[[0,1023]],"noise":20)", R"("level":[[0,1]])"),
+                  seed);
+    run.run_until(2);
+    auto all = readings(run);
+    ASSERT_GE(all.size(), 15u);
+    double distances = 0, light = 0;
+    for (const auto &numbers : all) {
+      distances += std::pow(numbers[0] - 100, 2) / (double)all.size();
+      light += numbers[1] / (double)all.size();
+      EXPECT_LE(numbers[1], 1023);
+    }
+    EXPECT_GT(distances, 25 / 4.0);
+    EXPECT_LT(distances, 25 * 4.0);
+    EXPECT_NEAR(light, 1023 - 8, 8);  // half of them are cut off
+    if (first.empty()) first = all;
+    EXPECT_EQ(all == first, seed == 1);
   }
 }
 
