@@ -150,7 +150,7 @@ class NewProjectTest {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project).waitFor());
         String passed = gradleSays(project, "test");
-        assertTrue(passed.startsWith("0\n") && passed.contains("scenarios: 2 passed"), passed);
+        assertTrue(passed.startsWith("0\n") && passed.contains("scenarios: 3 passed"), passed);
         assertTrue(Files.readString(project.resolve("build/test-results/features/TEST-features.xml"))
                 .contains("it gets dark"));
         assertTrue(Files.size(project.resolve("build/reports/features.html")) > 0);
@@ -187,6 +187,8 @@ class NewProjectTest {
                     + "percepts.add(F(\"aVeryLongNameOfAPercept\"), i); percepts.literal(|perceptsLeftOut",
             "src/agt/robot.asl|`, L); .act(lampOn)`|`, L); .act(lampOm)`|has not performed lampOm: unknown_action",
             "src/agt/robot.asl|+light(L) : L < 300|+brightness(L) : L < 300|+brightness/1 (robot.asl:12)",
+            "sketch/Robot/Robot.ino|`analogRead(A0), 4)`|analogRead(A0))|seen 6 times within",
+            "src/agt/robot.asl|` & not dark`|` `|not within 1 s it performs lampOn",
             "src/agt/robot.asl|.percepts(open);|.print(a);|its plans need .percepts(open)",
     })
     void test_ofAFault_failsAndNamesItsPlace(String file, String right, String wrong, String told, @TempDir Path folder)

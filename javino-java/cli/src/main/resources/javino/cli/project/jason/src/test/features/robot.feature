@@ -9,6 +9,13 @@ Feature: a lamp for the dark
     Then within 500 ms robot's lamp is on
     And within 1 s the agent robot believes lamp(on)
     And it prints "my lamp is on"
+    When the light at robot's A0 falls to 100
+    Then not within 1 s it performs lampOn
+
+  # The sensor trembles (board.json: noise); the sketch does not tell that.
+  Scenario: the light stays
+    Then within 3 s the agent robot believes light(_) at most 5 a second
+    And not within 3 s the counter perceptsLeftOut of it rises
 
   Scenario: the cable comes off
     When robot's board is unplugged for 2 s
