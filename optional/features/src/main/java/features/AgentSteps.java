@@ -2,6 +2,7 @@ package features;
 
 import io.cucumber.java.en.Given;
 import io.cucumber.java.en.When;
+import java.nio.file.Path;
 
 /** The agents, and what they are given. */
 public final class AgentSteps {
@@ -9,7 +10,7 @@ public final class AgentSteps {
     /** Another {@code .mas2j} than the project's. */
     @Given("the agents of {string}")
     public void agents(String file) {
-        Run.now().agents(file);
+        Run.before().agentsFile = Path.of(file);
     }
 
     @When("{agent} gets the goal {term}")

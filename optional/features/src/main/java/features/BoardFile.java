@@ -10,7 +10,6 @@ import com.google.gson.Strictness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -161,26 +160,17 @@ final class BoardFile {
 
     /** The names that the file itself gives pins. */
     String watchedNames(String board) {
-        List<String> names = new ArrayList<>();
-        elements(boards.get(board), "watch").map(watch -> watch.getAsJsonObject().get("name").getAsString())
-                .filter(name -> !name.startsWith("pin ")).forEach(names::add);
-        return String.join(", ", names);
+        return elements(boards.get(board), "watch").map(watch -> watch.getAsJsonObject().get("name").getAsString())
+                .filter(name -> !name.startsWith("pin ")).collect(Collectors.joining(", "));
     }
 
-    /** The sensor at a pin: an hc-sr04's is that of its echo. */
-    Optional<JsonObject> sensor(Parameters.Pin pin) {
+    /** The level of the digital sensor at a pin at the start; 1, as by a pull-up, where there is none. */
+    int idleLevel(Parameters.Pin pin) {
         JsonObject board = boards.get(pin.board());
         return elements(board, "sensors").map(JsonElement::getAsJsonObject)
-                .filter(sensor -> number(board, sensor.get(sensor.has("echo") ? "echo" : "pin").getAsString())
-                        .equals(number(board, pin.name())))
-                .findFirst();
-    }
-
-    /** All sensors of a board, to be told. */
-    String sensors(String board) {
-        return elements(boards.get(board), "sensors").map(JsonElement::getAsJsonObject)
-                .map(sensor -> sensor.get("type").getAsString() + " at "
-                        + sensor.get(sensor.has("echo") ? "echo" : "pin").getAsString())
-                .collect(Collectors.joining(", "));
+                .filter(sensor -> sensor.has("level")
+                        && number(board, sensor.get("pin").getAsString()).equals(number(board, pin.name())))
+                .map(sensor -> sensor.getAsJsonArray("level").get(0).getAsJsonArray().get(1).getAsInt())
+                .findFirst().orElse(1);
     }
 }

@@ -25,9 +25,9 @@ final class Device implements BoardListener, AutoCloseable {
     private final Board board;
 
     /** @param name its address, too, where it sends. */
-    Device(Run run, Simulation simulation, String name, String port) {
+    Device(Run run, String name, String port) {
         this.run = run;
-        this.simulation = simulation;
+        simulation = run.simulation;
         this.name = name;
         board = Board.open(simulation.port(port), BoardConfig.create(config -> config.setPatience(LONGEST))
                 .in(simulation), this);
@@ -59,7 +59,7 @@ final class Device implements BoardListener, AutoCloseable {
     /** Sends a message; what becomes of it is seen later. */
     void send(Address to, Content content) {
         board.transmit(to, content).end()
-                .whenComplete((outcome, thrown) -> run.see(Seen.Kind.OUTCOME, name, "" + content,
+                .whenComplete((outcome, thrown) -> run.account.see(Seen.Kind.OUTCOME, name, "" + content,
                         thrown == null ? told(outcome) : "not sent: " + thrown.getMessage()));
     }
 
@@ -69,7 +69,7 @@ final class Device implements BoardListener, AutoCloseable {
 
     @Override
     public void message(ReceivedMessage message) {
-        run.see(Seen.Kind.GETS, name, "" + message.content(), "" + message.from());
+        run.account.see(Seen.Kind.GETS, name, "" + message.content(), "" + message.from());
     }
 
     @Override

@@ -8,12 +8,6 @@ public final class FaultSteps {
 
     private static final double NANOS = 1e9;
 
-    private static void perform(Map<String, Object> command) {
-        Run.now().begin();
-        Run.now().mark();
-        Run.now().command(command);
-    }
-
     private static Map<String, Object> command(String what, String board) {
         return Map.of("do", what, "board", board);
     }
@@ -21,7 +15,7 @@ public final class FaultSteps {
     /** Its port disappears; the board itself runs on. */
     @When("{board} board is unplugged")
     public void unplugged(String board) {
-        perform(command("unplug", board));
+        Run.now().command(command("unplug", board));
     }
 
     /** And plugged in again then, which is its return. */
@@ -33,28 +27,28 @@ public final class FaultSteps {
 
     @When("{board} board is plugged in")
     public void pluggedIn(String board) {
-        perform(command("plug", board));
+        Run.now().command(command("plug", board));
         Run.now().returnsIn(0);
     }
 
     /** As its button does. */
     @When("{board} board is reset")
     public void reset(String board) {
-        perform(command("reset", board));
+        Run.now().command(command("reset", board));
         Run.now().returnsIn(0);
     }
 
     /** Its program stops, its port is gone, and it starts anew after that time. */
     @When("{board} board has no power for {time}")
     public void powerCut(String board, long nanos) {
-        perform(Map.of("do", "power-cut", "board", board, "duration", nanos / NANOS));
+        Run.now().command(Map.of("do", "power-cut", "board", board, "duration", nanos / NANOS));
         Run.now().returnsIn(nanos);
     }
 
     /** Random bits on the air, everywhere. */
     @When("the radio is jammed for {time}")
     public void jammed(long nanos) {
-        perform(Map.of("do", "jam", "duration", nanos / NANOS));
+        Run.now().command(Map.of("do", "jam", "duration", nanos / NANOS));
         Run.now().returnsIn(nanos);
     }
 }

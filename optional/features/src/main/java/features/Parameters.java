@@ -12,7 +12,7 @@ public final class Parameters {
 
         @Override
         public String toString() {
-            return board + "'s " + name;
+            return board + "'s " + (name.matches("A?\\d+") ? "pin " : "") + name;
         }
     }
 
@@ -77,8 +77,10 @@ public final class Parameters {
         return text;
     }
 
-    @ParameterType(value = "on|off|high|low", useForSnippets = false)
-    public Integer level(String text) {
-        return text.equals("on") || text.equals("high") ? 1 : 0;
+    /** How a pin is. */
+    @ParameterType(value = "on|off|high|low|at \\d+ %", useForSnippets = false)
+    public String level(String text) {
+        return text.startsWith("at") ? Account.state(Long.parseLong(text.replaceAll("\\D", "")))
+                : text.replace("high", "on").replace("low", "off");
     }
 }

@@ -35,7 +35,7 @@ public final class Report implements ConcurrentEventListener {
 
     private void started(TestStepStarted event) {
         if (event.getTestStep() instanceof PickleStepTestStep step) {
-            Run.current().ifPresent(run -> run.step(text(step)));
+            Run.current().ifPresent(run -> run.step = text(step));
         }
     }
 

@@ -7,7 +7,6 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
-import java.util.List;
 import java.util.function.Predicate;
 
 /**
@@ -16,20 +15,20 @@ import java.util.function.Predicate;
  */
 public final class SeenSteps {
 
-    /** A pin, as the program drives it; {@code analogWrite} between 1 and 254 cannot be seen. */
+    /** A pin, as the program drives it; {@code at 50 %} it is high half of the time, as by {@code analogWrite(pin, 128)}. */
     @Then("{window}{pin} is {level}{often}")
-    public void pin(Window window, Parameters.Pin pin, int level, Window.Count count) {
+    public void pin(Window window, Parameters.Pin pin, String state, Window.Count count) {
         Run run = Run.now();
-        String state = level == 1 ? "on" : "off";
+        String name = run.watched(pin);
+        String is = run.account.state(pin.board(), name);
         if (window.kind() == Window.Kind.UNSAID && count == null) {
-            run.expectNow(run.isOn(pin) == (level == 1), pin + " is " + (level == 1 ? "off" : "on"));
+            run.expected.now(is.equals(state), pin + " is " + is);
             return;
         }
-        String name = run.watched(pin);
-        run.expect(window, count, each -> each.is(Kind.PIN, pin.board()) && each.what().equals(name)
-                && each.more().equals(state), pin + " does not go " + state
-                        + (run.isOn(pin) == (level == 1)
-                                ? "; it is " + state + " all the time" : ""));
+        String goes = Account.going(state);
+        run.expected.event(window, count, each -> each.is(Kind.PIN, pin.board()) && each.what().equals(name)
+                && each.more().equals(goes), pin + " does not go " + goes
+                        + (is.equals(state) ? "; it is " + state + " all the time" : ""));
     }
 
     /**
@@ -39,7 +38,7 @@ public final class SeenSteps {
     @Then("{window}{agent} believes {term}{marks}{often}")
     public void believes(Window window, String agent, String belief, String marks, Window.Count count) {
         Predicate<String> matching = matching(belief).and(text -> marked(text, marks));
-        Run.now().expect(window, count, each -> each.is(Kind.BELIEVES, agent) && matching.test(each.what()),
+        Run.now().expected.event(window, count, each -> each.is(Kind.BELIEVES, agent) && matching.test(each.what()),
                 agent + " does not come to believe " + belief + marks + (holds(agent, matching)
                         ? "; it has believed it all the time" : ""));
     }
@@ -47,25 +46,25 @@ public final class SeenSteps {
     @Then("{window}{agent} no longer believes {term}")
     public void forgets(Window window, String agent, String belief) {
         Predicate<String> matching = matching(belief);
-        Run.now().expect(window, null, each -> each.is(Kind.FORGETS, agent) && matching.test(each.what()),
+        Run.now().expected.event(window, null, each -> each.is(Kind.FORGETS, agent) && matching.test(each.what()),
                 agent + " does not lose the belief " + belief);
     }
 
     /** Now. */
     @Then("{agent} does not believe {term}")
     public void believesNot(String agent, String belief) {
-        Run.now().expectNow(!holds(agent, matching(belief)), agent + " believes " + belief);
+        Run.now().expected.now(!holds(agent, matching(belief)), agent + " believes " + belief);
     }
 
     /** Now, however long it has. */
     @Then("{agent} still believes {term}")
     public void stillBelieves(String agent, String belief) {
-        Run.now().expectNow(holds(agent, matching(belief)), agent + " does not believe " + belief);
+        Run.now().expected.now(holds(agent, matching(belief)), agent + " does not believe " + belief);
     }
 
     @Then("{window}{agent} prints {string}{often}")
     public void prints(Window window, String agent, String line, Window.Count count) {
-        Run.now().expect(window, count, each -> each.is(Kind.PRINTS, agent) && each.what().equals(line),
+        Run.now().expected.event(window, count, each -> each.is(Kind.PRINTS, agent) && each.what().equals(line),
                 agent + " does not print \"" + line + "\"");
     }
 
@@ -73,7 +72,7 @@ public final class SeenSteps {
     @Then("{window}{agent} performs {term}{often}")
     public void performs(Window window, String agent, String action, Window.Count count) {
         Predicate<String> matching = matching(action);
-        Run.now().expect(window, count, each -> each.is(Kind.PERFORMED, agent) && matching.test(each.what()),
+        Run.now().expected.event(window, count, each -> each.is(Kind.PERFORMED, agent) && matching.test(each.what()),
                 agent + " does not perform " + action);
     }
 
@@ -81,7 +80,7 @@ public final class SeenSteps {
     @Then("{window}{agent} fails to perform {term} with {word}")
     public void fails(Window window, String agent, String action, String error) {
         Predicate<String> matching = matching(action);
-        Run.now().expect(window, null, each -> each.is(Kind.FAILED, agent) && matching.test(each.what())
+        Run.now().expected.event(window, null, each -> each.is(Kind.FAILED, agent) && matching.test(each.what())
                 && each.more().equals(error), agent + " does not fail to perform " + action + " with " + error);
     }
 
@@ -92,14 +91,14 @@ public final class SeenSteps {
     }
 
     private static boolean holds(String agent, Predicate<String> matching) {
-        return Run.now().beliefs(agent).stream().anyMatch(matching);
+        return Run.now().account.beliefs(agent).stream().anyMatch(matching);
     }
 
     /** Whether a text is a literal like that one. */
     private static Predicate<String> matching(String literal) {
         Literal wanted = parse(literal);
         if (wanted == null) {
-            throw Run.now().failure(literal + " is no term of AgentSpeak", List.of());
+            throw Run.now().wrong(literal + " is no term of AgentSpeak");
         }
         return text -> {
             Literal had = parse(text);

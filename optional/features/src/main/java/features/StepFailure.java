@@ -9,10 +9,6 @@ final class StepFailure extends AssertionError {
         super(message);
     }
 
-    StepFailure(String message, Throwable cause) {
-        super(message, cause);
-    }
-
     @Override
     public synchronized Throwable fillInStackTrace() {
         return this;

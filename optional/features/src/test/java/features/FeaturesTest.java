@@ -95,7 +95,7 @@ class FeaturesTest {
                     + "Then it performs ledOn at most 2 a second|seen 3 times within",
             "When the agent robot gets the goal wrong / Then it performs ledOm|has not performed ledOm: unknown_action",
             "When the agent robot gets the goal wrong / Then it fails to perform ledOm with port_off|does not fail",
-            "When the light at robot's A0 falls to 1|no sensor of the type ldr at robot's A0; it has digital at 2",
+            "When the light at robot's A0 falls to 1|expected the pin of a sensor of this board",
             "When bus's board is reset|has no board bus; it has robot",
             "Then the agent bus prints \"a\"|has no agent bus; it has robot",
             "Then it prints \"a\"|no agent was named before",
@@ -113,6 +113,19 @@ class FeaturesTest {
         assertEquals(1, play(steps), project.said());
         assertTrue(project.said().contains(expected), project.said());
         assertFalse(project.said().contains("\tat "), project.said());
+    }
+
+    @Test
+    void pin_ofAnalogWrite_hasItsDuty(@TempDir Path folder) throws IOException {
+        String agent = "!start. +!start <- .port(\"ports/robot\"). +!go <- .act(forward). +!halt <- .act(halt).";
+        String go = "When the agent robot gets the goal go / Then within 1 s robot's pin 5 is at ";
+        try (Project car = new Project(folder, "linefollower/LineFollower", agent)) {
+            assertEquals(0, car.play(go + "59 % / And within 1 s its pin 6 is at 59 % / And its pin 5 is at 59 % / "
+                    + "When it gets the goal halt / Then within 1 s its pin 5 is off"), car.said());
+            assertEquals(1, car.play(go + "60 %"), car.said());
+            assertTrue(car.said().contains("robot's pin 5 does not go to 60 %"), car.said());
+            assertTrue(car.said().contains("  on: robot's pin 5 at 59 %, robot's pin 6 at 59 %"), car.said());
+        }
     }
 
     @Test

@@ -37,8 +37,9 @@ class StepsPageTest {
         SHOWN.put("{board}", "BOARD's");
         SHOWN.put("{agent}", "the agent AGENT");
         SHOWN.put("{peer}", "ID (BOARD's board)");
+        SHOWN.put("( cm)", " [cm]");
         SHOWN.put("{time}", "T");
-        SHOWN.put("{level}", "on/off");
+        SHOWN.put("{level}", "on/off/at N %");
         SHOWN.put("{term}", "TERM");
         SHOWN.put("{string}", "\"TEXT\"");
         SHOWN.put("{word}", "NAME");

@@ -2,15 +2,11 @@ package harness;
 
 import com.google.gson.Gson;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import lockstep.Simulation;
-import lockstep.TraceFile;
 
 /** An emulator in one time with the hosts of this thread's simulation. */
 final class LockstepEngine implements Engine {
@@ -19,22 +15,16 @@ final class LockstepEngine implements Engine {
     private static final long MOMENT_NANOS = 1_000_000;
 
     private final Simulation simulation;
-    private final TraceFile trace;
 
     /** @param lines takes the lines of its trace, on the thread that starts this. */
     LockstepEngine(List<String> command, List<String> ports, EmulatedRun run, Consumer<String> lines)
             throws IOException {
-        Path file = run.newTrace();
-        Files.createFile(file);
-        List<String> whole = new ArrayList<>(command);
-        whole.addAll(List.of("--trace", file.toString()));
-        simulation = Simulation.start(whole, ports, run.newSeed(), Simulation.JITTER);
-        trace = TraceFile.follow(simulation, file, lines);
+        simulation = Simulation.start(command, ports, run.newSeed(), Simulation.JITTER, run.newTrace(), lines);
     }
 
     @Override
     public void readTrace() {
-        trace.read();
+        simulation.readTrace();
     }
 
     @Override
@@ -71,9 +61,6 @@ final class LockstepEngine implements Engine {
 
     @Override
     public void end() {
-        try (trace) {
-            simulation.close();
-            readTrace();
-        }
+        simulation.close();
     }
 }

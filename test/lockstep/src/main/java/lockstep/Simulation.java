@@ -2,6 +2,8 @@ package lockstep;
 
 import java.io.IOException;
 import java.security.SecureRandom;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -78,6 +80,8 @@ public final class Simulation implements Time, AutoCloseable {
     private int atThisMoment;
     private boolean over;
     private volatile Throwable failure;
+    /** Null where nobody reads it. */
+    private TraceFile trace;
 
     private Simulation(List<String> command, List<String> ports, long seed, Duration jitter, Duration standstill)
             throws IOException {
@@ -100,6 +104,22 @@ public final class Simulation implements Time, AutoCloseable {
     public static Simulation start(List<String> command, List<String> ports, long seed, Duration jitter)
             throws IOException {
         return start(command, ports, seed, jitter, STANDSTILL);
+    }
+
+    /**
+     * The same with the emulator's trace in a file, which is made anew.
+     *
+     * @param lines takes its lines, on the coordinator, each time when the emulator has done something.
+     */
+    public static Simulation start(List<String> command, List<String> ports, long seed, Duration jitter, Path file,
+            Consumer<String> lines) throws IOException {
+        Files.write(file, new byte[0]);
+        List<String> whole = new ArrayList<>(command);
+        whole.addAll(List.of("--trace", file.toString()));
+        Simulation simulation = start(whole, ports, seed, jitter);
+        simulation.trace = new TraceFile(file, lines);
+        simulation.watch(simulation::readTrace);
+        return simulation;
     }
 
     static Simulation start(List<String> command, List<String> ports, long seed, Duration jitter, Duration standstill)
@@ -286,6 +306,13 @@ public final class Simulation implements Time, AutoCloseable {
         watchers.forEach(Runnable::run);
     }
 
+    /** All of the trace until now has been read when this returns. */
+    public void readTrace() {
+        if (trace != null) {
+            trace.read();
+        }
+    }
+
     /** Gives the emulator a command, in the words of emulator/README.md, which takes effect at once. */
     public void command(String json) throws IOException {
         check();
@@ -329,6 +356,7 @@ public final class Simulation implements Time, AutoCloseable {
             coroutines.forEach(Coroutine::abandon);
             HERE.remove();
             int status = emulator.end();
+            readTrace();
             throwFailure();
             if (status != 0) {
                 throw new AssertionError("the emulator ended with " + status + ": " + complaints());
@@ -338,6 +366,9 @@ public final class Simulation implements Time, AutoCloseable {
             throw new AssertionError("the simulation was interrupted", interrupted);
         } finally {
             HERE.remove();
+            if (trace != null) {
+                trace.close();
+            }
         }
     }
 

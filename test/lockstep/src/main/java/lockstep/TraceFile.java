@@ -10,31 +10,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 
-/** The trace that a simulation's emulator writes, read as far as it goes whenever the emulator has done something. */
-public final class TraceFile implements AutoCloseable {
+/** The trace that an emulator writes, read as far as it goes. */
+final class TraceFile implements AutoCloseable {
 
     private final InputStream trace;
     private final ByteArrayOutputStream line = new ByteArrayOutputStream();
     private final Consumer<String> lines;
 
-    private TraceFile(InputStream trace, Consumer<String> lines) {
-        this.trace = trace;
+    /** @param lines takes the lines of the file, which is there. */
+    TraceFile(Path file, Consumer<String> lines) throws IOException {
+        trace = new BufferedInputStream(Files.newInputStream(file));
         this.lines = lines;
     }
 
-    /**
-     * Follows a file, which is there.
-     *
-     * @param lines takes its lines, on the coordinator.
-     */
-    public static TraceFile follow(Simulation simulation, Path file, Consumer<String> lines) throws IOException {
-        TraceFile followed = new TraceFile(new BufferedInputStream(Files.newInputStream(file)), lines);
-        simulation.watch(followed::read);
-        return followed;
-    }
-
     /** Reads what is new. */
-    public void read() {
+    void read() {
         try {
             for (int next = trace.read(); next >= 0; next = trace.read()) {
                 if (next != '\n') {
