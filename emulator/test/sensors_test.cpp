@@ -78,7 +78,8 @@ TEST(Sensors, tremble_by_their_noise_and_the_seed) {
   std::vector<std::vector<int>> first;
   for (uint64_t seed : {1, 1, 2}) {
     Scratch scratch;
-    Emulation run(scratch, car(R"("distance":[[0,100]],"noise":5)", R"("light":[[0,1023]],"noise":20)", R"("level":[[0,1]])"),
+    Emulation run(scratch,
+                  car(R"("distance":[[0,100]],"noise":5)", R"("light":[[0,1023]],"noise":20)", R"("level":[[0,1]])"),
                   seed);
     run.run_until(2);
     auto all = readings(run);

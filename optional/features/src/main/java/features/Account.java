@@ -20,6 +20,7 @@ final class Account implements AgentProgram.Observer {
     private final List<Seen> all = new ArrayList<>();
     /** The pins that were ever driven, and how they are. */
     private final Map<String, String> pins = new TreeMap<>();
+    private final Map<String, Servo> servos = new TreeMap<>();
     /** The last packet of each board, in hexadecimal digits. */
     private final Map<String, String> payloads = new TreeMap<>();
     /** What came after the last when begins here. */
@@ -83,6 +84,10 @@ final class Account implements AgentProgram.Observer {
                 if (!state.equals(state(board, text(event, "name")))) {
                     pins.put(board + "'s " + text(event, "name"), state);
                     see(nanos, Kind.PIN, board, text(event, "name"), going(state));
+                    Servo servo = servo(board, text(event, "name"));
+                    if (servo.turns(nanos, high == 1)) {
+                        see(nanos, Kind.SERVO, board, text(event, "name"), "" + servo);
+                    }
                 }
             }
             case "rf-tx" -> {
@@ -145,10 +150,16 @@ final class Account implements AgentProgram.Observer {
         return pins.getOrDefault(board + "'s " + pin, state(0));
     }
 
+    /** What is at a pin, if it is a servo. */
+    Servo servo(String board, String pin) {
+        return servos.computeIfAbsent(board + "'s " + pin, none -> new Servo());
+    }
+
     /** The pins that are not off now. */
     List<String> on() {
         return pins.entrySet().stream().filter(each -> !each.getValue().equals(state(0)))
-                .map(each -> each.getKey() + (each.getValue().equals(state(HUNDRED)) ? "" : " " + each.getValue())).toList();
+                .map(each -> each.getKey() + (each.getValue().equals(state(HUNDRED)) ? "" : " " + each.getValue()))
+                .toList();
     }
 
     /** Whether an agent has ever come to believe something of that name. */

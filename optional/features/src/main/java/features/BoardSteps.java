@@ -21,8 +21,8 @@ public final class BoardSteps {
     }
 
     /**
-     * The light of an {@code ldr}, 0 (dark) to 1023 (bright); the distance of an {@code hc-sr04}, by its echo pin, in cm;
-     * the level of a {@code digital} sensor, 0 or 1.
+     * The light of an {@code ldr}, 0 (dark) to 1023 (bright); the distance of an {@code hc-sr04}, by its echo pin, in
+     * cm; the level of a {@code digital} sensor, 0 or 1.
      */
     @When("the light/distance/level at {pin} falls/rises/changes to {int}( cm)")
     public void value(Parameters.Pin pin, int value) {

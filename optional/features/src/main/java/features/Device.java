@@ -11,7 +11,6 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Key;
-import javino.protocol.Outcome;
 import lockstep.Simulation;
 
 /** A device that is only played: an emulated board with our firmware, and a host of ours instead of agents. */
@@ -60,11 +59,7 @@ final class Device implements BoardListener, AutoCloseable {
     void send(Address to, Content content) {
         board.transmit(to, content).end()
                 .whenComplete((outcome, thrown) -> run.account.see(Seen.Kind.OUTCOME, name, "" + content,
-                        thrown == null ? told(outcome) : "not sent: " + thrown.getMessage()));
-    }
-
-    private static String told(Outcome outcome) {
-        return outcome.name().toLowerCase(Locale.ROOT);
+                        thrown == null ? outcome.name().toLowerCase(Locale.ROOT) : "not sent: " + thrown.getMessage()));
     }
 
     @Override

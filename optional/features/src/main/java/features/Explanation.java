@@ -25,7 +25,8 @@ final class Explanation {
     /** @param seen whether what was seen matters: the feature itself is not what is wrong. */
     String of(String what, boolean seen) {
         text.append("  at ").append(Seen.seconds(run.nanos())).append(": ").append(what).append('\n');
-        List<Seen> since = account.since();
+        List<Seen> since = account.since().stream().filter(each -> each.kind() != Seen.Kind.PIN
+                || !account.servo(each.who(), each.what()).isKnown()).toList();
         if (seen && !since.isEmpty()) {
             text.append("  seen since ").append(Seen.seconds(account.when())).append(":\n");
             since.subList(Math.max(0, since.size() - MOST_SEEN), since.size())

@@ -3,6 +3,7 @@ package features;
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -98,14 +99,12 @@ final class Run implements AutoCloseable {
         return named("agent", lastAgent, agents().agents(), agentsFile);
     }
 
-    private String named(String kind, String name, Iterable<String> all, Path file) {
-        for (String each : all) {
-            if (each.equals(name)) {
-                return name;
-            }
+    private String named(String kind, String name, Collection<String> all, Path file) {
+        if (!all.contains(name)) {
+            throw wrong(name.isEmpty() ? "no " + kind + " was named before"
+                    : file + " has no " + kind + " " + name + "; it has " + String.join(", ", all));
         }
-        throw wrong(name.isEmpty() ? "no " + kind + " was named before"
-                : file + " has no " + kind + " " + name + "; it has " + String.join(", ", all));
+        return name;
     }
 
     /** The name under which the emulator watches a pin. */

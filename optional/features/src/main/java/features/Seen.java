@@ -14,7 +14,8 @@ record Seen(long nanos, Kind kind, String who, String what, String more) {
 
     /** What can be seen, and the words in which it is told. */
     enum Kind {
-        PIN("%s's %s goes %s"), BELIEVES("%s believes %s"), FORGETS("%s no longer believes %s"),
+        PIN("%s's %s goes %s"), SERVO("%s's servo at %s turns to %s"), BELIEVES("%s believes %s"),
+        FORGETS("%s no longer believes %s"),
         PRINTS("%s prints \"%s\""), ASKS("%s asks its board for %s"), PERFORMED("%s has performed %s"),
         FAILED("%s has not performed %s: %s"), PACKET("%s sends a %s %s"),
         GETS("%s gets %s from %s"), OUTCOME("%s's message %s is %s"), BOARD("%s's board: %s %s");

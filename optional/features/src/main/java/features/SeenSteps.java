@@ -15,7 +15,9 @@ import java.util.function.Predicate;
  */
 public final class SeenSteps {
 
-    /** A pin, as the program drives it; {@code at 50 %} it is high half of the time, as by {@code analogWrite(pin, 128)}. */
+    /**
+     * A pin, as the program drives it; {@code at 50 %} is high half of the time, as by {@code analogWrite(pin, 128)}.
+     */
     @Then("{window}{pin} is {level}{often}")
     public void pin(Window window, Parameters.Pin pin, String state, Window.Count count) {
         Run run = Run.now();
@@ -29,6 +31,21 @@ public final class SeenSteps {
         run.expected.event(window, count, each -> each.is(Kind.PIN, pin.board()) && each.what().equals(name)
                 && each.more().equals(goes), pin + " does not go " + goes
                         + (is.equals(state) ? "; it is " + state + " all the time" : ""));
+    }
+
+    /** A servo of Arduino's library, by the width of its pulses; 3 degrees more or less are the same. */
+    @Then("{window}the servo at {pin} is at {int} degrees")
+    public void servo(Window window, Parameters.Pin pin, int degrees) {
+        Run run = Run.now();
+        String name = run.watched(pin);
+        Servo servo = run.account.servo(pin.board(), name);
+        if (window.kind() == Window.Kind.UNSAID) {
+            run.expected.now(servo.isAt(degrees), "the servo at " + pin + " is at " + servo);
+            return;
+        }
+        run.expected.event(window, null, each -> each.is(Kind.SERVO, pin.board()) && each.what().equals(name)
+                && Servo.near(Long.parseLong(each.more().replaceAll("\\D", "")), degrees),
+                "the servo at " + pin + " does not turn to " + degrees + " degrees");
     }
 
     /**

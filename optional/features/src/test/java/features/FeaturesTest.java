@@ -129,6 +129,20 @@ class FeaturesTest {
     }
 
     @Test
+    void servo_isSeenByItsPulses(@TempDir Path folder) throws IOException {
+        String agent = "!start. +!start <- .port(\"ports/robot\"). +!go(A) <- .act(turn(A)).";
+        String go = "When the agent robot gets the goal go(120) / Then within 1 s the servo at robot's pin 9 is at ";
+        try (Project arm = new Project(folder, "servo/Servo", agent)) {
+            assertEquals(0, arm.play("Then the servo at robot's pin 9 is at 90 degrees / " + go + "120 degrees / "
+                    + "When 100 ms pass / Then the servo at its pin 9 is at 120 degrees"), arm.said());
+            assertEquals(1, arm.play(go + "90 degrees"), arm.said());
+            assertTrue(arm.said().contains("the servo at robot's pin 9 does not turn to 90 degrees"), arm.said());
+            assertTrue(arm.said().contains("robot's servo at pin 9 turns to 1"), arm.said());
+            assertFalse(arm.said().contains("robot's pin 9 goes"), arm.said());
+        }
+    }
+
+    @Test
     void failure_saysWhereWhenAndHowToRepeatIt() throws IOException {
         System.setProperty("javino.seed", "5");
         assertEquals(1, play("Then within 500 ms robot's lamp is off"), project.said());

@@ -49,7 +49,7 @@ class SecretFilesTest {
         }
         Map<String, Long> all = found(JAVA, ".java", "javino-java", "diffuser-arch",
                 "optional", "examples",
-                "emulator/trace", "test/harness");
+                "emulator/trace", "test/harness", "test/lockstep");
         all.putAll(found(C, ".c", "emulator/src"));
         assertEquals(listed, all, "what holds secrets goes through PrivateFile or open_private; what holds "
                 + "none gets a line in " + LIST);
