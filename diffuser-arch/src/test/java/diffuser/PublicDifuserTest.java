@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -12,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import javino.fake.FakeBoard;
 
 /** Agents as they are written for the public Difuser architecture, 0.2. */
+@Tag("newerJava")
 class PublicDifuserTest {
 
     private static final String RECEIVER = """

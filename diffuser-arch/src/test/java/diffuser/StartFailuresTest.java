@@ -8,10 +8,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A MAS in a Java virtual machine of its own, with the log's settings of a project that {@code javino new} writes. */
+@Tag("newerJava")
 class StartFailuresTest {
 
     private static final Path SETTINGS = Path.of(System.getProperty("javino.root"),

@@ -16,9 +16,11 @@ import javino.link.LinkOpener;
 import javino.link.RealTime;
 import javino.link.Time;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** An agent, its board and its libraries live in the time of an architecture behind the agent's. */
+@Tag("newerJava")
 class TimeSourceTest {
 
     /** Notes who asks for threads. */

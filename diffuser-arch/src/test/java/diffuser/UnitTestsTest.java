@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Jason's own unit tests, of an agent with a board. */
+@Tag("newerJava")
 class UnitTestsTest {
 
     private static final String MAS = """

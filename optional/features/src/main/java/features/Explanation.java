@@ -38,7 +38,8 @@ final class Explanation {
             list("  counted: ", run.agents().agents().stream()
                     .flatMap(agent -> run.expected.counts(agent).entrySet().stream()).filter(Explanation::isTold)
                     .map(each -> each.getKey().equals(Expectations.UNANSWERED) ? each.getKey()
-                            : each.getKey() + " " + Expectations.number(each.getValue())).toList());
+                            : each.getKey() + " " + Expectations.number(each.getValue()))
+                    .toList());
         }
         return text.toString();
     }

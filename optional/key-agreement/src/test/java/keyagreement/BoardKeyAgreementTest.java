@@ -36,10 +36,12 @@ import javino.protocol.PollReply;
 import javino.protocol.Status;
 
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Messages of an agent whose board goes off, or cannot get anything on the air. */
+@Tag("newerJava")
 class BoardKeyAgreementTest {
 
     private static final int MINUTE = 60_000;

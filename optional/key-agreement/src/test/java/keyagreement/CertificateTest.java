@@ -15,12 +15,14 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import org.bouncycastle.crypto.ec.CustomNamedCurves;
 import org.bouncycastle.math.ec.ECPoint;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
+@Tag("newerJava")
 class CertificateTest {
 
     private static final Address SUPO = Address.parse("SUPO");

@@ -20,6 +20,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import keyagreement.edhoc.HandshakeException;
@@ -29,6 +30,7 @@ import keyagreement.edhoc.Responder;
 import keyagreement.edhoc.Role;
 
 /** Handshakes of devices with certificates, genuine and not. */
+@Tag("newerJava")
 class IdentityTest {
 
     private static final SecureRandom RANDOM = new SecureRandom();

@@ -103,8 +103,19 @@ class KeyAgreementTest {
     @ParameterizedTest
     @ValueSource(ints = {-1, 0, 4000})
     @Tag("verify")
+    void send_firstMessagesOf100Seeds_noneTakesTenSeconds(int within) {
+        sendFirstMessages(100, within);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 0, 4000})
+    @Tag("soak")
     void send_firstMessagesOf500Seeds_noneTakesTenSeconds(int within) {
-        for (int seed = 0; seed < 500; seed++) {
+        sendFirstMessages(500, within);
+    }
+
+    private void sendFirstMessages(int seeds, int within) {
+        for (int seed = 0; seed < seeds; seed++) {
             simulation = new Simulation(seed);
             CertifiedHost roma = simulation.add(romaIdentity);
             CertifiedHost supo = simulation.add(supoIdentity);

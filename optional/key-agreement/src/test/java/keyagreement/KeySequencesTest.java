@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDirFactory;
 class KeySequencesTest {
 
     private static final int FEW = 48;
-    private static final int MANY = 1000;
+    private static final int MANY = 200;
     private static final int MOST = 10_000;
     /** One of so many sequences has certificates, as agreements take most of the time. */
     private static final int CERTIFIED_OF_FEW = 4;
@@ -74,7 +74,7 @@ class KeySequencesTest {
 
     @Test
     @Tag("verify")
-    void sequences_aThousand_repeatNoNonceAndTakeNothingTwice() throws Exception {
+    void sequences_twoHundred_repeatNoNonceAndTakeNothingTwice() throws Exception {
         run(MANY, CERTIFIED_OF_MANY);
     }
 

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import keyagreement.edhoc.HandshakeException;
@@ -25,6 +26,7 @@ import keyagreement.edhoc.Secret;
 import keyagreement.edhoc.Secrets;
 
 /** SPEC 11, by vectors that another implementation has made. */
+@Tag("newerJava")
 class VectorsTest {
 
     static List<JsonObject> certificates() throws IOException {

@@ -19,10 +19,12 @@ import java.util.concurrent.CompletableFuture;
 import javino.JavinoException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+@Tag("newerJava")
 @Timeout(120)
 class ControlSocketTest {
 

@@ -12,10 +12,12 @@ import java.net.URLConnection;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Pages that read at once, late, or never. */
+@Tag("newerJava")
 @Timeout(120)
 class EventStreamsTest extends ServerFixture {
 

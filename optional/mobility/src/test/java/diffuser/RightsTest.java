@@ -380,7 +380,8 @@ class RightsTest {
         return cells().stream().filter(cell -> cell.impossible() == null).toList();
     }
 
-    private static List<Cell> chosen() {
+    /** Each pair of values, and all at a border of rights. */
+    static List<Cell> chosen() {
         List<Cell> possible = possible();
         Set<Cell> chosen = new HashSet<>(borders(possible));
         Set<List<Object>> pairs = new HashSet<>();

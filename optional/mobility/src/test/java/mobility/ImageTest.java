@@ -19,12 +19,14 @@ import jason.asSyntax.Trigger;
 
 import diffuser.report.Failure;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** An agent is the same after its texts have been written and read. */
+@Tag("newerJava")
 class ImageTest {
 
     @Test

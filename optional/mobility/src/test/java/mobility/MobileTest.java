@@ -21,11 +21,13 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Trigger;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** An agent that sleeps does nothing, and is afterwards as it was. */
+@Tag("newerJava")
 class MobileTest {
 
     private static final String BUSY = """

@@ -12,6 +12,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.stream.Stream;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -22,6 +23,7 @@ import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
+@Tag("newerJava")
 @DisabledOnOs(OS.WINDOWS)
 class MoveStoreTest {
 

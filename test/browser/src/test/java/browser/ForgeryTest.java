@@ -15,16 +15,20 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebDriver;
+import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
 import trace.TraceEvent;
 
-/** Why a forgery fails, how time stands still, and what no agent says: as the page shows it. */
+/** How a user finds the page, and how it shows why a forgery fails, that time stands still, and what no agent says. */
 class ForgeryTest {
 
     private static final String VERDICT = "#forged [role='status']";
@@ -54,17 +58,54 @@ class ForgeryTest {
             new Forgery("key", "refused: wrong tag",
                     "Bus refused it: its tag is wrong, because whoever has not the key cannot make the tag."));
 
+    /** Tests share one highway, and leave it at the speed of life. */
+    @TempDir
+    private static Path highway;
+    private static LiveRun run;
     @TempDir
     private Path folder;
+
+    @BeforeAll
+    static void start() throws Exception {
+        run = LiveRun.highway(highway).awaitGoingOn();
+    }
+
+    @AfterAll
+    static void end() {
+        run.close();
+    }
+
+    @Test
+    @Tag("verify")
+    void highway_withoutAScreen_tellsItsPageAloneBehindTheStartAndBehindTheEnd() throws Exception {
+        String address = run.address();
+        List<String> lines = run.said().lines().toList();
+        List<Integer> places = places(address);
+        String port = address.replaceAll(".*:(\\d+)/.*", "$1");
+
+        assertTrue(address.matches("http://127\\.0\\.0\\.1:\\d+/\\?token=[0-9a-f]{32}"), address);
+        assertEquals(2, lines.stream().filter(line -> line.contains("token=")).count(), run::said);
+        for (int place : places) {
+            assertTrue(lines.get(place - 1).contains("ssh -L " + port + ":127.0.0.1:" + port + " "), run::said);
+        }
+        assertTrue(lines.get(places.get(0) - 2).startsWith("five agents"), run::said);
+        assertTrue(lines.get(places.get(0) + 1).matches(" *[0-9.]+ s .*"), run::said);
+        assertTrue(lines.get(places.get(1) - 2).startsWith("the run goes on"), run::said);
+    }
+
+    private static List<Integer> places(String address) {
+        List<String> lines = run.said().lines().toList();
+        return IntStream.range(0, lines.size()).filter(i -> lines.get(i).equals(address)).boxed().toList();
+    }
 
     @Test
     @Tag("verify")
     void forgery_hasTheEndThatWasForetold_andItsAddresseeSaysWhy() throws Exception {
-        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+        try (Page page = Page.open(run.address())) {
             page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
                     Map.of("width", 1280, "height", 720, "deviceScaleFactor", 1, "mobile", false));
             page.await(OBSERVED, 9);
-            int sent = 0;
+            int sent = run.events(is("rf-tx", "injector")).size();
             for (Forgery forgery : FORGERIES) {
                 String button = "#forge-" + forgery.button();
                 assertEquals(true, page.script(IN_SIGHT, page.await(button + "-end")), button);
@@ -79,13 +120,50 @@ class ForgeryTest {
             press(page, "summary");
             page.awaitText("#forged li", "Hospital ignored it: it is for another device or group");
 
-            String last = lastToTheBus(run);
+            String last = lastToTheBus();
             String key = keyOf("ROMA SUPO");
             until(page, "Bus took it: its tag is right.", () -> assertEquals("", page.script(GENUINE, last, key)));
             press(page, "[aria-label='close']");
             page.await("nothing", driver -> !page.await("#forged").isDisplayed());
             assertClean(page);
         }
+    }
+
+    @Test
+    @Tag("verify")
+    void injector_isRefused_andItsTextIsNeverMarkup() throws Exception {
+        try (Page page = Page.open(run.address())) {
+            page.await(OBSERVED, 9);
+            page.driver().findElement(By.id("tab-injector")).click();
+            WebElement term = page.await("#shout input[name='term']");
+            term.clear();
+            term.sendKeys("p(\"<script>document.title=7</script>\")");
+            click(page, "shout-send");
+            page.awaitText("#injector-result", "<script>");
+            page.screenshot("shout");
+
+            Select recorded = new Select(page.await("#recorded"));
+            recorded.getOptions().stream().filter(option -> option.getText().contains("SUPP")
+                    && option.getText().contains("sealed")).findFirst().orElseThrow().click();
+            clickUntil(page, "send-flipped", "radioBadTag");
+            page.screenshot("forged");
+            page.await("replay", driver -> page.driver().findElement(By.id("replay")).isEnabled());
+            clickUntil(page, "replay", "radioRepeats");
+            page.screenshot("replayed");
+
+            assertFalse("7".equals(page.driver().getTitle()));
+            assertTrue(page.all("body script").isEmpty());
+            LivePageTest.awaitEvent(run, is("rf-tx", "injector"));
+            assertClean(page);
+        }
+    }
+
+    /** The packet may meet another one on the air. */
+    private static void clickUntil(Page page, String id, String result) {
+        page.repeat(result, AGAIN_MILLIS / 4, () -> {
+            page.await(id + " that can be pressed", driver -> driver.findElement(By.id(id)).isEnabled());
+            click(page, id);
+        }, () -> page.driver().findElement(By.id("injector-result")).getText().contains(result));
     }
 
     /** Clicks without a pointer: what is said of a packet moves as more is known of it. */
@@ -118,14 +196,14 @@ class ForgeryTest {
               });
             """;
 
-    private static String lastToTheBus(LiveRun run) throws Exception {
+    private static String lastToTheBus() throws Exception {
         List<TraceEvent> all = run.events(is("rf-tx", "police")
                 .and(event -> event.textOrEmpty("kind").equals("unicast") && event.text("destination").equals("ROMA")));
         return all.get(all.size() - 1).text("payload");
     }
 
-    private String keyOf(String pair) throws Exception {
-        return Files.readAllLines(folder.resolve("build/keyring")).stream()
+    private static String keyOf(String pair) throws Exception {
+        return Files.readAllLines(highway.resolve("build/keyring")).stream()
                 .filter(line -> line.startsWith(pair + " = "))
                 .findFirst().orElseThrow().substring(pair.length() + 3);
     }
@@ -137,7 +215,7 @@ class ForgeryTest {
     @Test
     @Tag("verify")
     void pause_isOne_andCostsNoAgentItsBoard() throws Exception {
-        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+        try (Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
             page.driver().findElement(By.tagName("body")).sendKeys(Keys.SPACE);
             page.awaitText("#source", "paused");
@@ -202,7 +280,7 @@ class ForgeryTest {
     @Test
     @Tag("verify")
     void speed_isThatOfTheRun_whileThePageFollowsIt() throws Exception {
-        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+        try (Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
             // The page tells the last three things: in a slow run they stand long enough to be read.
             new Select(page.await("#rate")).selectByValue("0.1");
@@ -212,6 +290,12 @@ class ForgeryTest {
             assertEquals("0.1", page.await("#rate").getDomProperty("value"));
             click(page, "play");
             page.awaitText("#story", "The run goes at 0.1 times the speed of life.");
+            page.awaitText("#source", "live");
+            List<TraceEvent> speeds = run.events(LivePageTest.command("speed"));
+            double resumed = speeds.get(speeds.size() - 1).seconds();
+            new Select(page.await("#rate")).selectByValue("1");
+            LivePageTest.awaitEvent(run, LivePageTest.command("speed")
+                    .and(event -> event.real("value") == 1 && event.seconds() >= resumed));
             assertClean(page);
         }
     }

@@ -30,20 +30,20 @@ class LivePageTest {
     @Test
     @Tag("verify")
     void highway_isSeenToItsEnd_andPlayedBackFromItsTrace() throws Exception {
-        try (LiveRun run = LiveRun.highway(folder);
-                Page page = Page.open(run.address());
-                Page phone = Page.onPhone(run.address())) {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await("section.agent", 5);
             page.screenshot("beginning");
             page.await(OBSERVED, 1);
             page.reload();
             page.await(OBSERVED, 9);
-            phone.await(OBSERVED, 9);
             page.awaitText("section.agent[data-board='bus'] .said", "Help is coming, says SUPO");
             page.awaitText("section.agent[data-board='bus'] .belief", "accident");
             page.await("section.agent[data-board='bus'] .lamp[data-pin='9'][data-on='1']");
             page.screenshot("highway");
-            phone.screenshot("phone");
+            try (Page phone = Page.onPhone(run.address())) {
+                phone.await(OBSERVED, 9);
+                phone.screenshot("phone");
+            }
             page.driver().findElement(By.id("tab-air")).click();
             page.await("tr.packet", 8);
             page.screenshot("sniffer");
@@ -157,35 +157,6 @@ class LivePageTest {
         return event.json("position").getAsJsonArray().get(1).getAsDouble();
     }
 
-    @Test
-    @Tag("verify")
-    void injector_isRefused_andItsTextIsNeverMarkup() throws Exception {
-        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
-            page.await(OBSERVED, 9);
-            page.driver().findElement(By.id("tab-injector")).click();
-            WebElement term = page.await("#shout input[name='term']");
-            term.clear();
-            term.sendKeys("p(\"<script>document.title=7</script>\")");
-            click(page, "shout-send");
-            page.awaitText("#injector-result", "<script>");
-            page.screenshot("shout");
-
-            Select recorded = new Select(page.await("#recorded"));
-            recorded.getOptions().stream().filter(option -> option.getText().contains("SUPP")
-                    && option.getText().contains("sealed")).findFirst().orElseThrow().click();
-            clickUntil(page, "send-flipped", "radioBadTag");
-            page.screenshot("forged");
-            page.await("replay", driver -> page.driver().findElement(By.id("replay")).isEnabled());
-            clickUntil(page, "replay", "radioRepeats");
-            page.screenshot("replayed");
-
-            assertFalse("7".equals(page.driver().getTitle()));
-            assertTrue(page.all("body script").isEmpty());
-            awaitEvent(run, is("rf-tx", "injector"));
-            assertClean(page);
-        }
-    }
-
     /** Boards have a packet before its trailer has ended, and the trace tells so. */
     @Test
     @Tag("verify")
@@ -268,14 +239,6 @@ class LivePageTest {
         page.await("#" + id).click();
     }
 
-    /** The packet may meet another one on the air. */
-    private static void clickUntil(Page page, String id, String result) {
-        page.repeat(result, PATIENCE_MILLIS / 4, () -> {
-            page.await(id + " that can be pressed", driver -> driver.findElement(By.id(id)).isEnabled());
-            click(page, id);
-        }, () -> page.driver().findElement(By.id("injector-result")).getText().contains(result));
-    }
-
     static void choose(Page page, String value) {
         new Select(page.await("#chosen")).selectByValue(value);
     }
@@ -307,7 +270,7 @@ class LivePageTest {
                 && event.text(key).equals(value);
     }
 
-    private static void awaitEvent(LiveRun run, Predicate<TraceEvent> wanted) throws IOException, InterruptedException {
+    static void awaitEvent(LiveRun run, Predicate<TraceEvent> wanted) throws IOException, InterruptedException {
         long end = System.currentTimeMillis() + PATIENCE_MILLIS;
         while (run.events(wanted).isEmpty()) {
             assertTrue(System.currentTimeMillis() < end, () -> "no such event; the run said:\n" + run.said());

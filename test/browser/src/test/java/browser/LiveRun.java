@@ -125,6 +125,18 @@ final class LiveRun implements AutoCloseable {
         return address.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     }
 
+    /** Waits until the highway has shown all, goes on, and has told its page once more: no page takes time meanwhile. */
+    LiveRun awaitGoingOn() throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (said().lines().filter(line -> line.startsWith("http://")).count() < 2) {
+            if (System.nanoTime() > end || !process.isAlive()) {
+                throw new AssertionError("it does not go on:\n" + said());
+            }
+            Thread.sleep(50);
+        }
+        return this;
+    }
+
     String said() {
         synchronized (lines) {
             return String.join("\n", lines);

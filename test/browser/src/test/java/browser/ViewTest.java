@@ -24,6 +24,8 @@ class ViewTest {
     private static final List<Dimension> SIZES =
             List.of(new Dimension(1280, 720), new Dimension(1920, 1080), new Dimension(800, 600));
     private static final int BEHAVIOURS = 9;
+    /** The time between two looks at what changes: to draw the page in another size takes much. */
+    private static final long EVERY_MILLIS = 500;
     /** Texts that are cut, or that cover another; what is scrolled out of sight is neither. */
     private static final String FAULTS = """
             const faults = [], texts = [];
@@ -86,6 +88,7 @@ class ViewTest {
                 page.size(size);
                 assertLaidOut(page, size);
                 seen = page.all(LivePageTest.OBSERVED).size();
+                Thread.sleep(EVERY_MILLIS);
             }
             for (Dimension size : SIZES) {
                 page.size(size);

@@ -65,7 +65,7 @@ class GradleCommandsTest {
         assertTrue(tasks.containsAll(Set.of("agent", "highway", "install", ":uppaal:test")), tasks::toString);
 
         // A dry run waits for no other build of this folder.
-        List<String> command = new ArrayList<>(List.of("env", "GRADLE_OPTS=-XX:TieredStopAtLevel=1",
+        List<String> command = new ArrayList<>(List.of("env", "GRADLE_OPTS=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC",
                 System.getProperty("javino.gradle"), "--no-daemon", "--console=plain", "--dry-run",
                 "--gradle-user-home", System.getProperty("javino.gradleUserHome"), "--project-cache-dir", "" + folder));
         properties.forEach((name, value) -> command.add("-P" + name + "=" + value));

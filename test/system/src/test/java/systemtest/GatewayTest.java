@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
+import javino.cli.JavinoCommand;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
@@ -110,8 +111,9 @@ class GatewayTest extends JoinedCells {
     }
 
     private static void assertEnds(String why, String... options) throws Exception {
-        List<String> said = GatewayProcess.start(Stream.concat(Stream.of("--cell", "x"), Stream.of(options)).toList())
-                .ended().stream().filter(line -> !line.startsWith("gateway: board: online")).toList();
+        String[] words = Stream.concat(Stream.of("gateway", "--cell", "x"), Stream.of(options)).toArray(String[]::new);
+        List<String> said =
+                JavinoCommand.run(words).stream().filter(line -> !line.startsWith("gateway: board: online")).toList();
         assertEquals(2, said.size(), said.toString());
         assertTrue(said.get(0).startsWith("javino: ") && said.get(0).contains(why), said.toString());
         assertEquals("1", said.get(1));

@@ -26,7 +26,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import trace.TraceEvent;
 import trace.TraceReader;
 
-/** A project that {@code javino new} has written, built and run as its user does who has a release, and no clone. */
+/**
+ * Projects that {@code javino new} has written, built and run as its user does who has a release, and no clone. Tests share
+ * two, each of which compiles the library once.
+ */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
 @Tag("verify")
 class NewProjectTest {
@@ -36,20 +39,33 @@ class NewProjectTest {
 
     @TempDir
     private static Path unpacked;
+    @TempDir
+    private static Path projects;
     private static Path home;
+    private static Path onMega;
+    private static Path onUno;
 
     @BeforeAll
     static void install() throws Exception {
         home = Release.unpack(unpacked);
+        onMega = projects.resolve("my-robot");
+        onUno = projects.resolve("my-uno");
+        assertEquals(0, newProject(onMega).waitFor());
+        assertEquals(0, newProject(onUno, "--board", "uno").waitFor());
+        // The project's library goes before the other of its name; the published library does not go before ours, which
+        // has the Javino.h too if JavinoBDI.h is included first.
+        Path sketchbook = projects.resolve("Arduino/libraries");
+        write(onUno.resolve("libraries/Lamp/Lamp.h"), "#define LAMP 13");
+        write(sketchbook.resolve("Lamp/Lamp.h"), "#error not that of the project");
+        write(sketchbook.resolve("Dark/Dark.h"), "#define DARK 300");
+        write(sketchbook.resolve("Javino/Javino.h"), "#error not ours");
     }
 
     @Test
-    void run_lightsTheLampWhileItIsDarkAndLeavesNothing(@TempDir Path folder) throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project).waitFor());
-        Path trace = project.resolve("build/trace.jsonl");
+    void run_lightsTheLampWhileItIsDarkAndLeavesNothing() throws Exception {
+        Path trace = onMega.resolve("build/trace.jsonl");
 
-        try (AgentProcess gradle = AgentProcess.start(gradle("run").directory(project.toFile()))) {
+        try (AgentProcess gradle = AgentProcess.start(gradle("run").directory(onMega.toFile()))) {
             gradle.await(" s lamp off", 2);
             List<TraceEvent> lamp = lamp(trace);
             assertEquals(List.of(1, 0, 1, 0), lamp.stream().map(event -> event.number("level")).toList());
@@ -62,66 +78,59 @@ class NewProjectTest {
                         () -> said + " is missing:\n" + String.join("\n", gradle.lines()));
             }
         }
-        awaitGone(project.resolve("ports/robot"));
+        awaitGone(onMega.resolve("ports/robot"));
     }
 
     @Test
     void run_agentCannotStart_endsWithOneLineAndLeavesNothing(@TempDir Path folder) throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project).waitFor());
-        Path program = project.resolve("src/agt/robot.asl");
-        Files.writeString(program, Files.readString(program).replace("!start.\n", "!start\n"));
+        Path program = onMega.resolve("src/agt/robot.asl");
+        String good = Files.readString(program);
+        Files.writeString(program, good.replace("!start.\n", "!start\n"));
 
         Path said = folder.resolve("said");
-        int status = gradle("run").directory(project.toFile()).redirectErrorStream(true).redirectOutput(said.toFile())
+        int status = gradle("run").directory(onMega.toFile()).redirectErrorStream(true).redirectOutput(said.toFile())
                 .start().waitFor();
+        Files.writeString(program, good);
 
         List<String> lines = Files.readAllLines(said);
         assertEquals(1, status, () -> String.join("\n", lines));
         // Gradle writes the task's name before what the task writes first.
         assertEquals(1, lines.stream().filter(line -> line.endsWith("src/agt/robot.asl:5: + is not expected here; is a"
                 + " full stop, a semicolon or a bracket missing before it?")).count(), () -> String.join("\n", lines));
-        awaitGone(project.resolve("ports/robot"));
+        awaitGone(onMega.resolve("ports/robot"));
     }
 
     @Test
     void sketch_forAnUno_takesLibrariesOfProjectAndSketchbookAndTellsItsSize(@TempDir Path folder) throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project, "--board", "uno").waitFor());
-        // The project's library goes before the other of its name; the published library does not go before ours, which
-        // has the Javino.h too if JavinoBDI.h is included first.
-        Path sketchbook = folder.resolve("Arduino/libraries");
-        write(project.resolve("libraries/Lamp/Lamp.h"), "#define LAMP 13");
-        write(sketchbook.resolve("Lamp/Lamp.h"), "#error not that of the project");
-        write(sketchbook.resolve("Dark/Dark.h"), "#define DARK 300");
-        write(sketchbook.resolve("Javino/Javino.h"), "#error not ours");
-        Path sketch = project.resolve("sketch/Robot/Robot.ino");
+        Path sketch = onUno.resolve("sketch/Robot/Robot.ino");
+        String asNew = Files.readString(sketch);
         Files.writeString(sketch, "#include <JavinoBDI.h>\n#include <Javino.h>\n#include <Lamp.h>\n#include <Dark.h>\n"
-                + "static_assert(LAMP + DARK == 313, \"\");\n" + Files.readString(sketch));
+                + "static_assert(LAMP + DARK == 313, \"\");\n" + asNew);
 
         Path said = folder.resolve("said");
-        int status = gradle("sketch", "-Duser.home=" + folder).directory(project.toFile()).redirectErrorStream(true)
+        int status = gradle("sketch", "-Duser.home=" + projects).directory(onUno.toFile()).redirectErrorStream(true)
                 .redirectOutput(said.toFile()).start().waitFor();
+        Files.writeString(sketch, asNew);
 
         String text = Files.readString(said);
         assertEquals(0, status, text);
         assertFalse(text.contains("Multiple libraries were found for \"Javino"), text);
         assertTrue(text.contains("Maximum is 32256 bytes.") && text.contains("Maximum is 2048 bytes."), text);
-        assertTrue(Files.size(project.resolve("build/sketch/Robot.ino.hex")) > 0);
+        assertTrue(Files.size(onUno.resolve("build/sketch/Robot.ino.hex")) > 0);
     }
 
     @Test
     void sketch_tooLargeForAnUno_isAnsweredByTheLibrarysPage(@TempDir Path folder) throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project, "--board", "uno").waitFor());
-        Path sketch = project.resolve("sketch/Robot/Robot.ino");
-        Files.writeString(sketch, Files.readString(sketch)
+        Path sketch = onUno.resolve("sketch/Robot/Robot.ino");
+        String asNew = Files.readString(sketch);
+        Files.writeString(sketch, asNew
                 .replaceFirst("(?m)^JavinoBoard", "const char TABLE[32000] PROGMEM = {};\n$0")
                 .replaceFirst("void setup\\(\\) \\{", "$0 Serial.write(pgm_read_byte(TABLE + millis()));"));
 
         Path said = folder.resolve("said");
-        int status = gradle("sketch", "-Duser.home=" + folder).directory(project.toFile()).redirectErrorStream(true)
+        int status = gradle("sketch", "-Duser.home=" + projects).directory(onUno.toFile()).redirectErrorStream(true)
                 .redirectOutput(said.toFile()).start().waitFor();
+        Files.writeString(sketch, asNew);
 
         String text = Files.readString(said);
         assertTrue(status != 0, text);
@@ -146,15 +155,14 @@ class NewProjectTest {
     }
 
     @Test
-    void test_playsTheFeatureAndNamesWhatIsWrong(@TempDir Path folder) throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project).waitFor());
+    void test_playsTheFeatureAndNamesWhatIsWrong() throws Exception {
+        Path project = onMega;
         String passed = gradleSays(project, "test");
         assertTrue(passed.startsWith("0\n") && passed.contains("scenarios: 3 passed"), passed);
         assertTrue(Files.readString(project.resolve("build/test-results/features/TEST-features.xml"))
                 .contains("it gets dark"));
         assertTrue(Files.size(project.resolve("build/reports/features.html")) > 0);
-        assertFalse(Files.exists(project.resolve("ports")));
+        awaitGone(project.resolve("ports/robot"));
 
         Path agent = project.resolve("src/agt/robot.asl");
         String program = Files.readString(agent);
@@ -168,6 +176,7 @@ class NewProjectTest {
         String wrong = gradleSays(project, "test");
         assertTrue(wrong.startsWith("1\n") && wrong.contains("the scenario cannot start: ")
                 && wrong.contains("src/agt/robot.asl:5: + is not expected here"), wrong);
+        Files.writeString(agent, program);
 
         assertTrue(gradleSays(project, "bundle").startsWith("0\n"));
         try (Stream<Path> jars = Files.list(project.resolve("build/bundle/lib"))) {
@@ -191,15 +200,13 @@ class NewProjectTest {
             "src/agt/robot.asl|` & not dark`|` `|not within 1 s it performs lampOn",
             "src/agt/robot.asl|.percepts(open);|.print(a);|its plans need .percepts(open)",
     })
-    void test_ofAFault_failsAndNamesItsPlace(String file, String right, String wrong, String told, @TempDir Path folder)
-            throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project).waitFor());
-        Path changed = project.resolve(file);
-        String text = Files.readString(changed);
-        assertTrue(text.contains(right), text);
-        Files.writeString(changed, text.replace(right, wrong));
-        String said = gradleSays(project, "test");
+    void test_ofAFault_failsAndNamesItsPlace(String file, String right, String wrong, String told) throws Exception {
+        Path changed = onMega.resolve(file);
+        String good = Files.readString(changed);
+        assertTrue(good.contains(right), good);
+        Files.writeString(changed, good.replace(right, wrong));
+        String said = gradleSays(onMega, "test");
+        Files.writeString(changed, good);
         assertTrue(said.startsWith("1\n") && said.contains(told), said);
     }
 
@@ -222,14 +229,12 @@ class NewProjectTest {
 
     @Test
     void bundle_takenElsewhere_runsByJavaAlone(@TempDir Path folder) throws Exception {
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project).waitFor());
-        assertEquals(0, gradle("bundle").directory(project.toFile()).inheritIO().start().waitFor());
-        Path bundle = Files.move(project.resolve("build/bundle"), folder.resolve("robot"));
+        assertEquals(0, gradle("bundle").directory(onMega.toFile()).inheritIO().start().waitFor());
+        Path bundle = Files.move(onMega.resolve("build/bundle"), folder.resolve("robot"));
         assertTrue(Files.size(bundle.resolve("Robot.ino.hex")) > 0);
-        Files.createSymbolicLink(bundle.resolve("ports"), project.resolve("ports"));
+        Files.createSymbolicLink(bundle.resolve("ports"), onMega.resolve("ports"));
 
-        try (AgentProcess board = board(project); AgentProcess agent = agents(bundle, Platform.USUAL, "robot.mas2j")) {
+        try (AgentProcess board = board(onMega); AgentProcess agent = agents(bundle, Platform.USUAL, "robot.mas2j")) {
             board.await("\"name\":\"lamp\",\"level\":1}");
             agent.await("[robot] my lamp is off");
         }

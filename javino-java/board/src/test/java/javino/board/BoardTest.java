@@ -35,10 +35,12 @@ import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
 import javino.protocol.HostMessage;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@Tag("newerJava")
 class BoardTest extends BoardFixture {
 
     /** A hold that no test waits for. */

@@ -19,11 +19,13 @@ import javino.TextFile;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@Tag("newerJava")
 class KeyringTest {
 
     /** Each waits for the others, 10 s at most, and a busy disk takes long to write. */

@@ -30,6 +30,7 @@ import javino.board.BoardState;
 import javino.fake.FakeBoard;
 import javino.protocol.Address;
 import javino.protocol.Key;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +39,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
+@Tag("newerJava")
 @Timeout(60)
 class CommandsTest {
 

@@ -7,11 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import javino.protocol.Capability;
 import javino.protocol.Counter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine.Help.Ansi;
 
+@Tag("newerJava")
 class MonitorCommandTest extends CommandFixture {
 
     private void startOnline() throws InterruptedException {

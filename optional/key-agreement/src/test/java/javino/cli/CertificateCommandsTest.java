@@ -20,6 +20,7 @@ import javino.keyring.BoundedClock;
 import javino.link.SerialLink;
 import javino.link.Time;
 import javino.protocol.Address;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -27,6 +28,7 @@ import keyagreement.Certificate;
 import keyagreement.Identity;
 
 /** {@code javino ca} and {@code javino enroll}, as users call them. */
+@Tag("newerJava")
 class CertificateCommandsTest {
 
     /** Of all commands of a test, so that none meets midnight. */

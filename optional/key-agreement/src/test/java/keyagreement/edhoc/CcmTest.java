@@ -12,10 +12,12 @@ import org.bouncycastle.crypto.modes.CCMBlockCipher;
 import org.bouncycastle.crypto.modes.CCMModeCipher;
 import org.bouncycastle.crypto.params.AEADParameters;
 import org.bouncycastle.crypto.params.KeyParameter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+@Tag("newerJava")
 class CcmTest {
 
     /** Packet vectors 1, 2, 3, 4 and 7 of RFC 3610 section 8; examples 1 and 2 of NIST SP 800-38C appendix C. */

@@ -18,6 +18,7 @@ import keyagreement.edhoc.KeySchedule.Proof;
 import keyagreement.edhoc.KeySchedule.Second;
 import keyagreement.edhoc.KeySchedule.Third;
 
+@Tag("newerJava")
 class EdhocTest {
 
     private static final SecureRandom RANDOM = new SecureRandom();

@@ -12,11 +12,13 @@ import java.util.Random;
 import javino.protocol.Bytes;
 import org.bouncycastle.crypto.ec.CustomNamedCurves;
 import org.bouncycastle.math.ec.ECPoint;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Against the arithmetic of BouncyCastle. */
+@Tag("newerJava")
 class P256Test {
 
     private static final ECPoint G = CustomNamedCurves.getByName("secp256r1").getG();
