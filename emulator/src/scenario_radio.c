@@ -24,14 +24,14 @@ static const distance_rate OUTDOORS[] = {{60, 0},       {70, 6.8e-9}, {80, 2.7e-
 
 // emulator/README.md says where these are from.
 static const module_config MODULES[] = {
-#define SERIAL_MODULE(name, text, baud, longest, slot, airtime, micros, ...) {text, baud, __VA_ARGS__},
+#define JAVINO_SERIAL_MODULE(name, text, baud, longest, slot, airtime, micros, ...) {text, baud, __VA_ARGS__},
 #include "SerialModules.def"
-#undef SERIAL_MODULE
+#undef JAVINO_SERIAL_MODULE
 };
 static const char *const MODULE_KINDS[] = {
-#define SERIAL_MODULE(name, text, ...) text,
+#define JAVINO_SERIAL_MODULE(name, text, ...) text,
 #include "SerialModules.def"
-#undef SERIAL_MODULE
+#undef JAVINO_SERIAL_MODULE
     NULL};
 
 static void read_module(module_config *module, const json_node *node) {

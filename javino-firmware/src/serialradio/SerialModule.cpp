@@ -1,6 +1,6 @@
 #include "SerialModule.h"
 
-#define SERIAL_MODULE(name, text, baud, longestPayload, slotMillis, airtimeMillis, airtimeMicros, ...) \
+#define JAVINO_SERIAL_MODULE(name, text, baud, longestPayload, slotMillis, airtimeMillis, airtimeMicros, ...) \
   const javinolib::SerialModule name JAVINO_FLASH = {baud, longestPayload, slotMillis, airtimeMillis, airtimeMicros};
 #include "SerialModules.def"
-#undef SERIAL_MODULE
+#undef JAVINO_SERIAL_MODULE

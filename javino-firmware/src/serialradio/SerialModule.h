@@ -18,6 +18,6 @@ struct SerialModule {
 
 }  // namespace javinolib
 
-#define SERIAL_MODULE(name, text, ...) extern const javinolib::SerialModule name;
+#define JAVINO_SERIAL_MODULE(name, text, ...) extern const javinolib::SerialModule name;
 #include "SerialModules.def"
-#undef SERIAL_MODULE
+#undef JAVINO_SERIAL_MODULE

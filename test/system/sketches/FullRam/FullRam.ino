@@ -12,7 +12,7 @@ JavinoRadioBoard board(Serial, "full RAM 1.0", radio);
 void setup() { board.begin(115200); }
 
 void loop() {
-  volatile uint8_t taken[SP - reinterpret_cast<uint16_t>(&__heap_start) - LEFT_BYTES];
+  __attribute__((unused)) volatile uint8_t taken[SP - reinterpret_cast<uint16_t>(&__heap_start) - LEFT_BYTES];
   taken[0] = 1;  // so that it is there
   board.run();
   taken[0] = 2;

@@ -125,7 +125,7 @@ final class LiveRun implements AutoCloseable {
         return address.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     }
 
-    /** Waits until the highway has shown all, goes on, and has told its page once more: no page takes time meanwhile. */
+    /** Waits until the highway has shown all, and has told its page once more: no page takes time meanwhile. */
     LiveRun awaitGoingOn() throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (said().lines().filter(line -> line.startsWith("http://")).count() < 2) {

@@ -153,7 +153,7 @@ class ArduinoLibraryTest {
         assertEquals(functions, words(lines, "KEYWORD2"));
         assertEquals(found("(?m)^(?:class|using) (Javino\\w*) ",
                 source("JavinoBDI.h") + source("arduino/ArduinoBoard.h") + published), words(lines, "KEYWORD1"));
-        assertEquals(found("(?m)^(?:#ifndef |#if defined\\(|SERIAL_MODULE\\()(JAVINO_\\w+)",
+        assertEquals(found("(?m)^(?:#ifndef |#if defined\\(|JAVINO_SERIAL_MODULE\\()(JAVINO_\\w+)",
                 source("Config.h") + source("radio/AskHardwareAvrTimer.h") + source("serialradio/SerialModules.def")),
                 words(lines, "LITERAL1"));
     }

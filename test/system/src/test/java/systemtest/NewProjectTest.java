@@ -27,8 +27,8 @@ import trace.TraceEvent;
 import trace.TraceReader;
 
 /**
- * Projects that {@code javino new} has written, built and run as its user does who has a release, and no clone. Tests share
- * two, each of which compiles the library once.
+ * Projects that {@code javino new} has written, built and run as its user does who has a release, and no clone. Tests
+ * share two, each of which compiles the library once.
  */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
 @Tag("verify")
