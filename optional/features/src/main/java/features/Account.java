@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.LongSupplier;
+import java.util.function.LongUnaryOperator;
 import java.util.stream.Stream;
 import lockstep.AgentProgram;
 
@@ -27,7 +28,7 @@ final class Account implements AgentProgram.Observer {
     private int mark;
     private long whenNanos;
 
-    /** @param clock tells emulated time. */
+    /** @param clock tells the time of the run. */
     Account(LongSupplier clock) {
         this.clock = clock;
     }
@@ -71,10 +72,11 @@ final class Account implements AgentProgram.Observer {
         return state.replace("at ", "to ");
     }
 
-    /** Takes a line of the emulator's trace. */
-    void traced(String line) {
+    /** Takes a line of the emulator's trace. @param seen gives when it was seen from the board's own time. */
+    void traced(String line, LongUnaryOperator seen) {
         JsonObject event = JsonParser.parseString(line).getAsJsonObject();
-        long nanos = Math.round(event.get("t").getAsDouble() * Window.SECOND);
+        long own = Math.round(event.get("t").getAsDouble() * Window.SECOND);
+        long nanos = seen.applyAsLong(own);
         String what = text(event, "event");
         String board = text(event, "board");
         switch (what) {
@@ -85,7 +87,7 @@ final class Account implements AgentProgram.Observer {
                     pins.put(board + "'s " + text(event, "name"), state);
                     see(nanos, Kind.PIN, board, text(event, "name"), going(state));
                     Servo servo = servo(board, text(event, "name"));
-                    if (servo.turns(nanos, high == 1)) {
+                    if (servo.turns(own, high == 1)) {
                         see(nanos, Kind.SERVO, board, text(event, "name"), "" + servo);
                     }
                 }

@@ -8,10 +8,10 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
+import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Key;
-import lockstep.Simulation;
 
 /** A device that is only played: an emulated board with our firmware, and a host of ours instead of agents. */
 final class Device implements BoardListener, AutoCloseable {
@@ -19,22 +19,22 @@ final class Device implements BoardListener, AutoCloseable {
     private static final Duration LONGEST = Duration.ofSeconds(20);
 
     private final Run run;
-    private final Simulation simulation;
+    private final Time time;
     private final String name;
     private final Board board;
 
     /** @param name its address, too, where it sends. */
     Device(Run run, String name, String port) {
         this.run = run;
-        simulation = run.simulation;
+        time = run.engine.time();
         this.name = name;
-        board = Board.open(simulation.port(port), BoardConfig.create(config -> config.setPatience(LONGEST))
-                .in(simulation), this);
+        board = Board.open(time.port(port), BoardConfig.create(config -> config.setPatience(LONGEST))
+                .in(time), this);
     }
 
     private <T> T get(CompletableFuture<T> request) {
         try {
-            return simulation.get(simulation.orTimeout(request.copy(), LONGEST));
+            return time.get(time.orTimeout(request.copy(), LONGEST));
         } catch (ExecutionException failed) {
             throw new StepFailure("the device " + name + ": " + failed.getCause().getMessage());
         } catch (InterruptedException interrupted) {

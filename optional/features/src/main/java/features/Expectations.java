@@ -105,7 +105,7 @@ final class Expectations {
     Map<String, Object> counts(String agent) {
         CompletableFuture<Map<String, Object>> counts = run.agents().counts(agent);
         try {
-            return run.simulation.get(run.simulation.orTimeout(counts.copy(), Duration.ofSeconds(10)));
+            return run.engine.time().get(run.engine.time().orTimeout(counts.copy(), Duration.ofSeconds(10)));
         } catch (ExecutionException late) {
             return late.getCause() instanceof TimeoutException ? Map.of(UNANSWERED, 1) : Map.of();
         } catch (InterruptedException interrupted) {

@@ -45,11 +45,11 @@ final class Others {
         devices.replaceAll((name, none) -> new Device(run, name, BoardFile.port(name)));
         devices.forEach((name, device) -> device.setId(name));
         for (Shared each : keys) {
-            Key key = Key.random(run.simulation.secureRandom());
+            Key key = Key.random(run.engine.time().secureRandom());
             devices.get(each.device).setKey(each.peer.address(), key);
             try (Device host = new Device(run, each.peer.board(), run.boards.portOf(each.peer.board()))) {
                 host.setId(each.peer.address());
-                host.setKey(each.device, each.same ? key : Key.random(run.simulation.secureRandom()));
+                host.setKey(each.device, each.same ? key : Key.random(run.engine.time().secureRandom()));
             }
         }
         devices.values().forEach(Device::open);

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
-import lockstep.Simulation;
 
 /**
  * The run of one scenario: its boards and agents in emulated time. The first step that is not of the boards' and
@@ -33,14 +32,14 @@ final class Run implements AutoCloseable {
     final Others others = new Others(this);
     /** None before the run begins. */
     BoardFile boards;
-    Simulation simulation;
+    Engine engine;
     /** The step's text, with its place. */
     String step = "";
     final Map<String, Object> radio = new TreeMap<>();
     Path agentsFile = Path.of(System.getProperty("javino.mas", "robot.mas2j"));
     Path boardsFile = Path.of(System.getProperty("javino.boards", "board.json"));
     long seed = Long.getLong("javino.seed", 1);
-    private AgentProgram program;
+    private AgentProgram.Runner agents;
     private boolean begun;
     private boolean broken;
     private String lastBoard = "";
@@ -75,7 +74,7 @@ final class Run implements AutoCloseable {
 
     /** The run of the scenario, which has not begun. */
     static Run before() {
-        if (any().simulation != null) {
+        if (any().engine != null) {
             throw any().wrong("boards, agents, seed and radio are chosen before the first other step");
         }
         return any();
@@ -84,7 +83,7 @@ final class Run implements AutoCloseable {
     // What the scenario has
 
     AgentProgram.Runner agents() {
-        return program == null ? null : program.agents();
+        return agents;
     }
 
     /** The board that words name; {@code its} is the last one. */
@@ -117,21 +116,21 @@ final class Run implements AutoCloseable {
     // How it runs
 
     long nanos() {
-        return simulation.nanos();
+        return engine.nanos();
     }
 
     private void begin() {
-        if (simulation != null) {
+        if (engine != null) {
             return;
         }
         try {
             boards = BoardFile.read(boardsFile, radio, others.names());
             Path scenario = boards.write(folder);
-            simulation = Simulation.start(List.of(System.getProperty("javino.emulator", "javino-emulator"),
+            engine = new EmulatedTime(List.of(System.getProperty("javino.emulator", "javino-emulator"),
                     scenario.toString(), "--directory", folder.toString(), "--keys", folder.resolve("keys").toString()),
-                    boards.ports(), seed, Simulation.JITTER, folder.resolve("trace.jsonl"), account::traced);
+                    boards.ports(), seed, folder.resolve("trace.jsonl"), account);
             others.begin();
-            program = AgentProgram.observe(simulation, agentsFile, account);
+            agents = engine.start(agentsFile);
         } catch (NoSuchFileException e) {
             throw new StepFailure("the scenario cannot start: there is no file " + e.getMessage());
         } catch (IOException e) {
@@ -151,7 +150,7 @@ final class Run implements AutoCloseable {
     /** @return whether it is as wanted before that time. */
     boolean runUntil(BooleanSupplier wanted, long end) {
         try {
-            return simulation.runUntil(wanted, end);
+            return engine.runUntil(wanted, end);
         } catch (IllegalStateException | AssertionError e) {
             throw broken(e);
         }
@@ -197,7 +196,7 @@ final class Run implements AutoCloseable {
     /** Has a command given after a time, by which what was taken away until then returns. */
     void later(long nanos, Map<String, Object> command) {
         returnsIn(nanos);
-        simulation.at(returns, () -> tell(command));
+        engine.at(returns, () -> tell(command));
     }
 
     /** A when: gives the emulator a command, in the words of emulator/README.md. */
@@ -208,7 +207,7 @@ final class Run implements AutoCloseable {
 
     private void tell(Map<String, Object> command) {
         try {
-            simulation.command(BoardFile.json(command));
+            engine.command(BoardFile.json(command));
         } catch (IOException refused) {
             throw wrong(refused.getMessage());
         }
@@ -238,7 +237,7 @@ final class Run implements AutoCloseable {
 
     private StepFailure failure(String what, boolean seen) {
         String head = step.isEmpty() ? "" : step + "\n";
-        return new StepFailure(simulation == null ? head + "  " + what
+        return new StepFailure(engine == null ? head + "  " + what
                 : head + new Explanation(this, account).of(what, seen) + "  this runs it again: gradle test -Pfeature="
                         + feature + " -Pseed=" + seed + "\n  its trace: javino watch --trace "
                         + folder.resolve("trace.jsonl"));
@@ -256,19 +255,17 @@ final class Run implements AutoCloseable {
     }
 
     private void end() {
-        if (simulation == null) {
+        if (engine == null) {
             return;
         }
         try {
             if (!broken) {
-                if (program != null) {
-                    program.close();
-                }
+                engine.stop();
                 others.close();
             }
         } finally {
             try {
-                simulation.close();
+                engine.close();
             } catch (AssertionError again) {
                 if (!broken) {
                     throw again;

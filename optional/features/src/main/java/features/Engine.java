@@ -1,0 +1,44 @@
+package features;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
+import javino.link.Time;
+import lockstep.AgentProgram;
+
+/** The time in which the boards and agents of a scenario run. The thread that makes it calls it, and is told of them. */
+interface Engine extends AutoCloseable {
+
+    /** What hosts of the test itself have from it. */
+    Time time();
+
+    /** How long the boards run, in ns; while something is told, when that was. */
+    long nanos();
+
+    /**
+     * Goes on until something is as wanted, or that time has come.
+     *
+     * @return whether it is as wanted.
+     */
+    boolean runUntil(BooleanSupplier wanted, long end);
+
+    /** Has something done then. */
+    void at(long nanos, Runnable action);
+
+    /** Gives the emulator a command, in the words of emulator/README.md, which takes effect at once. */
+    void command(String json) throws IOException;
+
+    /**
+     * Starts the agents of a program.
+     *
+     * @throws IOException why they cannot start, in one line.
+     */
+    AgentProgram.Runner start(Path program) throws IOException;
+
+    /** Ends the agents in good order. */
+    void stop();
+
+    /** Ends the boards. */
+    @Override
+    void close();
+}
