@@ -95,7 +95,8 @@ final class Account implements AgentProgram.Observer {
             case "rf-tx" -> {
                 payloads.put(board, text(event, "payload"));
                 see(nanos, Kind.PACKET, board, text(event, "kind"),
-                        "to " + text(event, "destination") + " " + text(event, "content"));
+                        "to " + text(event, "destination") + (text(event, "sealed").equals("true") ? ", sealed"
+                                : " " + text(event, "content")));
             }
             case "fault", "crash", "uart", "reset", "port" -> see(nanos, Kind.BOARD, board, what,
                     Stream.of("do", "line", "why", "state").map(field -> text(event, field))

@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
 import javino.link.Time;
 import lockstep.AgentProgram;
 
-/** The time in which the boards and agents of a scenario run. The thread that makes it calls it, and is told of them. */
+/** The time in which the boards and agents of a scenario run. The thread that makes it calls it and is told of them. */
 interface Engine extends AutoCloseable {
 
     /** What hosts of the test itself have from it. */

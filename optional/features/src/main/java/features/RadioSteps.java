@@ -64,6 +64,23 @@ public final class RadioSteps {
         Run.now().others.repeat(who);
     }
 
+    /** Each packet on the air counts, also one that is sent once more; nobody sees what is in it. */
+    @Then("{window}{board} board sends a sealed message to {word}{often}")
+    public void sendsSealed(Window window, String board, String to, Window.Count count) {
+        sends(window, board, "to " + address(to) + ", sealed", count);
+    }
+
+    /** Each packet on the air counts. */
+    @Then("{window}{board} board broadcasts {word} {term}{often}")
+    public void sendsPlain(Window window, String board, String performative, String term, Window.Count count) {
+        sends(window, board, "to " + Address.BROADCAST + " " + content(performative, term), count);
+    }
+
+    private static void sends(Window window, String board, String packet, Window.Count count) {
+        Run.now().expected.event(window, count, each -> each.is(Kind.PACKET, board) && each.more().equals(packet),
+                board + "'s board sends no packet " + packet);
+    }
+
     @Then("{window}the device {word} gets {word} {term}{often}")
     public void gets(Window window, String device, String performative, String term, Window.Count count) {
         String content = "" + content(performative, term);

@@ -27,7 +27,8 @@ final class Run implements AutoCloseable {
 
     private final String feature;
     private final Path folder;
-    final Account account = new Account(this::nanos);
+    private final Optional<WatchedRun> watched = WatchedRun.current();
+    final Account account = watched.map(WatchedRun::account).orElseGet(() -> new Account(this::nanos));
     final Expectations expected = new Expectations(this, account);
     final Others others = new Others(this);
     /** None before the run begins. */
@@ -74,6 +75,9 @@ final class Run implements AutoCloseable {
 
     /** The run of the scenario, which has not begun. */
     static Run before() {
+        if (any().watched.isPresent()) {
+            throw any().wrong(WatchedRun.ONLY);
+        }
         if (any().engine != null) {
             throw any().wrong("boards, agents, seed and radio are chosen before the first other step");
         }
@@ -83,6 +87,9 @@ final class Run implements AutoCloseable {
     // What the scenario has
 
     AgentProgram.Runner agents() {
+        if (watched.isPresent()) {
+            throw wrong(WatchedRun.ONLY);
+        }
         return agents;
     }
 
@@ -95,7 +102,7 @@ final class Run implements AutoCloseable {
     /** The agent that words name; {@code it} is the last one. */
     String agent(String words) {
         lastAgent = words.equals("it") ? lastAgent : words.replaceFirst("^the agent ", "");
-        return named("agent", lastAgent, agents().agents(), agentsFile);
+        return watched.isPresent() ? lastAgent : named("agent", lastAgent, agents().agents(), agentsFile);
     }
 
     private String named(String kind, String name, Collection<String> all, Path file) {
@@ -121,6 +128,11 @@ final class Run implements AutoCloseable {
 
     private void begin() {
         if (engine != null) {
+            return;
+        }
+        if (watched.isPresent()) {
+            boards = watched.get().boards();
+            engine = watched.get().engine();
             return;
         }
         try {
@@ -236,6 +248,9 @@ final class Run implements AutoCloseable {
     }
 
     private StepFailure failure(String what, boolean seen) {
+        if (watched.isPresent()) {
+            return new StepFailure(what);
+        }
         String head = step.isEmpty() ? "" : step + "\n";
         return new StepFailure(engine == null ? head + "  " + what
                 : head + new Explanation(this, account).of(what, seen) + "  this runs it again: gradle test -Pfeature="
@@ -255,7 +270,7 @@ final class Run implements AutoCloseable {
     }
 
     private void end() {
-        if (engine == null) {
+        if (engine == null || watched.isPresent()) {
             return;
         }
         try {

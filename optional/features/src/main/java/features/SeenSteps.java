@@ -85,6 +85,13 @@ public final class SeenSteps {
                 agent + " does not print \"" + line + "\"");
     }
 
+    /** A line that has those words in it. */
+    @Then("{window}{agent} prints a line with {string}{often}")
+    public void printsWith(Window window, String agent, String words, Window.Count count) {
+        Run.now().expected.event(window, count, each -> each.is(Kind.PRINTS, agent) && each.what().contains(words),
+                agent + " does not print a line with \"" + words + "\"");
+    }
+
     /** An action of its board's, which has ended well. */
     @Then("{window}{agent} performs {term}{often}")
     public void performs(Window window, String agent, String action, Window.Count count) {
