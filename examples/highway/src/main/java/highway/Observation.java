@@ -1,48 +1,22 @@
 package highway;
 
-/** Something that was seen from outside: in what an agent printed, on the air, or at a pin. */
-sealed interface Observation {
+/**
+ * Something that was seen from outside, as the terminal and the picture tell it.
+ *
+ * @param seconds emulated time since the boards were switched on.
+ * @param who     the address of the device.
+ * @param to      the destination of a packet; else empty.
+ * @param text    the line, the plain content, the packet's meaning (SPEC 7.3, 11.3), the reason, or the pin with its
+ *                level; empty for a sealed packet.
+ */
+record Observation(double seconds, Kind kind, String who, String to, String text) {
 
-    /** Emulated seconds since the boards were switched on. */
-    double seconds();
+    enum Kind {
+        SAYS, WARNS, SENDS, SEALED, HOSTS, ACKS, LOSES, PIN
+    }
 
-    /** A line that an agent printed. */
-    record Printed(double seconds, Device device, String text) implements Observation {}
-
-    /** A warning of its Java virtual machine, or of a library there. */
-    record Warned(double seconds, Device device, String text) implements Observation {}
-
-    /**
-     * A radio packet that was sent.
-     *
-     * @param content the content of a plain frame, empty for a sealed one
-     */
-    record Aired(double seconds, String origin, String destination, boolean sealed, String content)
-            implements Observation {}
-
-    /**
-     * A packet with which one host speaks to another, before they have a key (SPEC 11.3).
-     *
-     * @param destination the address of the other
-     * @param words       the kind of packet
-     */
-    record Hosts(double seconds, String origin, String destination, String words) implements Observation {}
-
-    /**
-     * An acknowledgement that was sent (SPEC 7.3).
-     *
-     * @param answers its meaning (SPEC 7.3)
-     */
-    record Acknowledged(double seconds, String origin, String answers) implements Observation {}
-
-    /** A packet that a board could not make out. */
-    record Spoilt(double seconds, Device device, String why) implements Observation {}
-
-    /** A watched actuator pin that changed. */
-    record Pin(double seconds, Device device, String name, int level) implements Observation {
-        /** {@code siren on}. */
-        String words() {
-            return name + (level == 1 ? " on" : " off");
-        }
+    /** Without its time: the same is the same again. */
+    Observation once() {
+        return new Observation(0, kind, who, to, text);
     }
 }

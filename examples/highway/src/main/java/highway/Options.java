@@ -66,6 +66,9 @@ final class Options {
     @Option(names = "--javino", hidden = true, description = "The class path of the javino command.")
     private String javino = System.getProperty("java.class.path");
 
+    @Option(names = "--agents", hidden = true, description = "The class path of the agents.")
+    private String agents = System.getProperty("java.class.path");
+
     @Option(names = "--plain", hidden = true, description = "No colours.")
     private boolean plain;
 
@@ -106,9 +109,10 @@ final class Options {
         }
     }
 
-    /** Whether an inspector travels to the bus meanwhile. */
-    boolean inspector() {
-        return inspector;
+    /** What is to be observed. */
+    List<Path> features() {
+        Path rescue = Path.of("highway.feature");
+        return inspector ? List.of(rescue, Path.of("inspector", "inspector.feature")) : List.of(rescue);
     }
 
     @Option(names = "--cells", defaultValue = "1",
@@ -153,22 +157,22 @@ final class Options {
     }
 
     /** The scenario; with serial modules, one of sketches for them. */
-    private String scenario() throws IOException {
+    Path scenario() throws IOException {
         Path file = Path.of(twoCells() ? "two-cells.json" : "highway.json");
         if (radio == null) {
-            return file.toString();
+            return file;
         }
         String text = Files.readString(file)
                 .replaceAll("\\.\\./\\.\\./javino-firmware/build/(vehicle|station)/",
                         "../../../javino-firmware/build/$1-" + radio + "/")
                 .replace("\"bitRate\": 2000", "\"module\": \"" + radio + "\"");
-        return Files.writeString(Files.createDirectories(Path.of("build")).resolve(file), text).toString();
+        return Files.writeString(Files.createDirectories(Path.of("build")).resolve(file), text);
     }
 
     /** @param keys the file in which it writes the keys that hosts agree on. */
     List<String> emulatorCommand(Path keys) throws IOException {
         List<String> command =
-                new ArrayList<>(List.of(emulator.toString(), scenario(), "--trace", "-", "--seed", "" + seed,
+                new ArrayList<>(List.of(emulator.toString(), "" + scenario(), "--trace", "-", "--seed", "" + seed,
                         "--control", CONTROL));
         if (radioBitErrorRate != null) {
             command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
@@ -247,7 +251,7 @@ final class Options {
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) throws IOException {
-        return java(System.getProperty("java.class.path"),
+        return java(agents,
                 live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS",
                 mas(device), "--log-conf", logging(device), "--no-net");
     }

@@ -1,5 +1,7 @@
 package highway;
 
+import features.WatchedRun;
+import highway.Observation.Kind;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -11,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,6 +25,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import trace.MalformedEventException;
@@ -61,6 +66,8 @@ final class Scenario implements AutoCloseable {
     /** Each cell has the name of its gateway's board. */
     private static final List<String> CELLS = List.of("west", "east");
 
+    private static final Pattern SAID = Pattern.compile("\\[(\\w+)] (.*)");
+
     private static final Path PICTURE = Path.of("build", "highway.svg");
 
     private final Options options;
@@ -68,7 +75,9 @@ final class Scenario implements AutoCloseable {
     private final SequenceDiagram chart = new SequenceDiagram();
     private final Replay model = new Replay(KEYRING);
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
-    private final List<Behaviour> behaviours;
+    private final List<Path> features;
+    /** What is missing of each; empty if it was observed. */
+    private final Map<String, String> behaviours = new LinkedHashMap<>();
     private final Set<Device> ready = EnumSet.noneOf(Device.class);
     private final Set<Device> connected = EnumSet.noneOf(Device.class);
     private int joined;
@@ -81,6 +90,8 @@ final class Scenario implements AutoCloseable {
     /** The lines about the page: its address is the last one. */
     private final List<String> page = new ArrayList<>();
     private boolean introduced;
+    private WatchedRun watched;
+    private boolean followed;
     private String verdict = "";
     private String failure;
     private boolean agentsStarted;
@@ -89,7 +100,8 @@ final class Scenario implements AutoCloseable {
     Scenario(Options options, Timeline timeline) {
         this.options = options;
         this.timeline = timeline;
-        behaviours = Behaviour.all(options.inspector());
+        features = options.features();
+        WatchedRun.scenarios(features).forEach(name -> behaviours.put(name, "not reached"));
     }
 
     /** A line of the launcher itself. */
@@ -110,12 +122,13 @@ final class Scenario implements AutoCloseable {
         }
     }
 
-    List<Behaviour> behaviours() {
+    /** What is missing of each; empty if it was observed. */
+    Map<String, String> behaviours() {
         return behaviours;
     }
 
     boolean allObserved() {
-        return behaviours.stream().allMatch(Behaviour::observed);
+        return behaviours.values().stream().allMatch(String::isEmpty);
     }
 
     /** Whether there is anything that a table could tell. */
@@ -140,6 +153,7 @@ final class Scenario implements AutoCloseable {
         Files.createDirectories(EEPROM);
         // Moves of a run that was broken off.
         deleteAll(MOVES);
+        watched = new WatchedRun(options.scenario());
         start("emulator", options.emulatorCommand(KEYRING), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
                 .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
@@ -224,6 +238,7 @@ final class Scenario implements AutoCloseable {
         events++;
         seconds = event.seconds();
         log.line(seconds, line);
+        watched.traced(line);
         if (!introduced) {
             introduced = true;
             introduce();
@@ -241,13 +256,12 @@ final class Scenario implements AutoCloseable {
             tell("device", "board", device.id(), "address", device.address, "title", device.title(), "colour",
                     device.hue);
         }
-        behaviours.forEach(this::tell);
+        behaviours.keySet().forEach(this::tell);
     }
 
-    private void tell(Behaviour behaviour) {
-        tell("behaviour", "number", behaviours.indexOf(behaviour) + 1, "text",
-                behaviour.device.title() + " " + behaviour.device.address + ": " + behaviour.text, "observed",
-                behaviour.observed());
+    private void tell(String behaviour) {
+        tell("behaviour", "number", List.copyOf(behaviours.keySet()).indexOf(behaviour) + 1, "text", behaviour,
+                "observed", behaviours.get(behaviour).isEmpty());
     }
 
     /** Tells what the model says up to now, if it says something new. */
@@ -320,9 +334,27 @@ final class Scenario implements AutoCloseable {
         startAgent(Device.BUS);
     }
 
-    /** Follows the run until all behaviours are observed, or the time is over. */
+    /** Follows the run until the features have ended, or the time is over. */
     void follow() throws InterruptedException, BrokenOffException {
-        until(this::allObserved);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout());
+        watched.play(features, wanted -> goOn(wanted, end), ended -> {
+            behaviours.put(ended.scenario(), ended.missing());
+            tell(ended.scenario());
+        });
+        followed = true;
+        takeHappening(0);
+    }
+
+    /** What breaks the run off is told behind the features, which have no time then. */
+    private boolean goOn(BooleanSupplier wanted, long end) {
+        try {
+            return until(wanted, end);
+        } catch (BrokenOffException brokenOff) {
+            return false;
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
     }
 
     /** Keeps the boards running until the launcher is ended. */
@@ -342,13 +374,14 @@ final class Scenario implements AutoCloseable {
 
     /** A line that Jason marks with an agent's name is the agent's, but for warnings of {@code live.ObservedMas}. */
     private Observation printed(Device device, String line) {
-        String tag = "[" + device.id() + "] ";
-        if (line.startsWith(tag)) {
-            return new Observation.Printed(seconds, device, line.substring(tag.length()));
+        Matcher said = SAID.matcher(line);
+        if (!said.matches()) {
+            return new Observation(seconds, Kind.WARNS, device.address, "", EventLog.warning(device, line));
         }
-        // Another agent of that MAS.
-        return line.matches("\\[\\w+] .*") ? new Observation.Printed(seconds, device, line)
-                : new Observation.Warned(seconds, device, EventLog.warning(device, line));
+        watched.printed(said.group(1), said.group(2));
+        // Another agent of that MAS has its name before what it says.
+        return new Observation(seconds, Kind.SAYS, device.address, "",
+                said.group(1).equals(device.id()) ? said.group(2) : line);
     }
 
     /** Starts a process that is to run as long as the scenario does. */
@@ -383,47 +416,39 @@ final class Scenario implements AutoCloseable {
         return child;
     }
 
-    private void see(Observation observation) {
+    private void see(Observation seen) {
         // A run that goes on after its end would fill the terminal; the page shows it.
-        if (!(options.live() && allObserved())) {
-            timeline.show(observation);
+        if (!(options.live() && followed)) {
+            timeline.show(seen);
         }
-        if (observation instanceof Observation.Printed printed) {
-            tell("said", "board", printed.device().id(), "text", printed.text());
-        } else if (observation instanceof Observation.Warned warned) {
-            tell("warned", "board", warned.device().id(), "text", warned.text());
-        }
-        boolean evidence = false;
-        for (Behaviour behaviour : behaviours) {
-            if (behaviour.see(observation)) {
-                evidence = true;
-                if (behaviour.observed()) {
-                    tell(behaviour);
+        chart.add(seen);
+        Device.withAddress(seen.who()).ifPresent(device -> {
+            switch (seen.kind()) {
+                case SAYS -> {
+                    tell("said", "board", device.id(), "text", seen.text());
+                    if (seen.text().equals("Ready")) {
+                        ready.add(device);
+                    } else if (seen.text().matches("My board at .* is on")) {
+                        connected.add(device);
+                    }
+                }
+                case WARNS -> tell("warned", "board", device.id(), "text", seen.text());
+                default -> {
+                    // The trace has it.
                 }
             }
-        }
-        if (evidence || observation instanceof Observation.Hosts) {
-            chart.add(observation);
-        }
-        if (observation instanceof Observation.Printed printed) {
-            if (printed.text().equals("Ready")) {
-                ready.add(printed.device());
-            } else if (printed.text().matches("My board at .* is on")) {
-                connected.add(printed.device());
-            }
-        }
+        });
     }
 
     private void waitFor(String what, BooleanSupplier condition)
             throws InterruptedException, BrokenOffException {
-        if (!until(condition)) {
+        if (!until(condition, System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout()))) {
             throw new BrokenOffException("waited " + options.timeout() + " s for " + what + " in vain");
         }
     }
 
     /** Whether the condition came true in time; a run that is watched has any time, since it can be paused. */
-    private boolean until(BooleanSupplier condition) throws InterruptedException, BrokenOffException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout());
+    private boolean until(BooleanSupplier condition, long end) throws InterruptedException, BrokenOffException {
         while (!condition.getAsBoolean()) {
             if (!options.live() && System.nanoTime() >= end) {
                 return false;

@@ -1,21 +1,21 @@
 package highway;
 
-import highway.Observation.Aired;
-import highway.Observation.Hosts;
-import highway.Observation.Pin;
-import highway.Observation.Printed;
+import highway.Observation.Kind;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.Collectors;
 import javino.protocol.Address;
 
-/** A run as a picture: a lifeline for each device, and going down, in the order of time, all that was evidence. */
+/** A run as a picture: a lifeline for each device, and going down, in the order of time, what it said, sent and did. */
 final class SequenceDiagram {
 
     private static final int WIDTH = 1000;
@@ -26,12 +26,21 @@ final class SequenceDiagram {
     /** Pixels that a monospaced letter of 11 pixels takes. */
     private static final double LETTER = 6.6;
     private static final int PADDING = 8;
+    private static final Set<Kind> SHOWN = EnumSet.of(Kind.SAYS, Kind.PIN, Kind.SENDS, Kind.SEALED, Kind.HOSTS);
     private static final String TRAVELLER = "#fff3b0";
 
-    private final List<Observation> evidence = new ArrayList<>();
+    private final List<Observation> shown = new ArrayList<>();
+    private final Set<Observation> known = new HashSet<>();
 
+    /**
+     * Adds what was seen, if it is the first of its kind: a packet that is sent once more tells nothing new. The
+     * picture begins when something is sent or done.
+     */
     void add(Observation seen) {
-        evidence.add(seen);
+        boolean begins = seen.kind() != Kind.SAYS || !shown.isEmpty();
+        if (begins && SHOWN.contains(seen.kind()) && known.add(seen.once())) {
+            shown.add(seen);
+        }
     }
 
     /** Writes the picture as SVG. */
@@ -40,7 +49,7 @@ final class SequenceDiagram {
     }
 
     private String svg() {
-        int height = HEAD + ROW * (evidence.size() + 1);
+        int height = HEAD + ROW * (shown.size() + 1);
         StringBuilder svg = new StringBuilder(String.format("""
             <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %1$d %2$d" font-family="sans-serif" font-size="12">
             <title>The highway: what five agents said, sent and did</title>
@@ -49,8 +58,8 @@ final class SequenceDiagram {
         for (Device device : Device.values()) {
             svg.append(lifeline(device, height));
         }
-        for (int row = 0; row < evidence.size(); row++) {
-            svg.append(row(evidence.get(row), HEAD + ROW * (row + 1)));
+        for (int row = 0; row < shown.size(); row++) {
+            svg.append(row(shown.get(row), HEAD + ROW * (row + 1)));
         }
         return svg.append("</svg>\n").toString();
     }
@@ -69,26 +78,19 @@ final class SequenceDiagram {
 
     private static String row(Observation seen, int y) {
         // The words of an agent have no time of their own: they came between two events.
-        if (seen instanceof Printed line) {
+        if (seen.kind() == Kind.SAYS) {
             // Another agent than the device's own has its name before what it says: it travels.
-            return box(line.device(), "“" + line.text() + "”", y, line.text().startsWith("[") ? TRAVELLER : "white");
+            return box(seen, "“" + seen.text() + "”", y, seen.text().startsWith("[") ? TRAVELLER : "white");
         }
         String time =
                 String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",
                         y + 4, seen.seconds());
-        if (seen instanceof Pin pin) {
-            return time + box(pin.device(), pin.words(), y, "#eee");
-        }
-        if (seen instanceof Hosts hosts) {
-            return time
-                    + arrows(hosts.origin(), hosts.destination(), false, hosts.destination() + "  " + hosts.words(), y);
-        }
-        return seen instanceof Aired aired ? time + arrows(aired.origin(), aired.destination(), aired.sealed(),
-                aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content()), y) : "";
+        return time + (seen.kind() == Kind.PIN ? box(seen, seen.text(), y, "#eee") : arrows(seen, y));
     }
 
     /** The words or the act of a device: a box that begins at its lifeline, and the last one's ends there. */
-    private static String box(Device device, String text, int y, String fill) {
+    private static String box(Observation seen, String text, int y, String fill) {
+        Device device = Device.withAddress(seen.who()).orElseThrow();
         int length = (int) Math.round(text.length() * LETTER);
         int left = Math.min(x(device) - PADDING, WIDTH - length - 3 * PADDING);
         // By its textLength the text fits its box where monospaced letters are narrower, too.
@@ -99,9 +101,11 @@ final class SequenceDiagram {
     }
 
     /** A packet: an arrow to each device that it is for, and above it what an eavesdropper can read. */
-    private static String arrows(String origin, String destination, boolean sealed, String label, int y) {
-        Device from = Device.withAddress(origin).orElseThrow();
-        List<Device> receivers = receivers(origin, destination);
+    private static String arrows(Observation packet, int y) {
+        Device from = Device.withAddress(packet.who()).orElseThrow();
+        List<Device> receivers = receivers(packet.who(), packet.to());
+        boolean sealed = packet.kind() == Kind.SEALED;
+        String label = packet.to() + "  " + (sealed ? "sealed" : packet.text());
         String tips = receivers.stream().map(to -> String.format("""
             <line x1="%d" y1="%d" x2="%d" y2="%2$d" stroke="%s" stroke-width="2" marker-end="url(#%s)"%s/>
             """, x(from), y, x(to), from.hue, from.address, sealed ? "" : " stroke-dasharray=\"6 3\""))

@@ -1,15 +1,8 @@
 package highway;
 
-import highway.Observation.Acknowledged;
-import highway.Observation.Aired;
-import highway.Observation.Hosts;
-import highway.Observation.Pin;
-import highway.Observation.Printed;
-import highway.Observation.Spoilt;
-import highway.Observation.Warned;
 import java.io.PrintStream;
-import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /** The run on the terminal: one line an observation, then the table. */
 final class Timeline {
@@ -47,32 +40,17 @@ final class Timeline {
     }
 
     private String line(Observation seen) {
-        if (seen instanceof Printed line) {
-            return who(line.device()) + "says   " + line.text();
-        }
-        if (seen instanceof Aired aired) {
-            return who(aired.origin()) + "sends  " + packet(aired);
-        }
-        if (seen instanceof Hosts hosts) {
-            return who(hosts.origin()) + paint(GREY, "hosts  " + hosts.origin() + " → " + hosts.destination() + "  "
-                    + hosts.words());
-        }
-        if (seen instanceof Acknowledged answer) {
-            return who(answer.origin()) + paint(GREY, "acks   " + answer.answers());
-        }
-        if (seen instanceof Pin pin) {
-            return who(pin.device()) + paint(GREY, pin.words());
-        }
-        if (seen instanceof Warned warned) {
-            return who(warned.device()) + paint(RED, "warns  " + warned.text());
-        }
-        Spoilt spoilt = (Spoilt) seen;
-        return who(spoilt.device()) + paint(RED, "loses  " + spoilt.why());
-    }
-
-    private String packet(Aired aired) {
-        String route = aired.origin() + " → " + aired.destination();
-        return aired.sealed() ? route + paint(GREEN, "  sealed") : route + "  plain  " + aired.content();
+        String route = seen.who() + " → " + seen.to();
+        return who(seen.who()) + switch (seen.kind()) {
+            case SAYS -> "says   " + seen.text();
+            case WARNS -> paint(RED, "warns  " + seen.text());
+            case SENDS -> "sends  " + route + "  plain  " + seen.text();
+            case SEALED -> "sends  " + route + paint(GREEN, "  sealed");
+            case HOSTS -> paint(GREY, "hosts  " + route + "  " + seen.text());
+            case ACKS -> paint(GREY, "acks   " + seen.text());
+            case LOSES -> paint(RED, "loses  " + seen.text());
+            case PIN -> paint(GREY, seen.text());
+        };
     }
 
     private String who(String origin) {
@@ -83,18 +61,24 @@ final class Timeline {
         return paint(device.colour, String.format("%-10s ", device.title()));
     }
 
-    /** The table of the behaviours with a mark each, what is missing, and the last line. */
-    void table(List<Behaviour> behaviours) {
+    /**
+     * The table of the behaviours with a mark each, and the last line.
+     *
+     * @param behaviours what is missing of each; empty if it was observed.
+     */
+    void table(Map<String, String> behaviours) {
         println("");
-        for (int row = 0; row < behaviours.size(); row++) {
-            Behaviour behaviour = behaviours.get(row);
-            String mark = behaviour.observed() ? paint(GREEN, "✓") : paint(RED, "✗");
-            println(String.format(" %d  %s%s %s", row + 1, who(behaviour.device), mark, behaviour.text));
-            for (String missing : behaviour.missing()) {
-                println(paint(RED, "                 " + missing));
+        int row = 0;
+        for (Map.Entry<String, String> behaviour : behaviours.entrySet()) {
+            boolean observed = behaviour.getValue().isEmpty();
+            String[] parts = behaviour.getKey().split(" ", 3);
+            println(String.format(" %d  %s%s %s", ++row, who(parts[1].replace(":", "")),
+                    observed ? paint(GREEN, "✓") : paint(RED, "✗"), parts[2]));
+            if (!observed) {
+                println(paint(RED, "                 " + behaviour.getValue()));
             }
         }
-        long observed = behaviours.stream().filter(Behaviour::observed).count();
+        long observed = behaviours.values().stream().filter(String::isEmpty).count();
         println("");
         println("highway: " + observed + " of " + behaviours.size() + " behaviours observed");
     }

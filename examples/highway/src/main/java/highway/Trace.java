@@ -1,15 +1,11 @@
 package highway;
 
-import highway.Observation.Acknowledged;
-import highway.Observation.Aired;
-import highway.Observation.Hosts;
-import highway.Observation.Pin;
-import highway.Observation.Spoilt;
+import highway.Observation.Kind;
 import java.util.List;
 import java.util.Optional;
 import javino.protocol.Bytes;
-import javino.protocol.Payload;
 import javino.protocol.HostMessage;
+import javino.protocol.Payload;
 import javino.protocol.ProtocolException;
 import trace.TraceEvent;
 
@@ -25,22 +21,33 @@ final class Trace {
 
     /** The observation of an event; nothing for those that are of no interest here. */
     static Optional<Observation> read(TraceEvent event) {
-        double seconds = event.seconds();
         return switch (event.name()) {
-            case "rf-tx" -> Optional.of(event.textOrEmpty("kind").equals("acknowledgement")
-                    ? new Acknowledged(seconds, event.textOrEmpty("origin"), event.textOrEmpty("answers"))
-                    : word(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(event)));
-            case "rf-damaged" ->
-                device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
-            case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
-            case "pin" -> device(event)
-                    .map(device -> new Pin(seconds, device, event.textOrEmpty("name"), event.number("level")));
+            case "rf-tx" -> Optional.of(packet(event));
+            case "rf-damaged" -> of(event, Kind.LOSES, "a packet: damaged on the air");
+            case "rf-collision" -> of(event, Kind.LOSES, "packets: they collided");
+            case "pin" ->
+                of(event, Kind.PIN, event.textOrEmpty("name") + (event.number("level") == 1 ? " on" : " off"));
             default -> Optional.empty();
         };
     }
 
-    /** The message of one host to another in a broadcast. */
-    private static Optional<Hosts> word(TraceEvent event) {
+    private static Optional<Observation> of(TraceEvent event, Kind kind, String text) {
+        return Device.withId(event.board())
+                .map(device -> new Observation(event.seconds(), kind, device.address, "", text));
+    }
+
+    private static Observation packet(TraceEvent event) {
+        String origin = event.textOrEmpty("origin");
+        if (event.textOrEmpty("kind").equals("acknowledgement")) {
+            return new Observation(event.seconds(), Kind.ACKS, origin, "", event.textOrEmpty("answers"));
+        }
+        boolean sealed = event.textOrEmpty("sealed").equals("true");
+        return betweenHosts(event).orElseGet(() -> new Observation(event.seconds(), sealed ? Kind.SEALED : Kind.SENDS,
+                origin, event.textOrEmpty("destination"), sealed ? "" : event.textOrEmpty("content")));
+    }
+
+    /** The message of one host to another in a broadcast, before they have a key (SPEC 11.3). */
+    private static Optional<Observation> betweenHosts(TraceEvent event) {
         Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
         if (payload.kind() != Payload.Kind.BROADCAST) {
             return Optional.empty();
@@ -48,19 +55,10 @@ final class Trace {
         try {
             HostMessage word = HostMessage.decode(payload.message());
             String part = word.kind().fragments() > 1 ? ", part " + (1 + word.fragment()) : "";
-            return word.to().map(to -> new Hosts(event.seconds(), event.textOrEmpty("origin"), to.toString(),
-                    WORDS.get(word.kind().ordinal()) + part));
+            return word.to().map(to -> new Observation(event.seconds(), Kind.HOSTS, event.textOrEmpty("origin"),
+                    to.toString(), WORDS.get(word.kind().ordinal()) + part));
         } catch (ProtocolException e) {
             return Optional.empty();
         }
-    }
-
-    private static Aired aired(TraceEvent event) {
-        return new Aired(event.seconds(), event.textOrEmpty("origin"), event.textOrEmpty("destination"),
-                event.textOrEmpty("sealed").equals("true"), event.textOrEmpty("content"));
-    }
-
-    private static Optional<Device> device(TraceEvent event) {
-        return Device.withId(event.board());
     }
 }

@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -22,8 +23,8 @@ class TimelineTest {
         Timeline timeline = new Timeline(new PrintStream(out, true, StandardCharsets.UTF_8), coloured);
         timeline.note("a note");
         timeline.warn("a warning");
-        timeline.show(new Observation.Printed(1, Device.BUS, "Ready"));
-        timeline.table(Behaviour.all(true));
+        timeline.show(new Observation(1, Observation.Kind.SAYS, Device.BUS.address, "", "Ready"));
+        timeline.table(Map.of("Bus ROMA: stops", "", "Police SUPO: hears it", "police does not print \"a\""));
         timeline.verdict("refused", false);
 
         List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();

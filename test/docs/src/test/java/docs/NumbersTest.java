@@ -110,7 +110,7 @@ class NumbersTest {
                 says("emulator/README.md", "A picture shows at most %d s",
                         constant("test/lab/campaign/src/main/java/air", "MOST_SECONDS")),
                 says("emulator/README.md", "less than a slot (%d bits)", SLOT),
-                says("examples/highway/README.md", "\n| %d |", behaviours()),
+                says("examples/highway/README.md", "the %d behaviours", behaviours()),
                 says("docs/first-steps.md", "highway: %1$d of %1$d behaviours observed", behaviours()));
     }
 
@@ -125,9 +125,8 @@ class NumbersTest {
     }
 
     private static int behaviours() {
-        String rows = Repository.text("examples/highway/src/main/java/highway/Behaviour.java")
-                .split("ofHighway\\(\\) \\{")[1];
-        return (int) Pattern.compile("\\bof\\(Device\\.").matcher(rows).results().count();
+        return (int) Repository.text("examples/highway/highway.feature").lines()
+                .filter(line -> line.strip().startsWith("Scenario:")).count();
     }
 
     private static int firmware(String name) {

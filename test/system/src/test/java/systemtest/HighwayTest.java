@@ -162,7 +162,7 @@ class HighwayTest {
         assertTrue(run.last().matches("model: trace accepted \\(\\d+ events, \\d+ messages opened, \\d+ proofs\\)"),
                 run::toString);
         assertEquals(1, run.status);
-        assertTrue(run.says("the agent did not say"), run::toString);
+        assertTrue(run.says("does not print"), run::toString);
         run.assertNothingLeft();
     }
 
@@ -350,7 +350,7 @@ class HighwayTest {
     /** The scenario in a folder of its own, so that nobody's run is disturbed; it uses the real sketches. */
     private void copyScenario() throws IOException {
         try (Stream<Path> files = Files.walk(HIGHWAY, 2)) {
-            for (Path file : files.filter(each -> each.toString().matches(".*\\.(asl|jcm|mas2j|properties)"))
+            for (Path file : files.filter(each -> each.toString().matches(".*\\.(asl|feature|jcm|mas2j|properties)"))
                     .toList()) {
                 Path copy = folder.resolve(HIGHWAY.relativize(file).toString());
                 Files.createDirectories(copy.getParent());
