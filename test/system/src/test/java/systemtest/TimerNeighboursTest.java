@@ -42,27 +42,43 @@ class TimerNeighboursTest {
     @TempDir
     private Path folder;
 
-    /** Columns: board, the radio's timer, the neighbour's header, an option for it, its pulse and its pause in µs. */
+    /**
+     * Each timer of the radio and each neighbour, on each board. Columns: board, the radio's timer, the neighbour's header,
+     * an option for it, its pulse and its pause in µs.
+     */
     @ParameterizedTest
     @CsvSource({
-            "uno, 0, Servo.h, , 1500, 18500", "uno, 0, Arduino.h, -DTONE, 500, 500",
-            "uno, 1, Arduino.h, -DTONE, 500, 500",
-            "uno, 0, NewPing.h, , 5000, 5000", "uno, 1, NewPing.h, , 5000, 5000",
-            "uno, 0, IRremote.hpp, , 5000, 5000", "uno, 1, IRremote.hpp, , 5000, 5000",
-            "uno, 0, IRremote.hpp, -DIR_USE_AVR_TIMER1, 5000, 5000", "uno, 0, TimerOne.h, , 5000, 5000",
-            "mega, 0, Servo.h, -DSERVOS=48, 1500, 18500", "mega, 1, Servo.h, -DSERVOS=12, 1500, 18500",
-            "mega, 3, Servo.h, -DSERVOS=24, 1500, 18500", "mega, 4, Servo.h, -DSERVOS=36, 1500, 18500",
-            "mega, 0, Arduino.h, -DTONE, 500, 500", "mega, 1, Arduino.h, -DTONE, 500, 500",
-            "mega, 3, Arduino.h, -DTONE, 500, 500", "mega, 4, Arduino.h, -DTONE, 500, 500",
+            "uno, 0, Servo.h, , 1500, 18500", "uno, 1, Arduino.h, -DTONE, 500, 500",
+            "uno, 1, NewPing.h, , 5000, 5000", "uno, 0, IRremote.hpp, , 5000, 5000",
+            "uno, 0, TimerOne.h, , 5000, 5000", "mega, 1, Servo.h, -DSERVOS=12, 1500, 18500",
+            "mega, 3, Arduino.h, -DTONE, 500, 500", "mega, 4, NewPing.h, , 5000, 5000",
+            "mega, 0, IRremote.hpp, , 5000, 5000", "mega, 5, TimerOne.h, , 5000, 5000"})
+    void anotherTimer_bothWork(String board, int timer, String header, String option, int pulse, int pause)
+            throws Exception {
+        assertBothWork(board, timer, header, option, pulse, pause);
+    }
+
+    /** The other pairs. */
+    @Tag("soak")
+    @ParameterizedTest
+    @CsvSource({
+            "uno, 0, Arduino.h, -DTONE, 500, 500", "uno, 0, NewPing.h, , 5000, 5000",
+            "uno, 1, IRremote.hpp, , 5000, 5000", "uno, 0, IRremote.hpp, -DIR_USE_AVR_TIMER1, 5000, 5000",
+            "mega, 0, Servo.h, -DSERVOS=48, 1500, 18500", "mega, 3, Servo.h, -DSERVOS=24, 1500, 18500",
+            "mega, 4, Servo.h, -DSERVOS=36, 1500, 18500", "mega, 0, Arduino.h, -DTONE, 500, 500",
+            "mega, 1, Arduino.h, -DTONE, 500, 500", "mega, 4, Arduino.h, -DTONE, 500, 500",
             "mega, 5, Arduino.h, -DTONE, 500, 500", "mega, 0, NewPing.h, , 5000, 5000",
             "mega, 1, NewPing.h, , 5000, 5000", "mega, 3, NewPing.h, , 5000, 5000",
-            "mega, 4, NewPing.h, , 5000, 5000", "mega, 5, NewPing.h, , 5000, 5000",
-            "mega, 0, IRremote.hpp, , 5000, 5000", "mega, 1, IRremote.hpp, , 5000, 5000",
+            "mega, 5, NewPing.h, , 5000, 5000", "mega, 1, IRremote.hpp, , 5000, 5000",
             "mega, 3, IRremote.hpp, , 5000, 5000", "mega, 4, IRremote.hpp, , 5000, 5000",
             "mega, 5, IRremote.hpp, , 5000, 5000", "mega, 0, TimerOne.h, , 5000, 5000",
-            "mega, 3, TimerOne.h, , 5000, 5000", "mega, 4, TimerOne.h, , 5000, 5000",
-            "mega, 5, TimerOne.h, , 5000, 5000"})
-    void anotherTimer_bothWork(String board, int timer, String header, String option, int pulse, int pause)
+            "mega, 3, TimerOne.h, , 5000, 5000", "mega, 4, TimerOne.h, , 5000, 5000"})
+    void anotherTimer_ofAnyOtherPair_bothWork(String board, int timer, String header, String option, int pulse,
+            int pause) throws Exception {
+        assertBothWork(board, timer, header, option, pulse, pause);
+    }
+
+    private void assertBothWork(String board, int timer, String header, String option, int pulse, int pause)
             throws Exception {
         for (boolean first : board.equals("uno") ? List.of(true, false) : List.of(false)) {
             List<TraceEvent> trace = emulate(board, build(board, timer, header, option, first));
@@ -82,10 +98,16 @@ class TimerNeighboursTest {
 
     /** No emulator of ours runs them. */
     @ParameterizedTest
-    @CsvSource({"0, Servo.h,", "3, Servo.h,", "0, Arduino.h, -DTONE", "1, Arduino.h, -DTONE", "0, NewPing.h,",
-            "1, NewPing.h,", "3, NewPing.h,", "0, IRremote.hpp,", "1, IRremote.hpp,", "0, TimerOne.h,",
-            "3, TimerOne.h,"})
+    @CsvSource({"0, Servo.h,", "1, Arduino.h, -DTONE", "3, NewPing.h,", "0, IRremote.hpp,", "3, TimerOne.h,"})
     void anotherTimerOfALeonardo_isBuilt(int timer, String header, String option) throws Exception {
+        build("leonardo", timer, header, option, true);
+    }
+
+    @Tag("soak")
+    @ParameterizedTest
+    @CsvSource({"3, Servo.h,", "0, Arduino.h, -DTONE", "0, NewPing.h,", "1, NewPing.h,", "1, IRremote.hpp,",
+            "0, TimerOne.h,"})
+    void anotherTimerOfALeonardo_ofAnyOtherPair_isBuilt(int timer, String header, String option) throws Exception {
         build("leonardo", timer, header, option, true);
     }
 
@@ -110,13 +132,26 @@ class TimerNeighboursTest {
         }
     }
 
-    /** Clashes that no build can see. Columns as above; a pin of PWM, or servos. */
+    /** Clashes that no build can see, for each timer. Columns as above; a pin of PWM, or servos. */
     @ParameterizedTest
-    @CsvSource({"uno, 0, Arduino.h, -DPWM=5", "uno, 1, Arduino.h, -DPWM=9", "uno, 1, Arduino.h, -DPWM=10",
-            "mega, 0, Arduino.h, -DPWM=13", "mega, 1, Arduino.h, -DPWM=11", "mega, 3, Arduino.h, -DPWM=5",
-            "mega, 4, Arduino.h, -DPWM=6", "mega, 5, Arduino.h, -DPWM=44", "mega, 1, Servo.h, -DSERVOS=13",
-            "mega, 3, Servo.h, -DSERVOS=25", "mega, 4, Servo.h, -DSERVOS=37"})
+    @CsvSource({"uno, 0, Arduino.h, -DPWM=5", "uno, 1, Arduino.h, -DPWM=9", "mega, 0, Arduino.h, -DPWM=13",
+            "mega, 1, Servo.h, -DSERVOS=13", "mega, 3, Arduino.h, -DPWM=5", "mega, 4, Servo.h, -DSERVOS=37",
+            "mega, 5, Arduino.h, -DPWM=44"})
     void sameTimer_thatNoBuildCanSee_isToldByBeginAndByTheHost(String board, int timer, String header, String option)
+            throws Exception {
+        assertToldByBeginAndByTheHost(board, timer, header, option);
+    }
+
+    @Tag("soak")
+    @ParameterizedTest
+    @CsvSource({"uno, 1, Arduino.h, -DPWM=10", "mega, 1, Arduino.h, -DPWM=11", "mega, 3, Servo.h, -DSERVOS=25",
+            "mega, 4, Arduino.h, -DPWM=6"})
+    void sameTimer_byAnyOtherNeighbour_isToldByBeginAndByTheHost(String board, int timer, String header, String option)
+            throws Exception {
+        assertToldByBeginAndByTheHost(board, timer, header, option);
+    }
+
+    private void assertToldByBeginAndByTheHost(String board, int timer, String header, String option)
             throws Exception {
         assertWarned(timer, hosted(board, build(board, timer, header, option + HOSTED, true)), false);
         assertWarned(timer, hosted(board, build(board, timer, header, option + HOSTED, false)), true);
