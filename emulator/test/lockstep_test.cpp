@@ -435,7 +435,7 @@ TEST(LockstepSlices, of_boards_with_serial_modules_are_the_same_run) {
 }
 
 TEST(LockstepSketch, of_the_library_answers_its_host) {
-  const char BOARD[] = R"({"boards":[{"name":"lamp","firmware":"@library_blink","model":"uno","port":"lamp"}]})";
+  const char BOARD[] = R"({"boards":[{"name":"lamp","firmware":")" LIBRARY_BLINK R"(","model":"uno","port":"lamp"}]})";
   const std::string HELLO_PACKET = "010f2b2b2b2b2b2b2b2b4151480172e700";  // vectors/packets.json
   Locked locked(BOARD);
   locked.say("open 0");
