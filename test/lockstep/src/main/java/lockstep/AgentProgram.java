@@ -12,7 +12,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -43,22 +42,14 @@ public final class AgentProgram implements AutoCloseable {
         default void performed(String agent, String action, String error) {}
     }
 
-    /** What runs the program, loaded with it. It has a constructor without parameters. */
-    public interface Runner {
-
-        /**
-         * Creates and starts the agents.
-         *
-         * @throws IOException what is wrong with the program, with file and line, in one line.
-         */
-        void start(Simulation simulation, Path program, Observer observer)
-                throws IOException, ReflectiveOperationException;
+    /** What a running program says of itself, and is given. */
+    public interface Agents {
 
         /** The agents that there are now. */
         Set<String> agents();
 
-        /** What keeps an agent's plans from being done or waiting; nothing if they are. */
-        Optional<String> busy(String agent);
+        /** What keeps an agent's plans from being done or waiting; empty if they are. */
+        String busy(String agent);
 
         /** The functors of beliefs for whose addition an agent has plans, with their places. */
         Map<String, String> planned(String agent);
@@ -68,6 +59,18 @@ public final class AgentProgram implements AutoCloseable {
 
         /** What an agent's board counts and how its architecture fares, as far as there is any. */
         CompletableFuture<Map<String, Object>> counts(String agent);
+    }
+
+    /** What runs the program, loaded with it. It has a constructor without parameters. */
+    public interface Runner {
+
+        /**
+         * Creates and starts the agents.
+         *
+         * @throws IOException what is wrong with the program, with file and line, in one line.
+         */
+        Agents start(Simulation simulation, Path program, Observer observer)
+                throws IOException, ReflectiveOperationException;
 
         /** Stops them. */
         void stop();
@@ -129,6 +132,7 @@ public final class AgentProgram implements AutoCloseable {
     private final Handler printing;
     private final Loader loader;
     private final Runner runner;
+    private Agents agents;
 
     private AgentProgram(Simulation simulation, Observer observer) throws IOException, ReflectiveOperationException {
         this.simulation = simulation;
@@ -169,7 +173,8 @@ public final class AgentProgram implements AutoCloseable {
         try {
             AgentProgram started = new AgentProgram(simulation, observer);
             try {
-                started.inIts(() -> started.runner.start(simulation, program.toAbsolutePath(), observer));
+                started.inIts(
+                        () -> started.agents = started.runner.start(simulation, program.toAbsolutePath(), observer));
                 return started;
             } catch (IOException | RuntimeException failed) {
                 started.close();
@@ -180,13 +185,13 @@ public final class AgentProgram implements AutoCloseable {
         }
     }
 
-    /** What the program says of itself, and is given: its methods but for start and stop. */
-    public Runner agents() {
-        return (Runner) Proxy.newProxyInstance(AgentProgram.class.getClassLoader(), new Class<?>[] {Runner.class},
+    /** The agents; their methods are called as one of the program's threads would. */
+    public Agents agents() {
+        return (Agents) Proxy.newProxyInstance(AgentProgram.class.getClassLoader(), new Class<?>[] {Agents.class},
                 (proxy, method, arguments) -> {
                     Object[] result = new Object[1];
                     try {
-                        inIts(() -> result[0] = method.invoke(runner, arguments));
+                        inIts(() -> result[0] = method.invoke(agents, arguments));
                     } catch (InvocationTargetException failed) {
                         throw failed.getCause();
                     }

@@ -14,7 +14,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.jar.JarEntry;
@@ -213,12 +212,12 @@ class AgentProgramTest {
         Files.writeString(folder.resolve("one.asl"), "+!go <- +a(1); -a(_); .print(gone); .wait(5000); .print(late).");
         Path mas = Files.writeString(folder.resolve("one.mas2j"), "MAS one { agents: one; }");
         try (Simulation simulation = start(1); AgentProgram program = AgentProgram.observe(simulation, mas, told)) {
-            AgentProgram.Runner agents = program.agents();
+            AgentProgram.Agents agents = program.agents();
             assertEquals(Set.of("one"), agents.agents());
             agents.give("one", "+!go");
-            assertEquals("its plans go on", agents.busy("one").orElseThrow());
+            assertEquals("its plans go on", agents.busy("one"));
             simulation.pause(1_000_000_000);
-            assertEquals(Optional.empty(), agents.busy("one"));
+            assertEquals("", agents.busy("one"));
             agents.give("one", "+b");
             assertThrows(IOException.class, () -> agents.give("one", "go("));
             simulation.pause(1_000_000_000);

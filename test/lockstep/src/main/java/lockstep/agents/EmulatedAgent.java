@@ -1,15 +1,7 @@
 package lockstep.agents;
 
-import java.util.LinkedHashSet;
-import java.util.Set;
-
-import diffuser.Diffuser;
 import diffuser.TimeSource;
-import diffuser.report.Failure;
 
-import jason.asSyntax.ASSyntax;
-import jason.asSyntax.Literal;
-import jason.asSyntax.Term;
 import jason.infra.local.LocalAgArch;
 
 import javino.link.Time;
@@ -21,8 +13,6 @@ import lockstep.Simulation;
 final class EmulatedAgent extends LocalAgArch implements TimeSource {
 
     private static final long serialVersionUID = 1;
-    /** Jason's mark of what it keeps itself among an agent's beliefs. */
-    private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
     /** What a cycle takes at least, so that an agent that never sleeps does not stop time. */
     private static final long CYCLE_NANOS = 50_000;
     /** As in {@link LocalAgArch}, where nobody else sees them. */
@@ -31,7 +21,7 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
 
     private final transient Simulation simulation;
     private final transient Observer observer;
-    private transient Set<String> beliefs = Set.of();
+    private transient Watch watch;
     private boolean scheduled;
     private boolean inCycle;
     private boolean woken;
@@ -51,26 +41,8 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
 
     /** Begins to reason. */
     void begin() {
-        Diffuser.find(getFirstAgArch()).ifPresent(diffuser -> diffuser.onPerformed((action, outcome) -> {
-            observer.asksFor(getAgName(), action);
-            outcome.whenComplete((done, thrown) -> observer.performed(getAgName(), action,
-                    thrown == null ? "" : Failure.of(thrown).error()));
-        }));
+        watch = new Watch(getFirstAgArch(), observer);
         schedule(simulation.nanos());
-    }
-
-    private void tellBeliefs() {
-        Set<String> now = new LinkedHashSet<>();
-        for (Literal belief : getTS().getAg().getBB()) {
-            if (!belief.isRule() && !belief.hasAnnot(HIDDEN)) {
-                now.add(belief.toString());
-            }
-        }
-        Set<String> before = beliefs;
-        beliefs = now;
-        before.stream().filter(each -> !now.contains(each))
-                .forEach(each -> observer.believes(getAgName(), each, false));
-        now.stream().filter(each -> !before.contains(each)).forEach(each -> observer.believes(getAgName(), each, true));
     }
 
     /** What a cycle takes, by the seed. */
@@ -94,7 +66,7 @@ final class EmulatedAgent extends LocalAgArch implements TimeSource {
         try {
             getFirstAgArch().incCycleNumber();
             reasoningCycle();
-            tellBeliefs();
+            watch.cycled();
         } finally {
             inCycle = false;
         }

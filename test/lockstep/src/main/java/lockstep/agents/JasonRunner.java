@@ -8,31 +8,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
-import java.util.TreeMap;
-import java.util.TreeSet;
-import java.util.concurrent.CompletableFuture;
 import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
-import java.util.stream.Stream;
 
-import diffuser.Diffuser;
 import diffuser.StartFailures;
 
 import jason.JasonException;
 import jason.architecture.AgArch;
 import jason.asSemantics.Agent;
-import jason.asSemantics.Circumstance;
-import jason.asSemantics.Event;
-import jason.asSemantics.Intention;
-import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
-import jason.asSyntax.Plan;
-import jason.asSyntax.SourceInfo;
 import jason.asSyntax.Trigger;
 import jason.infra.local.LocalAgArch;
 import jason.infra.local.LocalRuntimeServices;
@@ -46,13 +32,12 @@ import jason.runtime.RuntimeServicesFactory;
 import jason.runtime.Settings;
 
 import lockstep.AgentProgram;
+import lockstep.AgentProgram.Agents;
 import lockstep.AgentProgram.Observer;
 import lockstep.Simulation;
 
 /** Runs Jason's own launcher, but for its threads. */
 public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runner {
-
-    private static final String FROM_A_BOARD_ACTION = "/javino/";
 
     private Simulation simulation;
     private Observer observer;
@@ -111,7 +96,7 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
     }
 
     @Override
-    public void start(Simulation time, Path program, Observer told) throws IOException, ReflectiveOperationException {
+    public Agents start(Simulation time, Path program, Observer told) throws IOException, ReflectiveOperationException {
         simulation = time;
         observer = told;
         Field scheduler = Agent.class.getDeclaredField("scheduler");
@@ -138,6 +123,7 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
         }
         wrong.check();
         createdAgents.forEach(agent -> ((EmulatedAgent) agent).begin());
+        return new RunningAgents(this);
     }
 
     /** Parses the program beforehand, as Jason would end the virtual machine if it could not. */
@@ -180,74 +166,6 @@ public final class JasonRunner extends RunLocalMAS implements AgentProgram.Runne
 
         @Override
         public void close() {}
-    }
-
-    @Override
-    public Set<String> agents() {
-        return new TreeSet<>(getAgs().keySet());
-    }
-
-    private TransitionSystem of(String agent) {
-        return getAg(agent).getTS();
-    }
-
-    @Override
-    public Optional<String> busy(String agent) {
-        Circumstance circumstance = of(agent).getC();
-        Stream<String> asked = circumstance.getPendingIntentions().keySet().stream()
-                .filter(key -> key.contains(FROM_A_BOARD_ACTION)).map(key -> "." + key.replaceFirst("/.*", ""));
-        Stream<String> acting = circumstance.getPendingActions().values().stream()
-                .map(action -> action.getActionTerm().toString());
-        Optional<String> waiting = Stream.concat(asked, acting).sorted().findFirst().map(each -> each + " goes on");
-        return waiting.isPresent() || of(agent).canSleep() ? waiting : Optional.of("its plans go on");
-    }
-
-    @Override
-    public Map<String, String> planned(String agent) {
-        Map<String, String> planned = new TreeMap<>();
-        for (Plan plan : of(agent).getAg().getPL()) {
-            Trigger trigger = plan.getTrigger();
-            SourceInfo place = plan.getSrcInfo();
-            if (trigger.getType() == Trigger.TEType.belief && trigger.isAddition() && place != null
-                    && !trigger.getLiteral().isVar()) {
-                planned.putIfAbsent(trigger.getLiteral().getPredicateIndicator().toString(),
-                        place.getSrcFile().replaceFirst("^(.*/|file:)+", "") + ":" + place.getBeginSrcLine());
-            }
-        }
-        return planned;
-    }
-
-    @Override
-    public void give(String agent, String event) throws IOException {
-        try {
-            Trigger trigger = ASSyntax.parseTrigger(event);
-            if (trigger.getType() == Trigger.TEType.achieve) {
-                of(agent).getC().addEvent(new Event(trigger, Intention.EmptyInt));
-            } else if (trigger.isAddition()) {
-                of(agent).getAg().addBel(trigger.getLiteral());
-            } else {
-                of(agent).getAg().delBel(trigger.getLiteral());
-            }
-            getAg(agent).wake();
-        } catch (JasonException | jason.asSyntax.parser.ParseException | jason.asSyntax.parser.TokenMgrError e) {
-            throw new IOException(event + " is no goal or belief: " + e.getMessage().lines().findFirst().orElse(""), e);
-        }
-    }
-
-    @Override
-    public CompletableFuture<Map<String, Object>> counts(String agent) {
-        Map<String, Object> counts = new TreeMap<>();
-        Optional<Diffuser> diffuser = Diffuser.find(getAg(agent).getFirstAgArch());
-        if (diffuser.isEmpty()) {
-            return CompletableFuture.completedFuture(counts);
-        }
-        counts.putAll(diffuser.get().getStatus());
-        return diffuser.get().counters().handle((board, none) -> {
-            if (board != null) {
-                board.forEach((counter, value) -> counts.put(counter.toString(), value));
-            }
-            return counts;
-        });
     }
 
     @Override
