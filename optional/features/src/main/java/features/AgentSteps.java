@@ -7,7 +7,7 @@ import java.nio.file.Path;
 /** The agents, and what they are given. */
 public final class AgentSteps {
 
-    /** Another {@code .mas2j} than the project's. */
+    /** Another {@code .mas2j} or {@code .jcm} than the project's. */
     @Given("the agents of {string}")
     public void agents(String file) {
         Run.before().agentsFile = Path.of(file);

@@ -127,14 +127,22 @@ final class BoardFile {
         return pin < first ? "pin " + pin : "pin A" + (pin - first);
     }
 
-    /** Writes what the emulator reads. @return the file. */
-    Path write(Path folder) throws IOException {
+    /**
+     * Writes what the emulator reads.
+     *
+     * @param here whether its ports are in this folder, where other processes look for them.
+     * @return the file.
+     */
+    Path write(Path folder, boolean here) throws IOException {
         Files.createDirectories(folder);
         for (JsonObject board : boards.values()) {
             if (board.has("eeprom")) {
                 Path eeprom = folder.resolve(board.get("eeprom").getAsString());
                 Files.createDirectories(eeprom.getParent());
                 Files.deleteIfExists(eeprom);
+            }
+            if (here && board.has("port")) {
+                board.addProperty("port", Path.of(board.get("port").getAsString()).toAbsolutePath().toString());
             }
         }
         return Files.writeString(folder.resolve("board.json"), JSON.toJson(scenario));

@@ -58,13 +58,18 @@ final class Device implements BoardListener, AutoCloseable {
     /** Sends a message; what becomes of it is seen later. */
     void send(Address to, Content content) {
         board.transmit(to, content).end()
-                .whenComplete((outcome, thrown) -> run.account.see(Seen.Kind.OUTCOME, name, "" + content,
+                .whenComplete((outcome, thrown) -> see(Seen.Kind.OUTCOME, "" + content,
                         thrown == null ? outcome.name().toLowerCase(Locale.ROOT) : "not sent: " + thrown.getMessage()));
+    }
+
+    /** For any thread. */
+    private void see(Seen.Kind kind, String what, String more) {
+        run.engine.at(0, () -> run.account.see(kind, name, what, more));
     }
 
     @Override
     public void message(ReceivedMessage message) {
-        run.account.see(Seen.Kind.GETS, name, "" + message.content(), "" + message.from());
+        see(Seen.Kind.GETS, "" + message.content(), "" + message.from());
     }
 
     @Override

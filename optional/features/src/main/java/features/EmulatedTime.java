@@ -54,20 +54,19 @@ final class EmulatedTime implements Engine {
     }
 
     @Override
-    public AgentProgram.Runner start(Path file) throws IOException {
+    public AgentProgram.Agents start(Path file) throws IOException {
         program = AgentProgram.observe(simulation, file, account);
         return program.agents();
     }
 
     @Override
-    public void stop() {
-        if (program != null) {
-            program.close();
-        }
-    }
-
-    @Override
     public void close() {
-        simulation.close();
+        try {
+            if (program != null) {
+                program.close();
+            }
+        } finally {
+            simulation.close();
+        }
     }
 }

@@ -22,7 +22,7 @@ interface Engine extends AutoCloseable {
      */
     boolean runUntil(BooleanSupplier wanted, long end);
 
-    /** Has something done then. */
+    /** Has something done then, or now if that has passed. For any thread of the run. */
     void at(long nanos, Runnable action);
 
     /** Gives the emulator a command, in the words of emulator/README.md, which takes effect at once. */
@@ -33,12 +33,9 @@ interface Engine extends AutoCloseable {
      *
      * @throws IOException why they cannot start, in one line.
      */
-    AgentProgram.Runner start(Path program) throws IOException;
+    AgentProgram.Agents start(Path program) throws IOException;
 
-    /** Ends the agents in good order. */
-    void stop();
-
-    /** Ends the boards. */
+    /** Ends agents and boards. */
     @Override
     void close();
 }

@@ -56,7 +56,7 @@ final class Expectations {
      */
     void event(Window window, Window.Count count, Predicate<Seen> matching, String what) {
         long from = begin(window);
-        long end = from + window.nanos();
+        long end = from + window.nanos() * (isNot(window) || count != null ? 1 : run.slack());
         Predicate<Seen> wanted = each -> each.nanos() <= end && each.nanos() >= from && matching.test(each);
         if (isNot(window) && count != null) {
             throw run.wrong("say either how often, or that it does not happen");
@@ -81,7 +81,7 @@ final class Expectations {
 
     /** A counter of an agent's board that rises, since the scenario began. */
     void counter(Window window, String agent, String counter) {
-        long end = begin(window) + window.nanos();
+        long end = begin(window) + window.nanos() * (isNot(window) ? 1 : run.slack());
         boolean rose;
         do {
             run.runUntil(() -> false, Math.min(end, run.nanos() + ASKING_NANOS));

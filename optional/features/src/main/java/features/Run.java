@@ -12,21 +12,22 @@ import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
 
 /**
- * The run of one scenario: its boards and agents in emulated time. The first step that is not of the boards' and
- * agents' choice begins it; it has begun when no agent's start plans go on any more, and the boards' first percepts are
- * believed.
+ * The run of one scenario: its boards and agents. The first step that is not of the boards' and agents' choice
+ * begins it; it has begun when no agent's start plans go on any more, and the boards' first percepts are believed.
  */
 final class Run implements AutoCloseable {
 
     /** A scenario that has not begun in this time will not. */
     private static final long LONGEST_BEGINNING = 30 * Window.SECOND;
     /** A sketch that has no percepts begins without. */
+    private static final int JACAMO_SLACK = 3;
     private static final long LONGEST_WAIT_FOR_PERCEPTS = 3 * Window.SECOND;
 
     private static Run now;
 
     private final String feature;
     private final Path folder;
+    private final boolean realTime;
     private final Optional<WatchedRun> watched = WatchedRun.current();
     final Account account = watched.map(WatchedRun::account).orElseGet(() -> new Account(this::nanos));
     final Expectations expected = new Expectations(this, account);
@@ -40,22 +41,26 @@ final class Run implements AutoCloseable {
     Path agentsFile = Path.of(System.getProperty("javino.mas", "robot.mas2j"));
     Path boardsFile = Path.of(System.getProperty("javino.boards", "board.json"));
     long seed = Long.getLong("javino.seed", 1);
-    private AgentProgram.Runner agents;
+    private AgentProgram.Agents agents;
     private boolean begun;
     private boolean broken;
     private String lastBoard = "";
     private String lastAgent = "";
     private long returns = -1;
 
-    /** @param feature the scenario's file and line, as Cucumber takes them. */
-    private Run(String feature, Path folder) {
+    /**
+     * @param feature  the scenario's file and line, as Cucumber takes them.
+     * @param realTime whether it asks for the computer's time.
+     */
+    private Run(String feature, Path folder, boolean realTime) {
         this.feature = feature;
         this.folder = folder;
+        this.realTime = realTime;
     }
 
     /** Prepares a scenario, whose files go to a folder of its own. */
-    static void prepare(String feature, Path folder) {
-        now = new Run(feature, folder);
+    static void prepare(String feature, Path folder, boolean realTime) {
+        now = new Run(feature, folder, realTime);
     }
 
     static Optional<Run> current() {
@@ -67,7 +72,7 @@ final class Run implements AutoCloseable {
         return current().orElseThrow(() -> new IllegalStateException("no scenario goes on"));
     }
 
-    /** The run of the scenario, which begins if it has not begun. */
+    /** The run of the scenario, which begins if it has not begun; all that has happened is known. */
     static Run now() {
         any().begin();
         return any();
@@ -86,7 +91,7 @@ final class Run implements AutoCloseable {
 
     // What the scenario has
 
-    AgentProgram.Runner agents() {
+    AgentProgram.Agents agents() {
         if (watched.isPresent()) {
             throw wrong(WatchedRun.ONLY);
         }
@@ -122,12 +127,25 @@ final class Run implements AutoCloseable {
 
     // How it runs
 
+    /** JaCaMo's threads run in the computer's time. */
+    private boolean isJaCaMo() {
+        return agentsFile.toString().endsWith(".jcm");
+    }
+
+    /** By how much more time something has to happen than the feature says. */
+    int slack() {
+        return isJaCaMo() ? JACAMO_SLACK : 1;
+    }
+
     long nanos() {
         return engine.nanos();
     }
 
     private void begin() {
         if (engine != null) {
+            if (watched.isEmpty()) {
+                runUntil(() -> false, nanos());
+            }
             return;
         }
         if (watched.isPresent()) {
@@ -137,10 +155,12 @@ final class Run implements AutoCloseable {
         }
         try {
             boards = BoardFile.read(boardsFile, radio, others.names());
-            Path scenario = boards.write(folder);
-            engine = new EmulatedTime(List.of(System.getProperty("javino.emulator", "javino-emulator"),
-                    scenario.toString(), "--directory", folder.toString(), "--keys", folder.resolve("keys").toString()),
-                    boards.ports(), seed, folder.resolve("trace.jsonl"), account);
+            boolean real = realTime || isJaCaMo();
+            List<String> command = List.of(System.getProperty("javino.emulator", "javino-emulator"),
+                    boards.write(folder, real).toString(), "--directory", folder.toString(), "--keys",
+                    folder.resolve("keys").toString());
+            engine = real ? new RealTime(command, seed, folder, account)
+                    : new EmulatedTime(command, boards.ports(), seed, folder.resolve("trace.jsonl"), account);
             others.begin();
             agents = engine.start(agentsFile);
         } catch (NoSuchFileException e) {
@@ -150,12 +170,12 @@ final class Run implements AutoCloseable {
         } catch (IllegalStateException | AssertionError e) {
             throw broken(e);
         }
-        if (!runUntil(() -> busy().isEmpty(), LONGEST_BEGINNING)) {
+        if (!runUntil(() -> busy().isEmpty(), nanos() + LONGEST_BEGINNING)) {
             throw failure("the scenario has not begun within " + Seen.seconds(LONGEST_BEGINNING) + ": " + busy().get());
         }
         runUntil(() -> agents().agents().stream().noneMatch(this::lacksPercepts), nanos() + LONGEST_WAIT_FOR_PERCEPTS);
         begun = true;
-        account.mark();
+        pass(0);
         expected.countFromNow();
     }
 
@@ -177,8 +197,8 @@ final class Run implements AutoCloseable {
     }
 
     private Optional<String> busy() {
-        return agents().agents().stream()
-                .flatMap(agent -> agents().busy(agent).map(why -> "agent " + agent + ": " + why).stream()).findFirst();
+        return agents().agents().stream().map(agent -> "agent " + agent + ": " + agents().busy(agent))
+                .filter(each -> !each.endsWith(": ")).findFirst();
     }
 
     /** Whether an agent has a board, and believes nothing that it perceives. */
@@ -255,7 +275,8 @@ final class Run implements AutoCloseable {
         return new StepFailure(engine == null ? head + "  " + what
                 : head + new Explanation(this, account).of(what, seen) + "  this runs it again: gradle test -Pfeature="
                         + feature + " -Pseed=" + seed + "\n  its trace: javino watch --trace "
-                        + folder.resolve("trace.jsonl"));
+                        + folder.resolve("trace.jsonl") + (engine instanceof RealTime
+                                ? "\n  all that its agents have printed: " + folder.resolve("agents.log") : ""));
     }
 
     /** Checks what was not to happen at all, and ends agents and boards. */
@@ -275,7 +296,6 @@ final class Run implements AutoCloseable {
         }
         try {
             if (!broken) {
-                engine.stop();
                 others.close();
             }
         } finally {

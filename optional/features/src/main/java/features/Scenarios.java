@@ -7,7 +7,10 @@ import java.nio.file.Path;
 import java.util.logging.Handler;
 import java.util.logging.Logger;
 
-/** Each scenario has a run of its own, in a folder of its own below {@code javino.runs}. */
+/**
+ * Each scenario has a run of its own, in a folder of its own below {@code javino.runs}; tagged {@code @realtime} it is
+ * in the computer's time.
+ */
 public final class Scenarios {
 
     private static final Logger ROOT = Logger.getLogger("");
@@ -26,7 +29,8 @@ public final class Scenarios {
         Path here = Path.of("").toAbsolutePath();
         String place = (file.startsWith(here) ? here.relativize(file) : file) + ":" + scenario.getLine();
         String name = file.getFileName().toString().replaceFirst("\\.feature$", "") + "-" + scenario.getLine();
-        Run.prepare(place, Path.of(System.getProperty("javino.runs", "build/features"), name));
+        Run.prepare(place, Path.of(System.getProperty("javino.runs", "build/features"), name),
+                scenario.getSourceTagNames().contains("@realtime"));
     }
 
     @After

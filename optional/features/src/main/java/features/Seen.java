@@ -35,9 +35,9 @@ record Seen(long nanos, Kind kind, String who, String what, String more) {
         return kind == wanted && who.equals(by);
     }
 
-    /** Without the sources that are the usual ones. */
+    /** Without the sources that are the usual ones, and what CArtAgO says of artifacts. */
     static String brief(String belief) {
-        return belief.replaceFirst("\\[source\\((percept|self)\\)\\]$", "");
+        return belief.replaceFirst("\\[(source\\((percept|self)\\)|artifact_id\\(.*)\\]$", "");
     }
 
     @Override

@@ -151,13 +151,8 @@ public final class WatchedRun {
             }
 
             @Override
-            public AgentProgram.Runner start(Path program) {
+            public AgentProgram.Agents start(Path program) {
                 throw new IllegalStateException(ONLY);
-            }
-
-            @Override
-            public void stop() {
-                // It goes on.
             }
 
             @Override
@@ -166,5 +161,4 @@ public final class WatchedRun {
             }
         };
     }
-
 }

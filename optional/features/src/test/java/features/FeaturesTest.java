@@ -115,6 +115,43 @@ class FeaturesTest {
         assertFalse(project.said().contains("\tat "), project.said());
     }
 
+    /** Agents of Jason in a virtual machine of their own: what is so, and what is not. */
+    @Test
+    void realTime_isTheSameFromTheAgentsSide() throws IOException {
+        project.inRealTime();
+        assertEquals(0, play("When 1500 ms pass / And the agent robot gets the goal blink(2) / "
+                + "Then within 60 s it prints \"blink 1\" / And within 60 s robot's lamp is off / "
+                + "When it gets the belief dark / Then within 60 s it believes dark[source(self)] / "
+                + "And within 60 s it performs ledOn / And robot's lamp is on / "
+                + "When it gets the goal wrong / Then within 60 s it fails to perform ledOm with unknown_action / "
+                + "When its board is unplugged for 500 ms / Then within 60 s it believes port(_, off) / "
+                + "And within 60 s of its return it believes port(_, on) / "
+                + "And within 60 s the counter serialRequests of it rises"), project.said());
+        assertEquals(1, play("When the agent robot gets the goal wrong / Then never it prints \"a\" / "
+                + "And within 4 s it performs ledOm"), project.said());
+        for (String told : List.of("has not performed ledOm: unknown_action", "robot does not perform ledOm",
+                "robot has plans for what it has never believed: +brightness/1 (robot.asl:7), +dark/0 (robot.asl:6)")) {
+            assertTrue(project.said().contains(told), project.said());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "robot.asl|!start.|!start|robot.asl:2: ",
+            "robot.mas2j|diffuser.Diffuser|diffuser.Difuser|"
+                    + "agent robot cannot start: there is no class diffuser.Difuser",
+            "board.json|\"digital\"|\"digit\"|digit",
+    })
+    void realTime_programThatCannotStart_failsWithItsPlace(String file, String old, String wrong, String expected)
+            throws IOException {
+        project.inRealTime();
+        Path changed = project.folder().resolve(file);
+        Files.writeString(changed, Files.readString(changed).replace(old, wrong));
+        assertEquals(1, play("Then the agent robot prints \"a\""), project.said());
+        assertTrue(project.said().contains("the scenario cannot start: ") && project.said().contains(expected),
+                project.said());
+    }
+
     @Test
     void pin_ofAnalogWrite_hasItsDuty(@TempDir Path folder) throws IOException {
         String agent = "!start. +!start <- .port(\"ports/robot\"). +!go <- .act(forward). +!halt <- .act(halt).";

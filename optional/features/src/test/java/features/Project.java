@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Properties;
 
 /** A user's project with one robot, whose features Cucumber's own program plays as a build calls it. */
@@ -17,6 +18,7 @@ final class Project implements AutoCloseable {
     private final Path folder;
     private final Properties before = (Properties) System.getProperties().clone();
     private String said = "";
+    private String tag = "";
 
     /** @param sketch one of the library's examples, as its folder and file are named where it is built. */
     Project(Path folder, String sketch, String agent) throws IOException {
@@ -40,6 +42,18 @@ final class Project implements AutoCloseable {
         return ROOT.resolve("javino-firmware/build/" + sketch + ".ino.elf");
     }
 
+    /** From now on its scenarios are in the computer's time; other processes find ports by their whole names. */
+    void inRealTime() throws IOException {
+        tag = "@realtime";
+        for (String file : List.of("board.json", "robot.asl")) {
+            Path changed = folder.resolve(file);
+            Files.writeString(changed,
+                    Files.readString(changed).replace("\"ports/", "\"" + folder.resolve("ports") + "/"));
+        }
+        Path mas = folder.resolve("robot.mas2j");
+        Files.writeString(mas, Files.readString(mas).replace("; }", "; aslSourcePath: \"" + folder + "\"; }"));
+    }
+
     Path folder() {
         return folder;
     }
@@ -47,7 +61,7 @@ final class Project implements AutoCloseable {
     /** Plays a scenario of these steps, which a slash divides. @return Cucumber's exit status. */
     int play(String steps) throws IOException {
         Path feature = Files.writeString(folder.resolve("a.feature"),
-                "Feature: a\n\n  Scenario: b\n" + steps.replace(" / ", "\n"));
+                "Feature: a\n" + tag + "\n  Scenario: b\n" + steps.replace(" / ", "\n"));
         PrintStream out = System.out;
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
