@@ -225,9 +225,12 @@ class OneTimeTest {
         assertEquals(List.of("optional/features/build.gradle", "test/harness/build.gradle"),
                 buildFilesWith("':test:lockstep'").stream().filter(file -> !file.startsWith("test/docs/")).toList());
         // Of a project that javino new writes, its tests alone.
-        String project = "javino-java/cli/src/main/resources/javino/cli/project/jason/build.gradle";
-        assertEquals(List.of(project), buildFilesWith("org.javino:features"));
-        Repository.text(project).lines().filter(line -> line.contains("org.javino:features"))
+        List<String> projects = Stream.of("jacamo", "jason")
+                .map(kind -> "javino-java/cli/src/main/resources/javino/cli/project/" + kind + "/build.gradle")
+                .toList();
+        assertEquals(projects, buildFilesWith("org.javino:features"));
+        projects.stream().flatMap(file -> Repository.text(file).lines())
+                .filter(line -> line.contains("org.javino:features"))
                 .forEach(line -> assertTrue(line.strip().startsWith("testImplementation "), line));
         Pattern times = Pattern.compile("(implements|extends) (\\w+, )*(Time|RealTime)\\b(?!\\.)");
         List<String> kinds = Repository.files(".", ".java").stream()

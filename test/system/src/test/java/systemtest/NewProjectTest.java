@@ -28,7 +28,7 @@ import trace.TraceReader;
 
 /**
  * Projects that {@code javino new} has written, built and run as its user does who has a release, and no clone. Tests
- * share two, each of which compiles the library once.
+ * share three, each of which compiles the library once.
  */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
 @Tag("verify")
@@ -44,6 +44,7 @@ class NewProjectTest {
     private static Path home;
     private static Path onMega;
     private static Path onUno;
+    private static Path ofJaCaMo;
 
     @BeforeAll
     static void install() throws Exception {
@@ -240,21 +241,53 @@ class NewProjectTest {
         }
     }
 
+    /** The project is made by the first test that JaCaMo is there for. */
+    private static Path projectOfJaCaMo() throws Exception {
+        if (ofJaCaMo == null) {
+            ofJaCaMo = projects.resolve("my-house");
+            assertEquals(0, newProject(ofJaCaMo, "--jacamo").waitFor());
+        }
+        return ofJaCaMo;
+    }
+
+    /** In real time, so that no window here may be too short for a busy machine. */
     @Test
-    void bundle_ofJaCaMo_runsItsOrganisationUnderBothVersions(@TempDir Path folder) throws Exception {
+    void test_ofJaCaMo_playsTheFeatureAndSaysWhatWasSeen() throws Exception {
+        JaCaMo.platform("jacamo");
+        Path project = projectOfJaCaMo();
+        Path feature = project.resolve("src/test/features/robot.feature");
+        Files.writeString(feature, Files.readString(feature).replaceAll("within \\d+ s", "within 60 s")
+                .replace("Then the agent robot believes", "Then within 60 s the agent robot believes")
+                + "\n  Scenario: no other entry\n    When the agent robot gets the belief told\n"
+                + "    Then within 4 s the agent teller believes entry(9, Text)\n");
+
+        String said = gradleSays(project, "-Pjacamo=" + System.getProperty("javino.jacamoRepository"), "test");
+        assertTrue(said.startsWith("1\n") && said.contains("scenarios: 2 passed, 1 failed"), said);
+        assertTrue(said.contains("passed: dusk and dawn") && said.contains("teller does not come to believe entry(9"),
+                said);
+        List<Double> times = Pattern.compile("(?m)(?:^  at|since) ([\\d.]+) s:").matcher(said).results()
+                .map(found -> Double.valueOf(found.group(1))).toList();
+        assertTrue(times.size() == 2 && times.get(0) >= times.get(1) + 12, said);   // three times as long
+        assertTrue(Pattern.compile("(?m)^  robot believes: .*\\btold\\b").matcher(said).find(), said);
+        awaitGone(project.resolve("ports/robot"));
+    }
+
+    @Test
+    void bundle_ofJaCaMo_runsItsOrganisationUnderBothVersions() throws Exception {
         Platform jacamo = JaCaMo.platform("jacamo");
         Platform newer = JaCaMo.platform("newerJacamo");
-        Path project = folder.resolve("my-robot");
-        assertEquals(0, newProject(project, "--jacamo").waitFor());
+        Path project = projectOfJaCaMo();
         Files.writeString(project.resolve(".jcm-deps.gradle"), "");
         runByJaCaMo(project, "buildJCMDeps");
         runByJaCaMo(project, "bundle");
         assertNightIsTold(project, jacamo);
 
         Path build = project.resolve("build.gradle");
-        Files.writeString(build, Files.readString(build).replaceAll("(org.jacamo:jacamo:)[0-9.]+",
+        String asNew = Files.readString(build);
+        Files.writeString(build, asNew.replaceAll("(org.jacamo:jacamo:)[0-9.]+",
                 "$1" + System.getProperty("javino.newerJacamoVersion")));
         runByJaCaMo(project, "bundle");
+        Files.writeString(build, asNew);
         assertNightIsTold(project, newer);
     }
 

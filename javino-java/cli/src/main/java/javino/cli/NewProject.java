@@ -30,16 +30,15 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
 
     /** The platform that runs the agent of a project. */
     enum Kind {
-        JASON("jason", "robot.mas2j", """
-                | `src/test/features/robot.feature` | what `gradle test` plays and checks |
-                """, List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl",
+        JASON("jason", "robot.mas2j", "", List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl",
                 "src/test/features/robot.feature")),
         JACAMO("jacamo", "robot.jcm", """
                 | `src/agt/teller.asl` | another agent, without a board |
                 | `src/env/house/Diary.java` | an artifact, which both agents use |
                 | `src/org/house.xml` | the organisation, which gives each agent its goals |
                 """, List.of("build.gradle", "robot.jcm", ".jcm-deps.gradle", "src/agt/robot.asl",
-                "src/agt/teller.asl", "src/env/house/Diary.java", "src/org/house.xml"));
+                "src/agt/teller.asl", "src/env/house/Diary.java", "src/org/house.xml",
+                "src/test/features/robot.feature"));
 
         private final String resources;
         private final String masFile;

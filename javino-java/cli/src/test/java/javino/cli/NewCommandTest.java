@@ -62,6 +62,7 @@ class NewCommandTest extends CommandFixture {
         assertTrue(mas.contains("uses package: javino \"" + library + version + "\"\n"), mas);
         assertTrue(text(jacamo.resolve(".jcm-deps.gradle")).contains("implementation('" + library + version + "')"));
         assertTrue(text(jacamo.resolve("README.md")).contains("`robot.jcm`"));
+        assertTrue(text(jacamo.resolve("src/test/features/robot.feature")).contains("the agent teller"));
         for (String file : List.of("src/agt/teller.asl", "src/env/house/Diary.java", "src/org/house.xml")) {
             assertTrue(Files.exists(jacamo.resolve(file)), file);
             assertTrue(text(jacamo.resolve("README.md")).contains("`" + file + "`"), file);
