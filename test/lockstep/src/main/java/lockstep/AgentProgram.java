@@ -77,8 +77,8 @@ public final class AgentProgram implements AutoCloseable {
     }
 
     private static final String RUNNER = "lockstep.agents.JasonRunner";
-    /** What the programs share with the simulation. */
-    private static final List<String> SHARED = List.of("javino.", "lockstep.");
+    /** What the programs share with the simulation; Java has its own nowhere else. */
+    private static final List<String> SHARED = List.of("java.", "javino.", "lockstep.");
     private static final String OWN = "lockstep.agents.";
     /** The classes of Jason's library that ask Java for time or chance, and what they ask in the place of what. */
     static final Set<String> ASKING = Set.of("jason.functions.Random", "jason.functions.time", "jason.stdlib.date",
