@@ -43,8 +43,8 @@ class TimerNeighboursTest {
     private Path folder;
 
     /**
-     * Each timer of the radio and each neighbour, on each board. Columns: board, the radio's timer, the neighbour's header,
-     * an option for it, its pulse and its pause in µs.
+     * Each timer of the radio and each neighbour, on each board. Columns: board, the radio's timer, the neighbour's
+     * header, an option for it, its pulse and its pause in µs.
      */
     @ParameterizedTest
     @CsvSource({
