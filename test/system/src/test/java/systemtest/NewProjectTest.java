@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -36,6 +37,7 @@ class NewProjectTest {
 
     private static final long PATIENCE_SECONDS = 240;
     private static final String JAVA_HOME = System.getProperty("java.home");
+    private static final String QUICK_START = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC";
 
     @TempDir
     private static Path unpacked;
@@ -60,6 +62,11 @@ class NewProjectTest {
         write(sketchbook.resolve("Lamp/Lamp.h"), "#error not that of the project");
         write(sketchbook.resolve("Dark/Dark.h"), "#define DARK 300");
         write(sketchbook.resolve("Javino/Javino.h"), "#error not ours");
+    }
+
+    @AfterAll
+    static void endDaemon() throws Exception {
+        assertEquals(0, byDaemon("--stop").directory(projects.toFile()).inheritIO().start().waitFor());
     }
 
     @Test
@@ -109,7 +116,7 @@ class NewProjectTest {
                 + "static_assert(LAMP + DARK == 313, \"\");\n" + asNew);
 
         Path said = folder.resolve("said");
-        int status = gradle("sketch", "-Duser.home=" + projects).directory(onUno.toFile()).redirectErrorStream(true)
+        int status = byDaemon("sketch", "-Duser.home=" + projects).directory(onUno.toFile()).redirectErrorStream(true)
                 .redirectOutput(said.toFile()).start().waitFor();
         Files.writeString(sketch, asNew);
 
@@ -129,7 +136,7 @@ class NewProjectTest {
                 .replaceFirst("void setup\\(\\) \\{", "$0 Serial.write(pgm_read_byte(TABLE + millis()));"));
 
         Path said = folder.resolve("said");
-        int status = gradle("sketch", "-Duser.home=" + projects).directory(onUno.toFile()).redirectErrorStream(true)
+        int status = byDaemon("sketch", "-Duser.home=" + projects).directory(onUno.toFile()).redirectErrorStream(true)
                 .redirectOutput(said.toFile()).start().waitFor();
         Files.writeString(sketch, asNew);
 
@@ -150,7 +157,7 @@ class NewProjectTest {
     /** As its user calls it; what Gradle says, behind its exit status. */
     private static String gradleSays(Path project, String... arguments) throws Exception {
         Path said = project.resolveSibling("said");
-        int status = gradle(arguments).directory(project.toFile()).redirectErrorStream(true)
+        int status = byDaemon(arguments).directory(project.toFile()).redirectErrorStream(true)
                 .redirectOutput(said.toFile()).start().waitFor();
         return status + "\n" + Files.readString(said);
     }
@@ -223,14 +230,14 @@ class NewProjectTest {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, kind).waitFor());
         assertEquals(0,
-                gradle("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository",
+                byDaemon("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository",
                         "-Pfeature=a.feature:3", "-Pseed=2")
                         .directory(project.toFile()).inheritIO().start().waitFor());
     }
 
     @Test
     void bundle_takenElsewhere_runsByJavaAlone(@TempDir Path folder) throws Exception {
-        assertEquals(0, gradle("bundle").directory(onMega.toFile()).inheritIO().start().waitFor());
+        assertEquals(0, byDaemon("bundle").directory(onMega.toFile()).inheritIO().start().waitFor());
         Path bundle = Files.move(onMega.resolve("build/bundle"), folder.resolve("robot"));
         assertTrue(Files.size(bundle.resolve("Robot.ino.hex")) > 0);
         Files.createSymbolicLink(bundle.resolve("ports"), onMega.resolve("ports"));
@@ -328,14 +335,23 @@ class NewProjectTest {
         return javino.start();
     }
 
-    /** The Gradle that runs this test. */
+    /** The same by a daemon, as users do by default: it starts once for all tests. */
+    private static ProcessBuilder byDaemon(String... arguments) {
+        ProcessBuilder gradle = gradle(arguments);
+        gradle.command().remove("--no-daemon");
+        gradle.command().addAll(List.of("--daemon", "-Dorg.gradle.daemon.registry.base=" + projects.resolve("daemon"),
+                "-Dorg.gradle.jvmargs=" + QUICK_START));
+        return gradle;
+    }
+
+    /** The Gradle that runs this test, in a process that ends with it. */
     static ProcessBuilder gradle(String... arguments) {
         ProcessBuilder gradle =
                 new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
                         "--gradle-user-home", System.getProperty("javino.gradleUserHome"));
         gradle.command().addAll(List.of(arguments));
         gradle.environment().put("JAVA_HOME", JAVA_HOME);
-        gradle.environment().put("GRADLE_OPTS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");
+        gradle.environment().put("GRADLE_OPTS", QUICK_START);
         return gradle;
     }
 
