@@ -251,7 +251,7 @@ class HighwayTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void agentThatIsNotThere_calledByTheRealGradle_isNamed() throws Exception {
         Run run = follow(NewProjectTest.gradle("-q", "agent", "-Pagent=buss")
                 .directory(Path.of(System.getProperty("javino.root")).toFile()).redirectErrorStream(true).start());
