@@ -12,7 +12,7 @@ avr-libc                 C library for the boards
 arduino-core-avr         Arduino core
 arduino-builder          builds sketches
 gcc                      the emulator
-g++                      firmware tests on the PC
+g++                      attacks on the firmware, on the PC
 make                     drives both
 cmake                    configures both
 libsimavr-dev            AVR emulation
@@ -20,8 +20,8 @@ libelf-dev               reads firmware files
 libjansson-dev           JSON: scenario files and test vectors
 libgtest-dev             GoogleTest
 libgmock-dev             GoogleMock
-clang                    fuzzes the firmware's code on the PC
-libclang-rt-dev          its fuzzer and sanitizers
+clang                    tests and fuzzes C and C++ with sanitizers, on the PC
+libclang-rt-dev          its sanitizers and fuzzer
 git                      a test asks it which files it ignores
 procps                   ends what Gradle has started, at Ctrl-C
 clang-format             holds the style of C and C++
