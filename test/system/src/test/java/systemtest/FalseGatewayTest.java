@@ -164,6 +164,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void falseGateway_readsAndWritesForItsOwnCellOnly() throws Exception {
         Set<String> read = new ConcurrentSkipListSet<>();
         Set<String> written = new ConcurrentSkipListSet<>();
