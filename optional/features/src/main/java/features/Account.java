@@ -39,6 +39,11 @@ final class Account implements AgentProgram.Observer {
         whenNanos = clock.getAsLong();
     }
 
+    /** Now the when is done, which by hand takes time. */
+    void done() {
+        whenNanos = clock.getAsLong();
+    }
+
     /** The time of the last when. */
     long when() {
         return whenNanos;

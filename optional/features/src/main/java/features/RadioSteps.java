@@ -77,8 +77,10 @@ public final class RadioSteps {
     }
 
     private static void sends(Window window, String board, String packet, Window.Count count) {
-        Run.now().expected.event(window, count, each -> each.is(Kind.PACKET, board) && each.more().equals(packet),
-                board + "'s board sends no packet " + packet);
+        if (!Run.now().isUnseen(window)) {
+            Run.now().expected.event(window, count, each -> each.is(Kind.PACKET, board) && each.more().equals(packet),
+                    board + "'s board sends no packet " + packet);
+        }
     }
 
     @Then("{window}the device {word} gets {word} {term}{often}")

@@ -8,7 +8,11 @@ import io.cucumber.plugin.event.TestCaseFinished;
 import io.cucumber.plugin.event.TestRunFinished;
 import io.cucumber.plugin.event.TestStepFinished;
 import io.cucumber.plugin.event.TestStepStarted;
+import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -46,7 +50,7 @@ public final class Report implements ConcurrentEventListener {
             out.println(text(step) + "\n  no step has these words; docs/reference.md in Javino's folder lists all");
         } else if (error instanceof StepFailure) {
             out.println(error.getMessage());
-        } else if (error != null) {
+        } else if (error != null && event.getResult().getStatus() != Status.SKIPPED) {
             if (event.getTestStep() instanceof PickleStepTestStep step) {
                 out.println(text(step));
             }
@@ -57,16 +61,28 @@ public final class Report implements ConcurrentEventListener {
     private void finished(TestCaseFinished event) {
         Status status = event.getResult().getStatus();
         ended.merge(status, 1, Integer::sum);
-        out.println((status.isOk() ? "passed: " : status.name().toLowerCase(Locale.ROOT) + ": ")
-                + event.getTestCase().getName());
+        out.println(status.name().toLowerCase(Locale.ROOT) + ": " + event.getTestCase().getName());
     }
 
     private void finished(TestRunFinished event) {
         if (ended.isEmpty()) {
             throw new IllegalStateException("no scenario was run; is there one at that file and line?");
         }
-        out.println("scenarios: " + ended.entrySet().stream()
+        String all = ended.entrySet().stream()
                 .map(each -> each.getValue() + " " + each.getKey().name().toLowerCase(Locale.ROOT))
-                .collect(Collectors.joining(", ")));
+                .collect(Collectors.joining(", "));
+        out.println("scenarios: " + all);
+        if (System.getProperty("javino.port") != null) {
+            out.println("not checked on the real board:" + (Run.UNCHECKED.isEmpty() ? " nothing" : ""));
+            Run.UNCHECKED.forEach(step -> out.println("  " + step));
+            int unchecked = Run.UNCHECKED.size();
+            Run.UNCHECKED.clear();
+            try {
+                Files.writeString(Path.of(System.getProperty("javino.runs", "build/features"), "real-board.txt"),
+                        all + "; steps not checked: " + unchecked + "\n");
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
     }
 }

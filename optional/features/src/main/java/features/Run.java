@@ -3,6 +3,7 @@ package features;
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
+import org.opentest4j.TestAbortedException;
 
 /**
  * The run of one scenario: its boards and agents. The first step that is not of the boards' and agents' choice
@@ -23,8 +25,13 @@ final class Run implements AutoCloseable {
     private static final int JACAMO_SLACK = 3;
     private static final long LONGEST_WAIT_FOR_PERCEPTS = 3 * Window.SECOND;
 
+    /** The steps of all scenarios that nobody could do or see with a real board. */
+    static final List<String> UNCHECKED = new ArrayList<>();
+
     private static Run now;
 
+    /** The port of a real board; null for emulated ones. */
+    private final String realPort = System.getProperty("javino.port");
     private final String feature;
     private final Path folder;
     private final boolean realTime;
@@ -155,12 +162,11 @@ final class Run implements AutoCloseable {
         }
         try {
             boards = BoardFile.read(boardsFile, radio, others.names());
-            boolean real = realTime || isJaCaMo();
-            List<String> command = List.of(System.getProperty("javino.emulator", "javino-emulator"),
-                    boards.write(folder, real).toString(), "--directory", folder.toString(), "--keys",
-                    folder.resolve("keys").toString());
-            engine = real ? new RealTime(command, seed, folder, account)
-                    : new EmulatedTime(command, boards.ports(), seed, folder.resolve("trace.jsonl"), account);
+            if (realPort != null && !(boards.names().size() == 1 && radio.isEmpty())) {
+                throw unchecked();
+            }
+            engine = realPort == null ? emulator()
+                    : new RealBoard(Path.of(realPort), Path.of(boards.ports().get(0)), folder, account, () -> step);
             others.begin();
             agents = engine.start(agentsFile);
         } catch (NoSuchFileException e) {
@@ -177,6 +183,35 @@ final class Run implements AutoCloseable {
         begun = true;
         pass(0);
         expected.countFromNow();
+    }
+
+    private Engine emulator() throws IOException {
+        boolean real = realTime || isJaCaMo();
+        List<String> command = List.of(System.getProperty("javino.emulator", "javino-emulator"),
+                boards.write(folder, real).toString(), "--directory", folder.toString(), "--keys",
+                folder.resolve("keys").toString());
+        return real ? new EmulatedBoards(command, seed, folder, account)
+                : new EmulatedTime(command, boards.ports(), seed, folder.resolve("trace.jsonl"), account);
+    }
+
+    /** Whether the board is a real one: what the emulator would do is done by hand, and its pins are not seen. */
+    boolean isByHand() {
+        return engine instanceof RealBoard;
+    }
+
+    /** Whether nobody can see what this step expects: then its time passes, and it is told of at the end. */
+    boolean isUnseen(Window window) {
+        if (isByHand()) {
+            UNCHECKED.add(step);
+            runUntil(() -> false, nanos() + (window.kind() == Window.Kind.UNSAID ? 0 : window.nanos()));
+        }
+        return isByHand();
+    }
+
+    /** Ends the scenario, as nobody can do what this step says. */
+    private TestAbortedException unchecked() {
+        UNCHECKED.add(step);
+        return new TestAbortedException(step);
     }
 
     /** @return whether it is as wanted before that time. */
@@ -222,25 +257,33 @@ final class Run implements AutoCloseable {
 
     /** What was taken away comes back by itself then. */
     void returnsIn(long nanos) {
-        returns = nanos() + nanos;
+        returns = nanos() + (isByHand() ? 0 : nanos);
     }
 
     /** Has a command given after a time, by which what was taken away until then returns. */
     void later(long nanos, Map<String, Object> command) {
         returnsIn(nanos);
-        engine.at(returns, () -> tell(command));
+        if (!isByHand()) {
+            engine.at(returns, () -> tell(command));
+        }
     }
 
     /** A when: gives the emulator a command, in the words of emulator/README.md. */
     void command(Map<String, Object> command) {
         account.mark();
         tell(command);
+        if (isByHand()) {
+            account.done();
+        }
     }
 
     private void tell(Map<String, Object> command) {
         try {
             engine.command(BoardFile.json(command));
         } catch (IOException refused) {
+            if (isByHand()) {
+                throw unchecked();
+            }
             throw wrong(refused.getMessage());
         }
     }
@@ -272,11 +315,15 @@ final class Run implements AutoCloseable {
             return new StepFailure(what);
         }
         String head = step.isEmpty() ? "" : step + "\n";
-        return new StepFailure(engine == null ? head + "  " + what
-                : head + new Explanation(this, account).of(what, seen) + "  this runs it again: gradle test -Pfeature="
-                        + feature + " -Pseed=" + seed + "\n  its trace: javino watch --trace "
-                        + folder.resolve("trace.jsonl") + (engine instanceof RealTime
-                                ? "\n  all that its agents have printed: " + folder.resolve("agents.log") : ""));
+        if (engine == null) {
+            return new StepFailure(head + "  " + what);
+        }
+        String again = feature + (isByHand() ? " -Pport=" + realPort : " -Pseed=" + seed
+                + "\n  its trace: javino watch --trace " + folder.resolve("trace.jsonl"));
+        String printed = engine instanceof RealTimeEngine
+                ? "\n  all that its agents have printed: " + folder.resolve("agents.log") : "";
+        return new StepFailure(head + new Explanation(this, account).of(what, seen)
+                + "  this runs it again: gradle test -Pfeature=" + again + printed);
     }
 
     /** Checks what was not to happen at all, and ends agents and boards. */

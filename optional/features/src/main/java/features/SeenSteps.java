@@ -21,6 +21,9 @@ public final class SeenSteps {
     @Then("{window}{pin} is {level}{often}")
     public void pin(Window window, Parameters.Pin pin, String state, Window.Count count) {
         Run run = Run.now();
+        if (run.isUnseen(window)) {
+            return;
+        }
         String name = run.watched(pin);
         String is = run.account.state(pin.board(), name);
         if (window.kind() == Window.Kind.UNSAID && count == null) {
@@ -37,6 +40,9 @@ public final class SeenSteps {
     @Then("{window}the servo at {pin} is at {int} degrees")
     public void servo(Window window, Parameters.Pin pin, int degrees) {
         Run run = Run.now();
+        if (run.isUnseen(window)) {
+            return;
+        }
         String name = run.watched(pin);
         Servo servo = run.account.servo(pin.board(), name);
         if (window.kind() == Window.Kind.UNSAID) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -150,6 +151,35 @@ class FeaturesTest {
         assertEquals(1, play("Then the agent robot prints \"a\""), project.said());
         assertTrue(project.said().contains("the scenario cannot start: ") && project.said().contains(expected),
                 project.said());
+    }
+
+    /** Nobody is at the terminal, and no board at the port. */
+    @Test
+    void realBoard_whatNobodyDoesOrSees_isListed() throws IOException {
+        project.inRealTime();
+        System.setProperty("javino.port", "/dev/null");
+        InputStream terminal = System.in;
+        System.setIn(InputStream.nullInputStream());
+        try {
+            assertEquals(0, play("Then within 1 s robot's lamp is on / And the agent robot does not believe led(on) / "
+                    + "When the level at robot's 2 falls to 0 / Then it prints \"a\""), project.said());
+            assertTrue(project.said().contains("  make that so at the board, then press Enter"), project.said());
+            assertTrue(project.said().endsWith("""
+                    scenarios: 1 skipped
+                    not checked on the real board:
+                      a.feature:4  Then within 1 s robot's lamp is on
+                      a.feature:6  When the level at robot's 2 falls to 0
+                    """), project.said());
+            assertEquals("1 skipped; steps not checked: 2\n",
+                    Files.readString(project.folder().resolve("runs/real-board.txt")));
+            assertEquals(0, play("Given the device SUPO / Then the agent robot prints \"a\""), project.said());
+            assertEquals(1, play("Then within 100 ms the agent robot believes led(on)"), project.said());
+            System.setProperty("javino.port", "/dev/there_is_none");
+            assertEquals(1, play("Then the agent robot prints \"a\""), project.said());
+            assertTrue(project.said().contains("there is no file /dev/there_is_none"), project.said());
+        } finally {
+            System.setIn(terminal);
+        }
     }
 
     @Test

@@ -7,10 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.AgentProcess;
 import harness.Platform;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
@@ -24,6 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import trace.EmulatorControl;
 import trace.TraceEvent;
 import trace.TraceReader;
 
@@ -193,6 +198,93 @@ class NewProjectTest {
         }
     }
 
+    /**
+     * A board behind a port, of which Gradle knows nothing else; the test is the person who moves its sensor and pulls
+     * its cable. It runs by the clock: no window here may be too short for a busy machine.
+     */
+    @Test
+    void test_onARealBoard_asksThePersonAndListsWhatItCannotCheck(@TempDir Path desk) throws Exception {
+        Path feature = onMega.resolve("src/test/features/robot.feature");
+        String asNew = Files.readString(feature);
+        assertTrue(gradleSays(onMega, "sketch").startsWith("0\n"));
+        Files.writeString(feature, asNew.replaceAll("within 1 s (?!it performs|robot's)", "within 60 s ")
+                .replace("Then the agent robot believes", "Then within 60 s the agent robot believes"));
+        Files.writeString(desk.resolve("board.json"), Files.readString(onMega.resolve("board.json"))
+                .replaceAll("\"light\": .*\\]\\],", "\"light\": [[0, 700]],")
+                .replace("build/sketch", onMega.resolve("build/sketch").toString()));
+        Path port = desk.resolve("ports/robot");
+        EmulatorControl board = EmulatorControl.at(desk.resolve("control"));
+        Path said = desk.resolve("said");
+
+        try (AgentProcess emulator = AgentProcess.start(new ProcessBuilder(
+                home.resolve("bin/javino-emulator").toString(), "board.json", "--control", "control", "--trace", "-")
+                .directory(desk.toFile()))) {
+            awaitThere(port, emulator);
+            Process test = byDaemon("test", "-Pport=" + port).directory(onMega.toFile()).redirectErrorStream(true)
+                    .redirectOutput(said.toFile()).start();
+            try (PrintWriter person = new PrintWriter(test.outputWriter(), true)) {
+                List<Map<String, ?>> dark =
+                        List.of(Map.of("do", "sensor", "board", "robot", "pin", "A0", "value", 150));
+                emulator.await("\"name\":\"lamp\",\"level\":0}");        // the greeting is over
+                does(test, said, "falls to 150", board, dark);
+                emulator.await("\"name\":\"lamp\",\"level\":1}", 2);     // what the person sees before Enter counts
+                person.println();
+                does(test, said, "falls to 100", board, List.of());
+                person.println();
+                does(test, said, "is unplugged for 2 s", board, List.of(Map.of("do", "unplug", "board", "robot"),
+                        Map.of("do", "plug", "board", "robot")));
+                person.println();
+                assertEquals(0, test.waitFor(), () -> text(said));
+            } finally {
+                test.descendants().forEach(ProcessHandle::destroy);
+                test.destroy();
+            }
+            assertTrue(text(said).contains("""
+                    scenarios: 3 passed
+                    not checked on the real board:
+                      robot.feature:7  Given within 1 s robot's lamp is off
+                      robot.feature:9  Then within 500 ms robot's lamp is on
+                    """), () -> text(said));
+
+            ProcessBuilder doctor = new ProcessBuilder(home.resolve("bin/javino").toString(), "doctor", "--report",
+                    "--listen", "0", "--port", port.toString()).directory(onMega.toFile());
+            doctor.environment().put("JAVA_HOME", JAVA_HOME);
+            String report = new String(doctor.start().getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertTrue(Pattern.compile("(?m)^features +3 passed; steps not checked: 2$").matcher(report).find(),
+                    report);
+        } finally {
+            Files.writeString(feature, asNew);
+        }
+    }
+
+    /** When it is asked for a step, the person does something at the board. */
+    private static void does(Process test, Path said, String step, EmulatorControl board, List<Map<String, ?>> acts)
+            throws Exception {
+        while (!text(said).contains(step + "\n  make that so at the board")) {
+            assertTrue(test.isAlive(), () -> text(said));
+            Thread.sleep(50);
+        }
+        for (Map<String, ?> act : acts) {
+            board.perform(act);
+        }
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void awaitThere(Path port, AgentProcess emulator) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!Files.exists(port)) {
+            assertTrue(System.nanoTime() < end, () -> String.join("\n", emulator.lines()));
+            Thread.sleep(50);
+        }
+    }
+
     /** What students do wrong: the file, what stands there, what they write, and what they are told of it. */
     @Tag("soak")
     @ParameterizedTest
@@ -231,7 +323,7 @@ class NewProjectTest {
         assertEquals(0, newProject(project, kind).waitFor());
         assertEquals(0,
                 byDaemon("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository",
-                        "-Pfeature=a.feature:3", "-Pseed=2")
+                        "-Pfeature=a.feature:3", "-Pseed=2", "-Pport=/dev/ttyACM0")
                         .directory(project.toFile()).inheritIO().start().waitFor());
     }
 

@@ -46,7 +46,8 @@ final class DoctorCommand implements Callable<Integer> {
 
     @Option(names = "--report",
             description = "Writes a report in the place of the lines: versions, device, capabilities, "
-                    + "counters, and what is not ok. It has no key, no address and no path.")
+                    + "counters, how features went on the board (gradle test -Pport), and what is not ok. "
+                    + "It has no key, no address and no path.")
     private boolean reports;
 
     @Spec
@@ -68,6 +69,7 @@ final class DoctorCommand implements Callable<Integer> {
         if (reports) {
             report = Optional.of(new Report(out));
             report.get().computer(port.name());
+            report.get().features();
             out = new PrintWriter(Writer.nullWriter());
         }
         List<String> troubles = new Doctor(port, out, report).examine(id, keys, noted, Duration.ofSeconds(seconds));

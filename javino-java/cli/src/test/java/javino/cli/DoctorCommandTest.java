@@ -460,6 +460,18 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void report_tellsHowFeaturesHaveGoneOnARealBoard(@TempDir Path runs) throws IOException {
+        Files.writeString(runs.resolve("real-board.txt"), "3 passed; steps not checked: 2\n");
+        System.setProperty("javino.runs", runs.toString());
+        try {
+            assertEquals(0, examine("--report"), err.toString());
+        } finally {
+            System.clearProperty("javino.runs");
+        }
+        assertTrue(lines().contains("features              3 passed; steps not checked: 2"), out.toString());
+    }
+
+    @Test
     void report_ofASilentBoard_tellsVersions() {
         patience = Duration.ofMillis(50);
         fake.line.setSilent(true);
