@@ -58,7 +58,6 @@ class TimerNeighboursTest {
         assertBothWork(board, timer, header, option, pulse, pause);
     }
 
-    /** The other pairs. */
     @Tag("soak")
     @ParameterizedTest
     @CsvSource({
