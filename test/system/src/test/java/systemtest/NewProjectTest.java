@@ -261,7 +261,7 @@ class NewProjectTest {
     private static void does(Process test, Path said, String step, EmulatorControl board, List<Map<String, ?>> acts)
             throws Exception {
         while (!text(said).contains(step + "\n  make that so at the board")) {
-            assertTrue(test.isAlive(), () -> text(said));
+            assertTrue(test.isAlive() && !text(said).contains("\nfailed: "), () -> text(said));
             Thread.sleep(50);
         }
         for (Map<String, ?> act : acts) {
