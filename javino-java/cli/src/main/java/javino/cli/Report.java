@@ -36,7 +36,7 @@ final class Report {
                 .map(Map.Entry::getValue).findFirst().orElse("not known"));
     }
 
-    /** Says how the features of the project in this folder have gone on a real board, if they have been played there. */
+    /** Says how the features of the project in this folder have gone on a real board, if they were played there. */
     void features() throws IOException {
         Path outcome = Path.of(System.getProperty("javino.runs", "build/features"), "real-board.txt");
         if (Files.exists(outcome)) {
