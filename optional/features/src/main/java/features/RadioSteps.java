@@ -41,6 +41,12 @@ public final class RadioSteps {
         Run.before().radio.put("bitErrorRate", rate);
     }
 
+    /** The chance that the receiver of a serial module misses a piece, 0 to 1; {@code board.json} names the module. */
+    @Given("the radio loses a share of {double}")
+    public void loss(double share) {
+        Run.before().radio.put("loss", share);
+    }
+
     /** By a performative such as tell; sealed, if there is a key. */
     @When("the device {word} sends {word} {term} to {word}")
     public void sends(String device, String performative, String term, String to) {

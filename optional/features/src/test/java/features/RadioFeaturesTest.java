@@ -73,6 +73,7 @@ class RadioFeaturesTest {
                     + "Then not within 3 s the counter radioReceived of the agent robot rises|radioReceived rises",
             "When the device SUPO sends tell a to ROMA|there is no device SUPO",
             DEVICE + "When the device SUPO sends wish a to ROMA|expected a performative such as tell",
+            "Given the radio loses a share of 2 / When 1 s passes|radio.loss",
             "When an attacker repeats the last packet of robot|robot has sent no packet",
             "Given ROMA (robot's board) and the device SUPO share a key|there is no device SUPO yet",
     })
