@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import javino.link.Time;
 
 /** Emulated boards that go by the clock. */
@@ -41,7 +42,14 @@ final class EmulatedBoards extends RealTimeEngine {
         whole.addAll(List.of("--seed", "" + seed, "--trace", "-", "--control", socket.toString()));
         emulator = new ProcessBuilder(whole).start();
         Runtime.getRuntime().addShutdownHook(new Thread(emulator.toHandle()::destroy));
-        Time.REAL.thread("emulator", () -> emulator.errorReader().lines().forEach(complaints::add)).start();
+        CompletableFuture<Void> complained = new CompletableFuture<>();
+        Time.REAL.thread("emulator", () -> {
+            try {
+                emulator.errorReader().lines().forEach(complaints::add);
+            } finally {
+                complained.complete(null);
+            }
+        }).start();
         PrintWriter trace = new PrintWriter(Files.newBufferedWriter(folder.resolve("trace.jsonl")));
         Time.REAL.thread("emulator", () -> {
             try (trace) {
@@ -50,6 +58,7 @@ final class EmulatedBoards extends RealTimeEngine {
                     tell(() -> traced(line));
                 });
             }
+            Time.REAL.join(complained);
             tell(this::ended);
         }).start();
         if (!runUntil(() -> begun, LONGEST)) {
