@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import trace.TraceEvent;
 import trace.TraceReader;
@@ -45,18 +44,19 @@ final class SketchBuild {
                 "-I" + AVR.resolve("libraries/EEPROM/src"), "-I" + ROOT.resolve("javino-firmware/src")));
         command.addAll(options);
         sources.forEach(source -> command.add(SOURCES.resolve(source).toString()));
-        command.addAll(List.of("-o", program.toString(), built(board, "JavinoBDI"), built(board, "core_[^/]*"), "-lm"));
+        command.addAll(List.of("-o", program.toString(),
+                newest(board.equals("mega") ? "blink" : "blink-" + board, "JavinoBDI.a"),
+                newest("core/" + board, "core.*\\.a"), "-lm"));
         Process compiler = new ProcessBuilder(command).redirectErrorStream(true).start();
         String said = new String(compiler.getInputStream().readAllBytes());
         compiler.waitFor();
         return said;
     }
 
-    /** The newest; the tools that build sketches put them into different folders. */
-    private static String built(String board, String archive) throws IOException {
-        Pattern path = Pattern.compile(".*/" + board + "/(?:.*/)?" + archive + "\\.a");
-        try (Stream<Path> files = Files.walk(ROOT.resolve("javino-firmware/build"))) {
-            return files.map(Path::toFile).filter(file -> path.matcher(file.getPath()).matches())
+    /** The newest archive in one of the folders of javino-firmware/build: tools name them in different ways. */
+    private static String newest(String folder, String archive) throws IOException {
+        try (Stream<Path> files = Files.walk(ROOT.resolve("javino-firmware/build").resolve(folder))) {
+            return files.map(Path::toFile).filter(file -> file.getName().matches(archive))
                     .max(Comparator.comparing(File::lastModified)).orElseThrow().getPath();
         }
     }
