@@ -69,7 +69,7 @@ final class Arrivals {
             return List.of();
         }
         double runBefore = point.real("run") - point.real("gap");
-        here.headMap(here.lastKey()).values().removeIf(each -> each.readBy() < runBefore);
+        here.headMap(named).values().removeIf(each -> each.readBy() < runBefore);
         return here.headMap(named, true).values().stream().filter(each -> each.readBy() >= runBefore).toList();
     }
 
