@@ -1,5 +1,6 @@
 package browser;
 
+import harness.HighwayFiles;
 import harness.Platform;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -11,14 +12,12 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import trace.TraceEvent;
 
 /** A program of ours that serves the page, as a user starts it, in a folder of its own. */
 final class LiveRun implements AutoCloseable {
 
     static final Path ROOT = Path.of(System.getProperty("javino.root"));
-    private static final Path HIGHWAY = ROOT.resolve("examples/highway");
     private static final long PATIENCE_SECONDS = 240;
 
     private final Path folder;
@@ -45,20 +44,7 @@ final class LiveRun implements AutoCloseable {
 
     /** {@code gradle highway -Plive -Pheadless}, in a copy of the scenario. */
     static LiveRun highway(Path folder, String... options) throws IOException {
-        try (Stream<Path> files = Files.walk(HIGHWAY)) {
-            for (Path file : files.filter(Files::isRegularFile)
-                    .filter(file -> !file.startsWith(HIGHWAY.resolve("build"))
-                            && !file.startsWith(HIGHWAY.resolve("ports")))
-                    .toList()) {
-                Path copy = folder.resolve(HIGHWAY.relativize(file).toString());
-                Files.createDirectories(copy.getParent());
-                if (file.getFileName().toString().equals("highway.json")) {
-                    Files.writeString(copy, Files.readString(file).replace("../../", ROOT + "/"));
-                } else {
-                    Files.copy(file, copy);
-                }
-            }
-        }
+        HighwayFiles.copy(folder);
         List<String> arguments = new ArrayList<>(List.of("highway.Highway", "--plain", "--emulator",
                 ROOT.resolve("emulator/build/javino-emulator").toString(),
                 "--live=", "--headless="));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import capture.TraceCheck;
 import harness.AgentProcess;
+import harness.HighwayFiles;
 import harness.Platform;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -34,7 +35,6 @@ import org.w3c.dom.NodeList;
 class HighwayTest {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
-    private static final Path HIGHWAY = ROOT.resolve("examples/highway");
     private static final String EMULATOR = ROOT.resolve("emulator/build/javino-emulator").toString();
 
     private static final Path JAVA = Path.of(System.getProperty("java.home"));
@@ -146,7 +146,7 @@ class HighwayTest {
     @Test
     void newerJavaAndJason_showAllBehaviours_andAnInspectorTravels() throws Exception {
         Platform newer = NewerJava.withNewerJason();
-        copyScenario();
+        HighwayFiles.copy(folder);
         Run run = follow(launcher(newer.java(), newer.classPath(), EMULATOR, "--inspector").start());
 
         assertInspected(run);
@@ -186,7 +186,7 @@ class HighwayTest {
     @Test
     @Tag("verify")
     void boardsThatAreSilentAtTheStart_areSetUpLater() throws Exception {
-        copyScenario();
+        HighwayFiles.copy(folder);
         Run run = follow(start(EMULATOR), "five agents", "-STOP", "the board is off", "-CONT");
 
         assertTrue(run.says("is off"), run::toString);
@@ -240,7 +240,7 @@ class HighwayTest {
             "--nope=      | agent: there is no option -Pnope; there is -Pagent",
     })
     void agentThatIsNotNamed_saysWhichThereAre(String option, String line) throws Exception {
-        copyScenario();
+        HighwayFiles.copy(folder);
         List<String> command =
                 new ArrayList<>(List.of(JAVA.resolve("bin/java").toString(), "-cp", CLASS_PATH, "highway.Agent"));
         command.addAll(option == null ? List.of() : List.of(option));
@@ -263,7 +263,7 @@ class HighwayTest {
     @JaCaMo.EachVersion
     void agentsStartedByHandUnderJaCaMo_busLearnsThatHelpIsComing(String version) throws Exception {
         Platform jacamo = JaCaMo.platform(version);
-        copyScenario();
+        HighwayFiles.copy(folder);
         Map<String, AgentProcess> agents = new HashMap<>();
         try (AgentProcess boards = AgentProcess.start(launcher(JAVA, CLASS_PATH, EMULATOR, "--boards-only"))) {
             boards.await("end with Ctrl-C");
@@ -280,7 +280,7 @@ class HighwayTest {
 
     @Test
     void launcherThatIsTerminated_endsEverything() throws Exception {
-        copyScenario();
+        HighwayFiles.copy(folder);
         Process launcher = start(EMULATOR, "--boards-only");
         List<ProcessHandle> children = new ArrayList<>();
         List<String> lines = new ArrayList<>();
@@ -300,7 +300,7 @@ class HighwayTest {
     }
 
     private Run launch(String emulator, String... options) throws Exception {
-        copyScenario();
+        HighwayFiles.copy(folder);
         return follow(start(emulator, options));
     }
 
@@ -345,21 +345,5 @@ class HighwayTest {
             command.add("--timeout=300");
         }
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
-    }
-
-    /** The scenario in a folder of its own, so that nobody's run is disturbed; it uses the real sketches. */
-    private void copyScenario() throws IOException {
-        try (Stream<Path> files = Files.walk(HIGHWAY, 2)) {
-            for (Path file : files.filter(each -> each.toString().matches(".*\\.(asl|feature|jcm|mas2j|properties)"))
-                    .toList()) {
-                Path copy = folder.resolve(HIGHWAY.relativize(file).toString());
-                Files.createDirectories(copy.getParent());
-                Files.copy(file, copy);
-            }
-        }
-        for (String name : List.of("highway.json", "two-cells.json")) {
-            String scenario = Files.readString(HIGHWAY.resolve(name));
-            Files.writeString(folder.resolve(name), scenario.replace("../..", ROOT.toString()));
-        }
     }
 }
