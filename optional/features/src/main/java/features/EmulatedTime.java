@@ -3,6 +3,7 @@ package features;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import javino.link.Time;
 import lockstep.AgentProgram;
@@ -49,8 +50,8 @@ final class EmulatedTime implements Engine {
     }
 
     @Override
-    public void command(String json) throws IOException {
-        simulation.command(json);
+    public void command(Map<String, Object> command) throws IOException {
+        simulation.perform(command);
     }
 
     @Override

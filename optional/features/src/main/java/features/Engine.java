@@ -2,6 +2,7 @@ package features;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import javino.link.Time;
 import lockstep.AgentProgram;
@@ -25,8 +26,15 @@ interface Engine extends AutoCloseable {
     /** Has something done then, or now if that has passed. For any thread of the run. */
     void at(long nanos, Runnable action);
 
+    /** Has something done after a time. @return when; now if a person does it within the step before. */
+    default long after(long nanos, Runnable action) {
+        long then = nanos() + nanos;
+        at(then, action);
+        return then;
+    }
+
     /** Gives the emulator a command, in the words of emulator/README.md, which takes effect at once. */
-    void command(String json) throws IOException;
+    void command(Map<String, Object> command) throws IOException;
 
     /**
      * Starts the agents of a program.

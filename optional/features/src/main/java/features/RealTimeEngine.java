@@ -46,6 +46,9 @@ abstract class RealTimeEngine implements Engine {
         queue.add(new Due(now(), action));
     }
 
+    /** Fails if what is to tell something has ended. */
+    void check() {}
+
     @Override
     public Time time() {
         return Time.REAL;
@@ -68,6 +71,8 @@ abstract class RealTimeEngine implements Engine {
                     telling = -1;
                 } else if (left <= 0) {
                     return false;
+                } else {
+                    check();
                 }
             }
             return true;

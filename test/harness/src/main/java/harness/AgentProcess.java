@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import javino.board.Transitions;
 import javino.keyring.DeviceNotes;
 import lockstep.AgentProgram;
+import lockstep.RunningEmulator;
 import lockstep.Simulation;
 import trace.TransitionHandler;
 
@@ -180,7 +181,7 @@ public final class AgentProcess implements AutoCloseable {
     private static Path logging(String name, Path folder) throws IOException {
         String usual = Files.readString(ROOT.resolve("examples/highway/logging.properties"));
         Optional<Path> control = Stream.iterate(folder.toAbsolutePath(), Objects::nonNull, Path::getParent)
-                .map(above -> above.resolve(RealTimeEngine.CONTROL)).filter(Files::exists).findFirst();
+                .map(above -> above.resolve(RunningEmulator.CONTROL)).filter(Files::exists).findFirst();
         return Files.writeString(folder.resolve(name + ".properties"), usual + control
                 .map(socket -> TransitionHandler.configuration(Transitions.LOGGER, socket)).orElse(""));
     }

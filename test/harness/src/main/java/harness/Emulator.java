@@ -21,6 +21,7 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import javino.board.Transitions;
 import javino.link.Time;
+import lockstep.RunningEmulator;
 import lockstep.Simulation;
 import trace.TraceEvent;
 import trace.TransitionHandler;
@@ -40,11 +41,13 @@ public final class Emulator implements AutoCloseable {
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
      */
     private static final int LATEST_LINES = 10_000;
+    /** How late a test learns what the trace says. */
+    private static final long MOMENT_NANOS = 1_000_000;
     private static final StackWalker WALKER = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
     private static final Logger TRANSITIONS = Logger.getLogger(Transitions.LOGGER);
 
     private final Path folder;
-    private final Engine engine;
+    private final RunningEmulator engine;
     private final Consumer<TraceEvent> listener;
     private final List<TraceEvent> trace = new ArrayList<>();
     /** Written by the thread that reads the trace; read when that has ended. */
@@ -68,8 +71,9 @@ public final class Emulator implements AutoCloseable {
         modelled = scenario.modelled;
         refused = scenario.refused;
         seed = run == null ? scenario.seed : run.seed();
-        engine = run == null ? new RealTimeEngine(command, folder, this::traced)
-                : new LockstepEngine(command, scenario.ports(), run, this::traced);
+        engine = run == null ? RunningEmulator.start(command, folder, this::traced)
+                : Simulation.start(command, scenario.ports(), run.newSeed(), Simulation.JITTER, run.newTrace(),
+                        this::traced);
         transitions = new TransitionHandler(engine);
         Time time = Simulation.here();
         transitions.setFilter(transition -> Simulation.here() == time);
@@ -260,7 +264,9 @@ public final class Emulator implements AutoCloseable {
 
     /** The path under which a host opens a board's serial port. */
     public String port(String board) {
-        return engine.port(board);
+        String port = "ports/" + board;
+        // In emulated time of no folder, which differs from run to run: agents carry that name about.
+        return run == null ? folder.resolve(port).toString() : port;
     }
 
     /** The boards' ports are there before the boards have power. */
@@ -270,7 +276,7 @@ public final class Emulator implements AutoCloseable {
                 await("power of " + board.get("name"), event -> event.is("reset", (String) board.get("name")));
             }
         } catch (AssertionError lost) {
-            engine.end();
+            engine.close();
             throw lost;
         }
     }
@@ -297,7 +303,13 @@ public final class Emulator implements AutoCloseable {
         int next = 0;
         int found = 0;
         while (true) {
-            boolean last = engine.hasEnded() || time.nanos() - end >= 0;
+            if (Thread.interrupted()) {
+                throw new InterruptedException(what);
+            }
+            boolean last = !engine.process().isAlive() || time.nanos() - end >= 0;
+            if (last) {
+                engine.readTrace();
+            }
             for (TraceEvent event : kept(next)) {
                 next++;
                 if (wanted.test(event) && ++found == nth) {
@@ -307,7 +319,7 @@ public final class Emulator implements AutoCloseable {
             if (last) {
                 throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints());
             }
-            engine.awaitMore();
+            time.pause(MOMENT_NANOS);
         }
     }
 
@@ -367,7 +379,7 @@ public final class Emulator implements AutoCloseable {
     private void end(Class<?> user) {
         TRANSITIONS.removeHandler(transitions);
         try {
-            engine.end();
+            engine.close();
             model.finish();
             if (model.refusal().isPresent()) {
                 refused.accept("seed " + seed + ": " + model.verdict() + (run == null
@@ -378,8 +390,6 @@ public final class Emulator implements AutoCloseable {
             writeEdges(user.getSimpleName());
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
         }
     }
 }
