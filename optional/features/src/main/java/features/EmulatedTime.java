@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
-import javino.link.Time;
 import lockstep.AgentProgram;
 import lockstep.Simulation;
 
@@ -27,11 +26,6 @@ final class EmulatedTime implements Engine {
         this.account = account;
         simulation = Simulation.start(command, ports, seed, Simulation.JITTER, trace,
                 line -> account.traced(line, nanos -> nanos));
-    }
-
-    @Override
-    public Time time() {
-        return simulation;
     }
 
     @Override

@@ -4,14 +4,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
-import javino.link.Time;
 import lockstep.AgentProgram;
 
 /** The time in which the boards and agents of a scenario run. The thread that makes it calls it and is told of them. */
 interface Engine extends AutoCloseable {
-
-    /** What hosts of the test itself have from it. */
-    Time time();
 
     /** How long the boards run, in ns; while something is told, when that was. */
     long nanos();

@@ -50,11 +50,6 @@ abstract class RealTimeEngine implements Engine {
     void check() {}
 
     @Override
-    public Time time() {
-        return Time.REAL;
-    }
-
-    @Override
     public long nanos() {
         return telling < 0 ? now() : telling;
     }

@@ -16,7 +16,6 @@ import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
-import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -200,13 +199,7 @@ public final class Host implements AutoCloseable {
 
     /** The result of a request. */
     public static <T> T await(CompletableFuture<T> request) throws ExecutionException {
-        Time time = Simulation.here();
-        try {
-            return time.get(time.orTimeout(request.copy(), Duration.ofSeconds(PATIENCE_SECONDS)));
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError(interrupted);
-        }
+        return Simulation.await(request, Duration.ofSeconds(PATIENCE_SECONDS));
     }
 
     @Override

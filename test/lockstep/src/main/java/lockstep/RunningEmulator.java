@@ -9,7 +9,7 @@ import trace.EmulatorControl;
 /** A running emulator, in one time with its hosts ({@link Simulation}) or in the computer's. */
 public interface RunningEmulator extends EmulatorControl, AutoCloseable {
 
-    /** The control socket of an emulator that goes on by itself, in its folder, as the path of a socket must be short. */
+    /** The control socket of one that goes on by itself, in its folder, as the path of a socket must be short. */
     String CONTROL = "control";
 
     /**
@@ -22,7 +22,7 @@ public interface RunningEmulator extends EmulatorControl, AutoCloseable {
         return new RealTimeEmulator(command, folder, lines);
     }
 
-    /** All of the trace until now has been read when this returns, if no thread reads it; else if the emulator ended. */
+    /** All of the trace until now has been read when this returns, if it has ended or no thread reads it. */
     void readTrace();
 
     ProcessHandle process();

@@ -142,6 +142,16 @@ public final class Simulation implements Time, RunningEmulator {
         return simulation == null ? REAL : simulation;
     }
 
+    /** Waits for the result of a request, in the time of this thread. A failed one stays as it is for others. */
+    public static <T> T await(CompletableFuture<T> request, Duration longest) throws ExecutionException {
+        try {
+            return here().get(here().orTimeout(request.copy(), longest));
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError("the test was interrupted", interrupted);
+        }
+    }
+
     // Who runs
 
     /** Makes this thread one of the simulation. */
