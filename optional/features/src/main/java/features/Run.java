@@ -28,7 +28,7 @@ class Run implements AutoCloseable {
     /** The port of a real board; null for emulated ones. */
     private final String realPort = System.getProperty("javino.port");
     private final String feature;
-    private final Path folder;
+    final Path folder;
     private final boolean realTime;
     final Account account;
     final Expectations expected;

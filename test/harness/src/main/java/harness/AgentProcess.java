@@ -7,18 +7,15 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javino.board.Transitions;
 import javino.keyring.DeviceNotes;
 import lockstep.AgentProgram;
 import lockstep.RunningEmulator;
 import lockstep.Simulation;
-import trace.TransitionHandler;
 
 /**
  * A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. In emulated time
@@ -180,10 +177,9 @@ public final class AgentProcess implements AutoCloseable {
     /** Below an emulator's folder a host tells that emulator of its state machines, too. */
     private static Path logging(String name, Path folder) throws IOException {
         String usual = Files.readString(ROOT.resolve("examples/highway/logging.properties"));
-        Optional<Path> control = Stream.iterate(folder.toAbsolutePath(), Objects::nonNull, Path::getParent)
-                .map(above -> above.resolve(RunningEmulator.CONTROL)).filter(Files::exists).findFirst();
-        return Files.writeString(folder.resolve(name + ".properties"), usual + control
-                .map(socket -> TransitionHandler.configuration(Transitions.LOGGER, socket)).orElse(""));
+        String control = Stream.iterate(folder.toAbsolutePath(), Objects::nonNull, Path::getParent)
+                .map(RunningEmulator::logging).filter(lines -> !lines.isEmpty()).findFirst().orElse("");
+        return Files.writeString(folder.resolve(name + ".properties"), usual + control);
     }
 
     private static void writeMas(String agent, String architecture, Path folder) throws IOException {

@@ -9,11 +9,19 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import javino.board.Transitions;
+import javino.link.Time;
+import trace.EmulatorControl;
+import trace.TransitionHandler;
 
 /** The process of an emulator, and what it complains of. */
 class EmulatorProcess {
 
     private static final int ENDING_SECONDS = 60;
+    private static final Logger TRANSITIONS = Logger.getLogger(Transitions.LOGGER);
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
     static {
@@ -24,6 +32,7 @@ class EmulatorProcess {
     final Process process;
     private final List<String> complaints = Collections.synchronizedList(new ArrayList<>());
     private final Thread errors;
+    private Handler transitions;
 
     EmulatorProcess(ProcessBuilder command) throws IOException {
         process = command.start();
@@ -44,6 +53,19 @@ class EmulatorProcess {
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** Has the trace tell of the state machines of hosts in the time of this thread, until it is to forget them. */
+    void traceTransitions(EmulatorControl control) {
+        Time time = Simulation.here();
+        transitions = new TransitionHandler(control);
+        transitions.setFilter(transition -> Simulation.here() == time);
+        TRANSITIONS.setLevel(Level.FINE);
+        TRANSITIONS.addHandler(transitions);
+    }
+
+    void forgetTransitions() {
+        TRANSITIONS.removeHandler(transitions);
     }
 
     /** The lines that it has written to its standard error; all if it has ended. */

@@ -20,6 +20,7 @@ final class RealTimeEmulator extends EmulatorProcess implements RunningEmulator 
                 .toList()).directory(folder.toFile()));
         control = EmulatorControl.at(folder.resolve(CONTROL));
         reader = read(process.inputReader(StandardCharsets.UTF_8), lines);
+        traceTransitions(control);
     }
 
     @Override
@@ -41,6 +42,7 @@ final class RealTimeEmulator extends EmulatorProcess implements RunningEmulator 
 
     @Override
     public void close() {
+        forgetTransitions();
         process.toHandle().destroy();
         int status = awaitEnd();
         join(reader);

@@ -1,10 +1,13 @@
 package lockstep;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import javino.board.Transitions;
 import trace.EmulatorControl;
+import trace.TransitionHandler;
 
 /** A running emulator, in one time with its hosts ({@link Simulation}) or in the computer's. */
 public interface RunningEmulator extends EmulatorControl, AutoCloseable {
@@ -20,6 +23,12 @@ public interface RunningEmulator extends EmulatorControl, AutoCloseable {
      */
     static RunningEmulator start(List<String> command, Path folder, Consumer<String> lines) throws IOException {
         return new RealTimeEmulator(command, folder, lines);
+    }
+
+    /** A configuration of loggers by which hosts of another program tell the emulator of a folder, if there is one. */
+    static String logging(Path folder) {
+        Path control = folder.resolve(CONTROL);
+        return Files.exists(control) ? TransitionHandler.configuration(Transitions.LOGGER, control) : "";
     }
 
     /** All of the trace until now has been read when this returns, if it has ended or no thread reads it. */

@@ -120,6 +120,7 @@ public final class Simulation implements Time, RunningEmulator {
         Simulation simulation = start(whole, ports, seed, jitter);
         simulation.trace = new TraceFile(file, lines);
         simulation.watch(simulation::readTrace);
+        simulation.emulator.traceTransitions(simulation);
         return simulation;
     }
 
@@ -356,6 +357,7 @@ public final class Simulation implements Time, RunningEmulator {
     @Override
     public void close() {
         check();
+        emulator.forgetTransitions();
         watchdog.end();
         try {
             over = true;

@@ -40,22 +40,11 @@ class UnoTest {
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
-                .board("uno", "RadioBlink", Map.of("model", "uno", "watch", List.of(Map.of("pin", 13, "name", "led"))))
+                .board("uno", "RadioBlink", Map.of("model", "uno"))
                 .board("mega", "Station")
                 .start(folder);
         uno = Host.of(emulator, "uno").as("LAMP", Map.of("ROMA", TestKeys.PAIR, "//LA", TestKeys.GROUP));
         mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR, "//LA", TestKeys.GROUP));
-    }
-
-    @Test
-    void agent_sensesAndActsOnIt() throws Exception {
-        uno.board.percepts(true);
-        assertEquals(List.of("led(off)"), uno.percepts(literals -> !literals.isEmpty()));
-
-        get(uno.board.act("ledOn"));
-
-        emulator.await("light", event -> event.is("pin", "uno") && event.number("level") == 1);
-        assertEquals(List.of("led(on)"), uno.percepts(List.of("led(on)")::equals));
     }
 
     @Test

@@ -1,0 +1,69 @@
+package features;
+
+import com.google.gson.JsonParser;
+import harness.EmulatedRun;
+import harness.Emulator;
+import io.cucumber.java.After;
+import io.cucumber.java.Before;
+import io.cucumber.java.Scenario;
+import io.cucumber.java.en.Given;
+import io.cucumber.java.en.Then;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+
+/** What features of our own need beside the steps of all users. The model replays the trace of each scenario. */
+public final class OwnSteps {
+
+    private static final int IN_THE_RUN = 20_000;
+    private static final int BEHIND_THE_RUN = 1;
+    private static final Path AGENTS =
+            Path.of(System.getProperty("javino.root"), "test/system/src/test/resources/agents");
+
+    private Path folder;
+
+    @Before(order = IN_THE_RUN)
+    public void begin() {
+        Run run = Run.current().orElseThrow();
+        folder = run.folder;
+        if (EmulatedRun.current() != null) {
+            run.seed = EmulatedRun.current().seed();
+        }
+    }
+
+    @After(order = BEHIND_THE_RUN)
+    public void replay() throws IOException {
+        Emulator.check(folder.resolve("trace.jsonl"), folder.resolve("keys"), "features");
+    }
+
+    /** A board with a sketch of ours, an agent of test/system or the one that does what it is told, and a sensor. */
+    @Given("^a robot with (\\w+)(?: on an? (\\w+))?(?:, by the agent (\\w+))?(?:, that senses (.*))?$")
+    public void robot(String sketch, String model, String agent, String sensor) throws IOException {
+        Map<String, Object> more = new TreeMap<>();
+        if (model != null) {
+            more.put("model", model);
+        }
+        if (sensor != null) {
+            more.put("sensors", List.of(JsonParser.parseString(sensor)));
+        }
+        new BoardSteps().boards(new Emulator.Scenario().board("robot", sketch, more).write(folder).toString());
+        new AgentSteps().agents(Files.writeString(folder.resolve("robot.mas2j"),
+                "MAS robot { agents: robot %s.asl agentArchClass diffuser.Diffuser; aslSourcePath: \"%s\"; }".formatted(
+                        agent == null ? "robot" : agent, AGENTS))
+                .toString());
+    }
+
+    /** All lines that begin with those words, in their order since the agents began, and how each of them goes on. */
+    @Then("{agent} has printed {string}: {}")
+    public void hasPrinted(String agent, String words, String rests) {
+        List<String> expected = rests.equals("nothing") ? List.of() : List.of(rests.split(", "));
+        List<String> printed = Run.now().account.since(0).stream().filter(each -> each.is(Seen.Kind.PRINTS, agent))
+                .map(Seen::what).filter(line -> line.startsWith(words + " ")).toList();
+        Run.now().expected.now(expected.size() == printed.size() && IntStream.range(0, expected.size())
+                .allMatch(i -> printed.get(i).startsWith(words + " " + expected.get(i))), "it has printed " + printed);
+    }
+}
