@@ -19,7 +19,7 @@ Feature: an agent knows how open its MAS is, by the radio of its board
   Scenario: the radio hears nobody, and then a packet for another
     Given a robot with Vehicle, by the agent listener
     When 5 s pass
-    And an attacker sends tell hello(1) as CAFF
-    Then the agent robot believes openness(closed)
+    And an attacker sends the packet ROMACAFFBotell;hello(1)
+    Then within 10 s the agent robot believes openness(closed)
     And within 10 s it believes openness(totallyClosed)
     And it has printed "openness": totallyClosed, closed, totallyClosed, closed, totallyClosed

@@ -5,12 +5,14 @@ import harness.EmulatedRun;
 import harness.Emulator;
 import io.cucumber.java.After;
 import io.cucumber.java.Before;
-import io.cucumber.java.Scenario;
 import io.cucumber.java.en.Given;
 import io.cucumber.java.en.Then;
+import io.cucumber.java.en.When;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -55,6 +57,13 @@ public final class OwnSteps {
                 "MAS robot { agents: robot %s.asl agentArchClass diffuser.Diffuser; aslSourcePath: \"%s\"; }".formatted(
                         agent == null ? "robot" : agent, AGENTS))
                 .toString());
+    }
+
+    /** Its bytes are those of the text. */
+    @When("an attacker sends the packet {word}")
+    public void sends(String text) {
+        Run.now().command(Map.of("do", "send", "position", List.of(0, 0), "payload",
+                HexFormat.of().formatHex(text.getBytes(StandardCharsets.US_ASCII))));
     }
 
     /** All lines that begin with those words, in their order since the agents began, and how each of them goes on. */
