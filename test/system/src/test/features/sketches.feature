@@ -1,4 +1,4 @@
-Feature: the library's examples that no other test uses
+Feature: the library's examples that no test in Java uses
 
   Scenario Outline: the thermometer tells degrees, on a board of each supply
     Given a robot with Thermometer on a <board>, that senses {"type": "ldr", "pin": "A0", "light": [[0, <reading>]]}
@@ -34,6 +34,15 @@ Feature: the library's examples that no other test uses
       | turn(181)  |
       | turn(-1)   |
       | turn(half) |
+
+  Scenario: a stepper turns at its speed while its agent is told
+    Given a robot with Stepper on an uno
+    When the agent robot gets the goal do(turn(3000))
+    Then within 2.11 s robot's pin 3 is on exactly 3000 times
+    And within 2.11 s robot's pin 3 is on at most 1575 a second
+    And within 5 s the agent robot believes position(3000)
+    When the agent robot gets the goal do(turn(-3000))
+    Then within 3 s it believes position(0)
 
   Scenario: an Uno senses and acts
     Given a robot with RadioBlink on an uno

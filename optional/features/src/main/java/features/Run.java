@@ -19,8 +19,8 @@ class Run implements AutoCloseable {
 
     /** A scenario that has not begun in this time will not. */
     private static final long LONGEST_BEGINNING = 30 * Window.SECOND;
-    /** A sketch that has no percepts begins without. */
     private static final int JACAMO_SLACK = 3;
+    /** A sketch that has no percepts begins without. */
     private static final long LONGEST_WAIT_FOR_PERCEPTS = 3 * Window.SECOND;
 
     private static Run now;
@@ -181,10 +181,9 @@ class Run implements AutoCloseable {
 
     private Engine emulator() throws IOException {
         boolean real = realTime || isJaCaMo();
+        Path files = folder.toAbsolutePath();
         List<String> command = List.of(System.getProperty("javino.emulator", "javino-emulator"),
-                boards.write(folder, real).toAbsolutePath().toString(), "--directory",
-                folder.toAbsolutePath().toString(),
-                "--keys", folder.resolve("keys").toAbsolutePath().toString());
+                boards.write(files, real).toString(), "--directory", files.toString(), "--keys", files + "/keys");
         return real ? new EmulatedBoards(command, seed, folder, account)
                 : new EmulatedTime(command, boards.ports(), seed, folder.resolve("trace.jsonl"), account);
     }
@@ -215,7 +214,7 @@ class Run implements AutoCloseable {
     /** What ends the run itself; what is wrong with its boards is told of the user's own file. */
     private StepFailure broken(Throwable why) {
         broken = true;
-        String text = why.getMessage().replace(folder.resolve("board.json").toString(), boardsFile.toString())
+        String text = why.getMessage().replace(folder.toAbsolutePath() + "/board.json", boardsFile.toString())
                 .replaceFirst(".*\\[javino-emulator: (.*)\\].*", "$1");
         return new StepFailure("the scenario cannot " + (begun ? "go on: " : "start: ") + text);
     }

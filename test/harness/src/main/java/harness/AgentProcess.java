@@ -3,8 +3,6 @@ package harness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Properties;
@@ -25,7 +23,6 @@ public final class AgentProcess implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final String DIFFUSER = "diffuser.Diffuser";
-    /** Long enough for a sketch to be built on a busy machine. */
     private static final long PATIENCE_SECONDS = 240;
 
     /** What runs the agents. */
@@ -40,8 +37,7 @@ public final class AgentProcess implements AutoCloseable {
         void close();
     }
 
-    private final List<String> lines = new ArrayList<>();
-    private final Changes changes = new Changes();
+    private final Lines lines = new Lines();
     private final Consumer<String> listener;
     private final Engine engine;
 
@@ -193,14 +189,12 @@ public final class AgentProcess implements AutoCloseable {
 
     private void printed(String line) {
         listener.accept(line);
-        changes.change(() -> lines.add(line));
+        lines.add(line);
     }
 
     /** Waits for the n-th line that ends in these words. */
     public void await(String words, int nth) throws InterruptedException {
-        changes.await(() -> "not " + nth + " times '" + words + "':\n" + String.join("\n", lines()),
-                Duration.ofSeconds(PATIENCE_SECONDS),
-                () -> lines.stream().filter(line -> line.endsWith(words)).count() < nth ? null : words);
+        lines.await("'" + words + "'", nth, line -> line.endsWith(words));
     }
 
     public void await(String words) throws InterruptedException {
@@ -209,9 +203,7 @@ public final class AgentProcess implements AutoCloseable {
 
     /** The lines that it has printed. */
     public List<String> lines() {
-        synchronized (changes) {
-            return List.copyOf(lines);
-        }
+        return lines.all();
     }
 
     /** Ends it as it stands, with SIGKILL. All that it has printed has been read when this returns. */

@@ -23,6 +23,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 import lockstep.Simulation;
 
 /** A board session that a test drives, in the time of the test's emulator, with what came from the board in queues. */
@@ -138,9 +139,27 @@ public final class Host implements AutoCloseable {
         return this;
     }
 
+    /** Waits until the board is greeted, which has its id and keys, and opens its radio. */
+    public Host listen() throws InterruptedException {
+        awaitOnline(1);
+        get(board.radio(true));
+        return this;
+    }
+
     /** Sends, and waits until it has been on the air. */
-    public void send(String to, String content) {
-        get(board.transmit(Address.parse(to), Content.parse(content)).end());
+    public Outcome send(String to, String content) {
+        return get(board.transmit(Address.parse(to), Content.parse(content)).end());
+    }
+
+    /** The content of the next message that came, waited for. */
+    public String content() throws InterruptedException {
+        return message().content().toString();
+    }
+
+    /** The next message that came, waited for, as {@code "SUPO to //SU: tell;help"}. */
+    public String received() throws InterruptedException {
+        ReceivedMessage next = message();
+        return next.from() + " to " + next.to() + ": " + next.content();
     }
 
     /** The next message that came, waited for. */

@@ -1,6 +1,5 @@
 package systemtest;
 
-import static harness.Host.get;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import harness.Emulator;
@@ -10,38 +9,13 @@ import harness.SerialMonitor;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Predicate;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import trace.TraceEvent;
 
-/** The examples of the Arduino library that no other test uses, nor a feature (sketches.feature). */
+/** The example TwoBoards, by what is typed and with agents. */
 @InEmulatedTime
-class ExamplesTest {
-
-    private static final int STEPS = 3000;
-    private static final int STEPS_A_SECOND = 1500;
-
-    @Test
-    void stepper_turnsAtItsSpeedWhileItsAgentIsTold(@TempDir Path folder) throws Exception {
-        Map<String, Object> watched = Map.of("model", "uno", "watch", List.of(Map.of("pin", 3, "name", "step")));
-        try (Emulator emulator = new Emulator.Scenario().board("motor", "Stepper", watched).start(folder);
-                Host host = Host.of(emulator, "motor")) {
-            host.board.percepts(true);
-            get(host.board.act("turn(" + STEPS + ")"));
-            host.percepts(List.of("position(" + STEPS + ")")::equals);
-            Predicate<TraceEvent> step = event -> event.is("pin", "motor") && event.number("level") == 1;
-            // The percept may be here before the trace of the last steps.
-            emulator.await("the last step", STEPS, step);
-            List<Double> steps = emulator.trace().stream().filter(step).map(TraceEvent::seconds).toList();
-            assertEquals(STEPS, steps.size());
-            double aSecond = (STEPS - 1) / (steps.get(STEPS - 1) - steps.get(0));
-            assertEquals(STEPS_A_SECOND, aSecond, 0.05 * STEPS_A_SECOND);
-            get(host.board.act("turn(-" + STEPS + ")"));
-            host.percepts(List.of("position(0)")::equals);
-        }
-    }
+class TwoBoardsTest {
 
     @Test
     void twoBoards_chatByWhatIsTyped(@TempDir Path folder) throws Exception {
@@ -77,7 +51,7 @@ class ExamplesTest {
                 Host station = Host.of(emulator, "station").as("ROMA", Map.of())) {
             assertEquals("ALFA: type a line", one.line());
             one.type("tell;hello\n");
-            assertEquals("tell;hello", station.message().content().toString());
+            assertEquals("tell;hello", station.content());
             station.send("////", "tell;welcome");
             assertEquals("ROMA: tell;welcome", one.line());
         }
