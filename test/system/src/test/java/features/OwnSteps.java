@@ -4,7 +4,6 @@ import com.google.gson.JsonParser;
 import harness.EmulatedRun;
 import harness.Emulator;
 import io.cucumber.java.After;
-import io.cucumber.java.Before;
 import io.cucumber.java.en.Given;
 import io.cucumber.java.en.Then;
 import io.cucumber.java.en.When;
@@ -21,30 +20,24 @@ import java.util.stream.IntStream;
 /** What features of our own need beside the steps of all users. The model replays the trace of each scenario. */
 public final class OwnSteps {
 
-    private static final int IN_THE_RUN = 20_000;
     private static final int BEHIND_THE_RUN = 1;
-    private static final Path AGENTS =
-            Path.of(System.getProperty("javino.root"), "test/system/src/test/resources/agents");
 
+    /** Null where a scenario has none of these robots, as those of others. */
     private Path folder;
-
-    @Before(order = IN_THE_RUN)
-    public void begin() {
-        Run run = Run.current().orElseThrow();
-        folder = run.folder;
-        if (EmulatedRun.current() != null) {
-            run.seed = EmulatedRun.current().seed();
-        }
-    }
 
     @After(order = BEHIND_THE_RUN)
     public void replay() throws IOException {
-        Emulator.check(folder.resolve("trace.jsonl"), folder.resolve("keys"), "features");
+        if (folder != null) {
+            Emulator.check(folder.resolve("trace.jsonl"), folder.resolve("keys"), "features");
+        }
     }
 
     /** A board with a sketch of ours, an agent of test/system or the one that does what it is told, and a sensor. */
     @Given("^a robot with (\\w+)(?: on an? (\\w+))?(?:, by the agent (\\w+))?(?:, that senses (.*))?$")
     public void robot(String sketch, String model, String agent, String sensor) throws IOException {
+        Run run = Run.before();
+        folder = run.folder;
+        run.seed = EmulatedRun.current() == null ? run.seed : EmulatedRun.current().seed();
         Map<String, Object> more = new TreeMap<>();
         if (model != null) {
             more.put("model", model);
@@ -55,7 +48,8 @@ public final class OwnSteps {
         new BoardSteps().boards(new Emulator.Scenario().board("robot", sketch, more).write(folder).toString());
         new AgentSteps().agents(Files.writeString(folder.resolve("robot.mas2j"),
                 "MAS robot { agents: robot %s.asl agentArchClass diffuser.Diffuser; aslSourcePath: \"%s\"; }".formatted(
-                        agent == null ? "robot" : agent, AGENTS))
+                        agent == null ? "robot" : agent,
+                        Path.of(System.getProperty("javino.root"), "test/system/src/test/resources/agents")))
                 .toString());
     }
 
