@@ -1,7 +1,5 @@
 package features;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import features.Seen.Kind;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +9,7 @@ import java.util.function.LongSupplier;
 import java.util.function.LongUnaryOperator;
 import java.util.stream.Stream;
 import lockstep.AgentProgram;
+import trace.TraceEvent;
 
 /** What was seen of the boards and agents of a scenario, in the order in which it happened. */
 final class Account implements AgentProgram.Observer {
@@ -79,41 +78,37 @@ final class Account implements AgentProgram.Observer {
 
     /** Takes a line of the emulator's trace. @param seen gives when it was seen from the board's own time. */
     void traced(String line, LongUnaryOperator seen) {
-        JsonObject event = JsonParser.parseString(line).getAsJsonObject();
-        long own = Math.round(event.get("t").getAsDouble() * Window.SECOND);
+        TraceEvent event = TraceEvent.parse(0, line);
+        long own = Math.round(event.seconds() * Window.SECOND);
         long nanos = seen.applyAsLong(own);
-        String what = text(event, "event");
-        String board = text(event, "board");
-        switch (what) {
+        String board = event.board();
+        switch (event.name()) {
             case "pin", "pwm" -> {
-                double high = Double.parseDouble(text(event, "level") + text(event, "duty"));
+                double high = Double.parseDouble(event.textOrEmpty("level") + event.textOrEmpty("duty"));
                 String state = state(Math.round(HUNDRED * high));
-                if (!state.equals(state(board, text(event, "name")))) {
-                    pins.put(board + "'s " + text(event, "name"), state);
-                    see(nanos, Kind.PIN, board, text(event, "name"), going(state));
-                    Servo servo = servo(board, text(event, "name"));
+                if (!state.equals(state(board, event.textOrEmpty("name")))) {
+                    pins.put(board + "'s " + event.textOrEmpty("name"), state);
+                    see(nanos, Kind.PIN, board, event.textOrEmpty("name"), going(state));
+                    Servo servo = servo(board, event.textOrEmpty("name"));
                     if (servo.turns(own, high == 1)) {
-                        see(nanos, Kind.SERVO, board, text(event, "name"), "" + servo);
+                        see(nanos, Kind.SERVO, board, event.textOrEmpty("name"), "" + servo);
                     }
                 }
             }
             case "rf-tx" -> {
-                payloads.put(board, text(event, "payload"));
-                see(nanos, Kind.PACKET, board, text(event, "kind"),
-                        "to " + text(event, "destination") + (text(event, "sealed").equals("true") ? ", sealed"
-                                : " " + text(event, "content")));
+                payloads.put(board, event.textOrEmpty("payload"));
+                see(nanos, Kind.PACKET, board, event.textOrEmpty("kind"),
+                        "to " + event.textOrEmpty("destination")
+                                + (event.textOrEmpty("sealed").equals("true") ? ", sealed"
+                                        : " " + event.textOrEmpty("content")));
             }
-            case "fault", "crash", "uart", "reset", "port" -> see(nanos, Kind.BOARD, board, what,
-                    Stream.of("do", "line", "why", "state").map(field -> text(event, field))
+            case "fault", "crash", "uart", "reset", "port" -> see(nanos, Kind.BOARD, board, event.name(),
+                    Stream.of("do", "line", "why", "state").map(event::textOrEmpty)
                             .filter(text -> !text.isEmpty()).findFirst().orElse(""));
             default -> {
                 // The trace has it.
             }
         }
-    }
-
-    private static String text(JsonObject event, String field) {
-        return event.has(field) ? event.get(field).getAsString() : "";
     }
 
     private void see(long nanos, Kind kind, String who, String what, String more) {

@@ -21,6 +21,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javino.link.Time;
 import lockstep.AgentProgram.Agents;
+import lockstep.RunningEmulator;
 
 /** Agents in a Java virtual machine of their own ({@link RealAgents}), as the state of their platforms is static. */
 final class AgentsProcess implements AutoCloseable {
@@ -56,7 +57,8 @@ final class AgentsProcess implements AutoCloseable {
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), RealAgents.class.getName(),
                 program.toString().endsWith(".jcm") ? "jacamo.infra.JaCaMoLauncher" : "jason.infra.local.RunLocalMAS",
                 program.toString(), "--no-net", "--log-conf",
-                Files.writeString(folder.resolve("logging.properties"), LOG).toString()));
+                Files.writeString(folder.resolve("logging.properties"), LOG + RunningEmulator.logging(folder))
+                        .toString()));
         process = new ProcessBuilder(command).start();
         questions = new ObjectOutputStream(process.getOutputStream());
         questions.flush();

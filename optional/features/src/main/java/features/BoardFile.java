@@ -88,10 +88,6 @@ final class BoardFile {
         return boards.get(board).get("port").getAsString();
     }
 
-    static String json(Map<String, Object> value) {
-        return JSON.toJson(value);
-    }
-
     private static Stream<JsonElement> elements(JsonObject of, String key) {
         return of.has(key) ? StreamSupport.stream(of.getAsJsonArray(key).spliterator(), false) : Stream.empty();
     }

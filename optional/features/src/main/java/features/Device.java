@@ -12,6 +12,7 @@ import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Key;
+import lockstep.Simulation;
 
 /** A device that is only played: an emulated board with our firmware, and a host of ours instead of agents. */
 final class Device implements BoardListener, AutoCloseable {
@@ -19,27 +20,23 @@ final class Device implements BoardListener, AutoCloseable {
     private static final Duration LONGEST = Duration.ofSeconds(20);
 
     private final Run run;
-    private final Time time;
     private final String name;
     private final Board board;
 
     /** @param name its address, too, where it sends. */
     Device(Run run, String name, String port) {
         this.run = run;
-        time = run.engine.time();
         this.name = name;
+        Time time = Simulation.here();
         board = Board.open(time.port(port), BoardConfig.create(config -> config.setPatience(LONGEST))
                 .in(time), this);
     }
 
     private <T> T get(CompletableFuture<T> request) {
         try {
-            return time.get(time.orTimeout(request.copy(), LONGEST));
+            return Simulation.await(request, LONGEST);
         } catch (ExecutionException failed) {
             throw new StepFailure("the device " + name + ": " + failed.getCause().getMessage());
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new StepFailure("the device " + name + " was interrupted");
         }
     }
 

@@ -3,8 +3,8 @@ package features;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
-import javino.link.Time;
 import lockstep.AgentProgram;
 import lockstep.Simulation;
 
@@ -29,11 +29,6 @@ final class EmulatedTime implements Engine {
     }
 
     @Override
-    public Time time() {
-        return simulation;
-    }
-
-    @Override
     public long nanos() {
         return simulation.nanos();
     }
@@ -49,8 +44,8 @@ final class EmulatedTime implements Engine {
     }
 
     @Override
-    public void command(String json) throws IOException {
-        simulation.command(json);
+    public void command(Map<String, Object> command) throws IOException {
+        simulation.perform(command);
     }
 
     @Override

@@ -2,15 +2,12 @@ package features;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
-import javino.link.Time;
 import lockstep.AgentProgram;
 
 /** The time in which the boards and agents of a scenario run. The thread that makes it calls it and is told of them. */
 interface Engine extends AutoCloseable {
-
-    /** What hosts of the test itself have from it. */
-    Time time();
 
     /** How long the boards run, in ns; while something is told, when that was. */
     long nanos();
@@ -25,8 +22,15 @@ interface Engine extends AutoCloseable {
     /** Has something done then, or now if that has passed. For any thread of the run. */
     void at(long nanos, Runnable action);
 
+    /** Has something done after a time. @return when; now if a person does it within the step before. */
+    default long after(long nanos, Runnable action) {
+        long then = nanos() + nanos;
+        at(then, action);
+        return then;
+    }
+
     /** Gives the emulator a command, in the words of emulator/README.md, which takes effect at once. */
-    void command(String json) throws IOException;
+    void command(Map<String, Object> command) throws IOException;
 
     /**
      * Starts the agents of a program.

@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
+import lockstep.Simulation;
 import java.util.function.Predicate;
 
 /** What a scenario's thens ask for. */
@@ -104,14 +104,10 @@ final class Expectations {
 
     /** What the board and architecture of an agent have counted since they have power. */
     Map<String, Object> counts(String agent) {
-        CompletableFuture<Map<String, Object>> counts = run.agents().counts(agent);
         try {
-            return run.engine.time().get(run.engine.time().orTimeout(counts.copy(), Duration.ofSeconds(10)));
+            return Simulation.await(run.agents().counts(agent), Duration.ofSeconds(10));
         } catch (ExecutionException late) {
             return late.getCause() instanceof TimeoutException ? Map.of(UNANSWERED, 1) : Map.of();
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            return Map.of();
         }
     }
 

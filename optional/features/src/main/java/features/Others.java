@@ -9,6 +9,7 @@ import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Frame;
 import javino.protocol.Key;
+import lockstep.Simulation;
 
 /** The devices of a scenario that are only played, the keys that they share with its boards, and an attacker. */
 final class Others {
@@ -45,11 +46,11 @@ final class Others {
         devices.replaceAll((name, none) -> new Device(run, name, BoardFile.port(name)));
         devices.forEach((name, device) -> device.setId(name));
         for (Shared each : keys) {
-            Key key = Key.random(run.engine.time().secureRandom());
+            Key key = Key.random(Simulation.here().secureRandom());
             devices.get(each.device).setKey(each.peer.address(), key);
             try (Device host = new Device(run, each.peer.board(), run.boards.portOf(each.peer.board()))) {
                 host.setId(each.peer.address());
-                host.setKey(each.device, each.same ? key : Key.random(run.engine.time().secureRandom()));
+                host.setKey(each.device, each.same ? key : Key.random(Simulation.here().secureRandom()));
             }
         }
         devices.values().forEach(Device::open);

@@ -46,10 +46,8 @@ abstract class RealTimeEngine implements Engine {
         queue.add(new Due(now(), action));
     }
 
-    @Override
-    public Time time() {
-        return Time.REAL;
-    }
+    /** Fails if what is to tell something has ended. */
+    void check() {}
 
     @Override
     public long nanos() {
@@ -68,6 +66,8 @@ abstract class RealTimeEngine implements Engine {
                     telling = -1;
                 } else if (left <= 0) {
                     return false;
+                } else {
+                    check();
                 }
             }
             return true;

@@ -73,10 +73,10 @@ public final class Report implements ConcurrentEventListener {
                 .collect(Collectors.joining(", "));
         out.println("scenarios: " + all);
         if (System.getProperty("javino.port") != null) {
-            out.println("not checked on the real board:" + (Run.UNCHECKED.isEmpty() ? " nothing" : ""));
-            Run.UNCHECKED.forEach(step -> out.println("  " + step));
-            int unchecked = Run.UNCHECKED.size();
-            Run.UNCHECKED.clear();
+            out.println("not checked on the real board:" + (RealBoard.UNCHECKED.isEmpty() ? " nothing" : ""));
+            RealBoard.UNCHECKED.forEach(step -> out.println("  " + step));
+            int unchecked = RealBoard.UNCHECKED.size();
+            RealBoard.UNCHECKED.clear();
             try {
                 Files.writeString(Path.of(System.getProperty("javino.runs", "build/features"), "real-board.txt"),
                         all + "; steps not checked: " + unchecked + "\n");

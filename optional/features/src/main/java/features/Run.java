@@ -3,7 +3,6 @@ package features;
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -11,33 +10,28 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
-import org.opentest4j.TestAbortedException;
 
 /**
  * The run of one scenario: its boards and agents. The first step that is not of the boards' and agents' choice
  * begins it; it has begun when no agent's start plans go on any more, and the boards' first percepts are believed.
  */
-final class Run implements AutoCloseable {
+class Run implements AutoCloseable {
 
     /** A scenario that has not begun in this time will not. */
     private static final long LONGEST_BEGINNING = 30 * Window.SECOND;
-    /** A sketch that has no percepts begins without. */
     private static final int JACAMO_SLACK = 3;
+    /** A sketch that has no percepts begins without. */
     private static final long LONGEST_WAIT_FOR_PERCEPTS = 3 * Window.SECOND;
-
-    /** The steps of all scenarios that nobody could do or see with a real board. */
-    static final List<String> UNCHECKED = new ArrayList<>();
 
     private static Run now;
 
     /** The port of a real board; null for emulated ones. */
     private final String realPort = System.getProperty("javino.port");
     private final String feature;
-    private final Path folder;
+    final Path folder;
     private final boolean realTime;
-    private final Optional<WatchedRun> watched = WatchedRun.current();
-    final Account account = watched.map(WatchedRun::account).orElseGet(() -> new Account(this::nanos));
-    final Expectations expected = new Expectations(this, account);
+    final Account account;
+    final Expectations expected;
     final Others others = new Others(this);
     /** None before the run begins. */
     BoardFile boards;
@@ -58,16 +52,19 @@ final class Run implements AutoCloseable {
     /**
      * @param feature  the scenario's file and line, as Cucumber takes them.
      * @param realTime whether it asks for the computer's time.
+     * @param account  is told of all; null for one of its own.
      */
-    private Run(String feature, Path folder, boolean realTime) {
+    Run(String feature, Path folder, boolean realTime, Account account) {
         this.feature = feature;
         this.folder = folder;
         this.realTime = realTime;
+        this.account = account == null ? new Account(this::nanos) : account;
+        expected = new Expectations(this, this.account);
     }
 
     /** Prepares a scenario, whose files go to a folder of its own. */
     static void prepare(String feature, Path folder, boolean realTime) {
-        now = new Run(feature, folder, realTime);
+        now = WatchedRun.scenario().orElseGet(() -> new Run(feature, folder, realTime, null));
     }
 
     static Optional<Run> current() {
@@ -87,21 +84,20 @@ final class Run implements AutoCloseable {
 
     /** The run of the scenario, which has not begun. */
     static Run before() {
-        if (any().watched.isPresent()) {
-            throw any().wrong(WatchedRun.ONLY);
-        }
-        if (any().engine != null) {
-            throw any().wrong("boards, agents, seed and radio are chosen before the first other step");
-        }
+        any().choose();
         return any();
+    }
+
+    /** Fails if it is too late to choose what the scenario has. */
+    void choose() {
+        if (engine != null) {
+            throw wrong("boards, agents, seed and radio are chosen before the first other step");
+        }
     }
 
     // What the scenario has
 
     AgentProgram.Agents agents() {
-        if (watched.isPresent()) {
-            throw wrong(WatchedRun.ONLY);
-        }
         return agents;
     }
 
@@ -114,7 +110,12 @@ final class Run implements AutoCloseable {
     /** The agent that words name; {@code it} is the last one. */
     String agent(String words) {
         lastAgent = words.equals("it") ? lastAgent : words.replaceFirst("^the agent ", "");
-        return watched.isPresent() ? lastAgent : named("agent", lastAgent, agents().agents(), agentsFile);
+        check(lastAgent);
+        return lastAgent;
+    }
+
+    void check(String agent) {
+        named("agent", agent, agents().agents(), agentsFile);
     }
 
     private String named(String kind, String name, Collection<String> all, Path file) {
@@ -148,22 +149,15 @@ final class Run implements AutoCloseable {
         return engine.nanos();
     }
 
-    private void begin() {
+    void begin() {
         if (engine != null) {
-            if (watched.isEmpty()) {
-                runUntil(() -> false, nanos());
-            }
-            return;
-        }
-        if (watched.isPresent()) {
-            boards = watched.get().boards();
-            engine = watched.get().engine();
+            runUntil(() -> false, nanos());
             return;
         }
         try {
             boards = BoardFile.read(boardsFile, radio, others.names());
             if (realPort != null && !(boards.names().size() == 1 && radio.isEmpty())) {
-                throw unchecked();
+                throw RealBoard.unchecked(step);
             }
             engine = realPort == null ? emulator()
                     : new RealBoard(Path.of(realPort), Path.of(boards.ports().get(0)), folder, account, () -> step);
@@ -187,9 +181,9 @@ final class Run implements AutoCloseable {
 
     private Engine emulator() throws IOException {
         boolean real = realTime || isJaCaMo();
+        Path files = folder.toAbsolutePath();
         List<String> command = List.of(System.getProperty("javino.emulator", "javino-emulator"),
-                boards.write(folder, real).toString(), "--directory", folder.toString(), "--keys",
-                folder.resolve("keys").toString());
+                boards.write(files, real).toString(), "--directory", files.toString(), "--keys", files + "/keys");
         return real ? new EmulatedBoards(command, seed, folder, account)
                 : new EmulatedTime(command, boards.ports(), seed, folder.resolve("trace.jsonl"), account);
     }
@@ -202,16 +196,10 @@ final class Run implements AutoCloseable {
     /** Whether nobody can see what this step expects: then its time passes, and it is told of at the end. */
     boolean isUnseen(Window window) {
         if (isByHand()) {
-            UNCHECKED.add(step);
+            RealBoard.UNCHECKED.add(step);
             runUntil(() -> false, nanos() + (window.kind() == Window.Kind.UNSAID ? 0 : window.nanos()));
         }
         return isByHand();
-    }
-
-    /** Ends the scenario, as nobody can do what this step says. */
-    private TestAbortedException unchecked() {
-        UNCHECKED.add(step);
-        return new TestAbortedException(step);
     }
 
     /** @return whether it is as wanted before that time. */
@@ -226,7 +214,7 @@ final class Run implements AutoCloseable {
     /** What ends the run itself; what is wrong with its boards is told of the user's own file. */
     private StepFailure broken(Throwable why) {
         broken = true;
-        String text = why.getMessage().replace(folder.resolve("board.json").toString(), boardsFile.toString())
+        String text = why.getMessage().replace(folder.toAbsolutePath() + "/board.json", boardsFile.toString())
                 .replaceFirst(".*\\[javino-emulator: (.*)\\].*", "$1");
         return new StepFailure("the scenario cannot " + (begun ? "go on: " : "start: ") + text);
     }
@@ -257,33 +245,24 @@ final class Run implements AutoCloseable {
 
     /** What was taken away comes back by itself then. */
     void returnsIn(long nanos) {
-        returns = nanos() + (isByHand() ? 0 : nanos);
+        returns = engine.after(nanos, () -> {});
     }
 
     /** Has a command given after a time, by which what was taken away until then returns. */
     void later(long nanos, Map<String, Object> command) {
-        returnsIn(nanos);
-        if (!isByHand()) {
-            engine.at(returns, () -> tell(command));
-        }
+        returns = engine.after(nanos, () -> tell(command));
     }
 
     /** A when: gives the emulator a command, in the words of emulator/README.md. */
     void command(Map<String, Object> command) {
         account.mark();
         tell(command);
-        if (isByHand()) {
-            account.done();
-        }
     }
 
     private void tell(Map<String, Object> command) {
         try {
-            engine.command(BoardFile.json(command));
+            engine.command(command);
         } catch (IOException refused) {
-            if (isByHand()) {
-                throw unchecked();
-            }
             throw wrong(refused.getMessage());
         }
     }
@@ -311,12 +290,9 @@ final class Run implements AutoCloseable {
     }
 
     private StepFailure failure(String what, boolean seen) {
-        if (watched.isPresent()) {
-            return new StepFailure(what);
-        }
         String head = step.isEmpty() ? "" : step + "\n";
         if (engine == null) {
-            return new StepFailure(head + "  " + what);
+            return new StepFailure(head + (step.isEmpty() ? "" : "  ") + what);
         }
         String again = feature + (isByHand() ? " -Pport=" + realPort : " -Pseed=" + seed
                 + "\n  its trace: javino watch --trace " + folder.resolve("trace.jsonl"));
@@ -338,7 +314,7 @@ final class Run implements AutoCloseable {
     }
 
     private void end() {
-        if (engine == null || watched.isPresent()) {
+        if (engine == null) {
             return;
         }
         try {

@@ -30,7 +30,7 @@ public final class Scenarios {
         String place = (file.startsWith(here) ? here.relativize(file) : file) + ":" + scenario.getLine();
         String name = file.getFileName().toString().replaceFirst("\\.feature$", "") + "-" + scenario.getLine();
         Run.prepare(place, Path.of(System.getProperty("javino.runs", "build/features"), name),
-                scenario.getSourceTagNames().contains("@realtime"));
+                Boolean.getBoolean("javino.realTime") || scenario.getSourceTagNames().contains("@realtime"));
     }
 
     @After

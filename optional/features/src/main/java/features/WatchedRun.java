@@ -1,8 +1,8 @@
 package features;
 
-import io.cucumber.core.cli.Main;
+import io.cucumber.core.options.CommandlineOptionsParser;
+import io.cucumber.core.runtime.Runtime;
 import io.cucumber.plugin.ConcurrentEventListener;
-import io.cucumber.plugin.event.EventPublisher;
 import io.cucumber.plugin.event.Result;
 import io.cucumber.plugin.event.Status;
 import io.cucumber.plugin.event.TestCaseFinished;
@@ -16,7 +16,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
-import javino.link.Time;
 import lockstep.AgentProgram;
 
 /**
@@ -33,10 +32,8 @@ public final class WatchedRun {
      */
     public record Ended(String scenario, String missing) {}
 
-    static final String ONLY = "this run is only watched: its steps see, and do nothing";
+    private static final String ONLY = "this run is only watched: its steps see, and do nothing";
 
-    /** Cucumber makes listeners by their names. */
-    private static Consumer<Ended> listener;
     private static WatchedRun now;
 
     private final Account account;
@@ -89,76 +86,62 @@ public final class WatchedRun {
     }
 
     private static void play(List<Path> features, Consumer<Ended> ended, String option) {
-        listener = ended;
-        Main.run(Stream.concat(Stream.of(option, "--glue", "features", "--no-summary", "--plugin",
-                Listener.class.getName()), features.stream().map(Path::toString)).toArray(String[]::new));
+        String[] options = Stream.concat(Stream.of(option, "--glue", "features", "--no-summary"),
+                features.stream().map(Path::toString)).toArray(String[]::new);
+        Runtime.builder().withRuntimeOptions(new CommandlineOptionsParser(System.out).parse(options).build())
+                .withAdditionalPlugins((ConcurrentEventListener) publisher -> publisher.registerHandlerFor(
+                        TestCaseFinished.class, event -> ended.accept(
+                                new Ended(event.getTestCase().getName(), missing(event.getResult())))))
+                .build().run();
     }
 
-    /** Tells how scenarios end. */
-    public static final class Listener implements ConcurrentEventListener {
+    private static String missing(Result result) {
+        return result.getError() != null ? result.getError().getMessage()
+                : result.getStatus() == Status.UNDEFINED ? "no step has these words" : "";
+    }
+
+    /** A scenario that sees this run and changes nothing, if there is one; an engine of its own it has not. */
+    static Optional<Run> scenario() {
+        return Optional.ofNullable(now).map(run -> run.new Watching());
+    }
+
+    private final class Watching extends Run {
+
+        Watching() {
+            super("", Path.of(""), false, WatchedRun.this.account);
+            boards = WatchedRun.this.boards;
+        }
 
         @Override
-        public void setEventPublisher(EventPublisher publisher) {
-            publisher.registerHandlerFor(TestCaseFinished.class,
-                    event -> listener.accept(new Ended(event.getTestCase().getName(), missing(event.getResult()))));
+        void choose() {
+            throw wrong(ONLY);
         }
 
-        private static String missing(Result result) {
-            return result.getError() != null ? result.getError().getMessage()
-                    : result.getStatus() == Status.UNDEFINED ? "no step has these words" : "";
+        @Override
+        AgentProgram.Agents agents() {
+            throw wrong(ONLY);
         }
-    }
 
-    /** The run that scenarios watch, if they do. */
-    static Optional<WatchedRun> current() {
-        return Optional.ofNullable(now);
-    }
+        /** Its agents tell what they print alone. */
+        @Override
+        void check(String agent) {}
 
-    Account account() {
-        return account;
-    }
+        @Override
+        void begin() {}
 
-    BoardFile boards() {
-        return boards;
-    }
+        @Override
+        long nanos() {
+            return nanos;
+        }
 
-    /** It cannot be commanded, and its agents tell what they print alone. */
-    Engine engine() {
-        return new Engine() {
-            @Override
-            public Time time() {
-                throw new IllegalStateException(ONLY);
-            }
+        @Override
+        boolean runUntil(BooleanSupplier wanted, long end) {
+            return waiting.test(() -> wanted.getAsBoolean() || nanos > end) && wanted.getAsBoolean();
+        }
 
-            @Override
-            public long nanos() {
-                return nanos;
-            }
-
-            @Override
-            public boolean runUntil(BooleanSupplier wanted, long end) {
-                return waiting.test(() -> wanted.getAsBoolean() || nanos > end) && wanted.getAsBoolean();
-            }
-
-            @Override
-            public void at(long nanos, Runnable action) {
-                throw new IllegalStateException(ONLY);
-            }
-
-            @Override
-            public void command(String json) throws IOException {
-                throw new IOException(ONLY);
-            }
-
-            @Override
-            public AgentProgram.Agents start(Path program) {
-                throw new IllegalStateException(ONLY);
-            }
-
-            @Override
-            public void close() {
-                // It goes on.
-            }
-        };
+        @Override
+        void command(Map<String, Object> command) {
+            throw wrong(ONLY);
+        }
     }
 }

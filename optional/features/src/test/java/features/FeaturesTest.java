@@ -9,8 +9,7 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,16 +28,11 @@ class FeaturesTest {
             +brightness(B) <- .print(B).
             """;
 
-    private Project project;
+    @AutoClose
+    private final Project project;
 
-    @BeforeEach
-    void write(@TempDir Path folder) throws IOException {
+    FeaturesTest(@TempDir Path folder) throws IOException {
         project = new Project(folder, "blink/Blink", AGENT);
-    }
-
-    @AfterEach
-    void restore() {
-        project.close();
     }
 
     private int play(String steps) throws IOException {

@@ -5,8 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -26,16 +25,11 @@ class RadioFeaturesTest {
             DEVICE + "And ROMA (robot's board) and the device SUPO have different keys / ";
     private static final String SENDS = "When the device SUPO sends tell hello(1) to ROMA / ";
 
-    private Project project;
+    @AutoClose
+    private final Project project;
 
-    @BeforeEach
-    void write(@TempDir Path folder) throws IOException {
+    RadioFeaturesTest(@TempDir Path folder) throws IOException {
         project = new Project(folder, "radioblink/RadioBlink", AGENT);
-    }
-
-    @AfterEach
-    void restore() {
-        project.close();
     }
 
     @ParameterizedTest

@@ -3,21 +3,17 @@ package harness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javino.board.Transitions;
 import javino.keyring.DeviceNotes;
 import lockstep.AgentProgram;
+import lockstep.RunningEmulator;
 import lockstep.Simulation;
-import trace.TransitionHandler;
 
 /**
  * A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. In emulated time
@@ -27,7 +23,6 @@ public final class AgentProcess implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final String DIFFUSER = "diffuser.Diffuser";
-    /** Long enough for a sketch to be built on a busy machine. */
     private static final long PATIENCE_SECONDS = 240;
 
     /** What runs the agents. */
@@ -42,8 +37,7 @@ public final class AgentProcess implements AutoCloseable {
         void close();
     }
 
-    private final List<String> lines = new ArrayList<>();
-    private final Changes changes = new Changes();
+    private final Lines lines = new Lines();
     private final Consumer<String> listener;
     private final Engine engine;
 
@@ -179,10 +173,9 @@ public final class AgentProcess implements AutoCloseable {
     /** Below an emulator's folder a host tells that emulator of its state machines, too. */
     private static Path logging(String name, Path folder) throws IOException {
         String usual = Files.readString(ROOT.resolve("examples/highway/logging.properties"));
-        Optional<Path> control = Stream.iterate(folder.toAbsolutePath(), Objects::nonNull, Path::getParent)
-                .map(above -> above.resolve(RealTimeEngine.CONTROL)).filter(Files::exists).findFirst();
-        return Files.writeString(folder.resolve(name + ".properties"), usual + control
-                .map(socket -> TransitionHandler.configuration(Transitions.LOGGER, socket)).orElse(""));
+        String control = Stream.iterate(folder.toAbsolutePath(), Objects::nonNull, Path::getParent)
+                .map(RunningEmulator::logging).filter(lines -> !lines.isEmpty()).findFirst().orElse("");
+        return Files.writeString(folder.resolve(name + ".properties"), usual + control);
     }
 
     private static void writeMas(String agent, String architecture, Path folder) throws IOException {
@@ -196,14 +189,12 @@ public final class AgentProcess implements AutoCloseable {
 
     private void printed(String line) {
         listener.accept(line);
-        changes.change(() -> lines.add(line));
+        lines.add(line);
     }
 
     /** Waits for the n-th line that ends in these words. */
     public void await(String words, int nth) throws InterruptedException {
-        changes.await(() -> "not " + nth + " times '" + words + "':\n" + String.join("\n", lines()),
-                Duration.ofSeconds(PATIENCE_SECONDS),
-                () -> lines.stream().filter(line -> line.endsWith(words)).count() < nth ? null : words);
+        lines.await("'" + words + "'", nth, line -> line.endsWith(words));
     }
 
     public void await(String words) throws InterruptedException {
@@ -212,9 +203,7 @@ public final class AgentProcess implements AutoCloseable {
 
     /** The lines that it has printed. */
     public List<String> lines() {
-        synchronized (changes) {
-            return List.copyOf(lines);
-        }
+        return lines.all();
     }
 
     /** Ends it as it stands, with SIGKILL. All that it has printed has been read when this returns. */

@@ -3,7 +3,7 @@ package harness;
 import java.nio.file.Path;
 
 /** A run of a test in emulated time. */
-final class EmulatedRun {
+public final class EmulatedRun {
 
     /** More than anybody tries. */
     private static final long SEEDS = 1_000_000_000;
@@ -22,7 +22,7 @@ final class EmulatedRun {
     }
 
     /** The run of this moment; null in real time. */
-    static EmulatedRun current() {
+    public static EmulatedRun current() {
         return current;
     }
 
@@ -31,7 +31,7 @@ final class EmulatedRun {
         current = run;
     }
 
-    long seed() {
+    public long seed() {
         return seed;
     }
 
@@ -40,7 +40,7 @@ final class EmulatedRun {
         return seed + SEEDS * seeds++;
     }
 
-    Path folder() {
+    public Path folder() {
         return folder;
     }
 

@@ -17,13 +17,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import java.util.logging.Level;
-import java.util.logging.Logger;
-import javino.board.Transitions;
 import javino.link.Time;
+import lockstep.RunningEmulator;
 import lockstep.Simulation;
 import trace.TraceEvent;
-import trace.TransitionHandler;
+import trace.TraceReader;
 import uppaal.conformance.Replay;
 
 /**
@@ -40,11 +38,12 @@ public final class Emulator implements AutoCloseable {
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
      */
     private static final int LATEST_LINES = 10_000;
+    /** How late a test learns what the trace says. */
+    private static final long MOMENT_NANOS = 1_000_000;
     private static final StackWalker WALKER = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
-    private static final Logger TRANSITIONS = Logger.getLogger(Transitions.LOGGER);
 
     private final Path folder;
-    private final Engine engine;
+    private final RunningEmulator engine;
     private final Consumer<TraceEvent> listener;
     private final List<TraceEvent> trace = new ArrayList<>();
     /** Written by the thread that reads the trace; read when that has ended. */
@@ -54,8 +53,6 @@ public final class Emulator implements AutoCloseable {
     private final Consumer<String> refused;
     private final long seed;
     private final EmulatedRun run;
-    /** The handler for hosts in this process. */
-    private final TransitionHandler transitions;
     private final List<Runnable> closings = new CopyOnWriteArrayList<>();
     private int lines;
     private boolean keeping = true;
@@ -68,11 +65,9 @@ public final class Emulator implements AutoCloseable {
         modelled = scenario.modelled;
         refused = scenario.refused;
         seed = run == null ? scenario.seed : run.seed();
-        engine = run == null ? new RealTimeEngine(command, folder, this::traced)
-                : new LockstepEngine(command, scenario.ports(), run, this::traced);
-        transitions = new TransitionHandler(engine);
-        Time time = Simulation.here();
-        transitions.setFilter(transition -> Simulation.here() == time);
+        engine = run == null ? RunningEmulator.start(command, folder, this::traced)
+                : Simulation.start(command, scenario.ports(), run.newSeed(), Simulation.JITTER, run.newTrace(),
+                        this::traced);
     }
 
     /** A test's scenario; the words are those of emulator/README.md. */
@@ -169,13 +164,7 @@ public final class Emulator implements AutoCloseable {
         /** Starts the emulator in a folder, where EEPROM files of earlier runs are taken up. */
         public Emulator start(Path where) throws IOException, InterruptedException {
             Path folder = where.toAbsolutePath();
-            Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
-            if (!faults.isEmpty()) {
-                scenario.put("faults", faults);
-            }
-            Path file = folder.resolve("scenario.json");
-            Files.createDirectories(folder.resolve("eeprom"));
-            Files.writeString(file, new Gson().toJson(scenario));
+            Path file = write(folder);
             List<String> command = new ArrayList<>(List.of(ROOT.resolve("emulator/build/javino-emulator").toString(),
                     file.toString(), "--directory", folder.toString(), "--keys", keys(folder).toString()));
             EmulatedRun run = emulated ? new EmulatedRun(seed, folder) : EmulatedRun.current();
@@ -184,10 +173,18 @@ public final class Emulator implements AutoCloseable {
             }
             Emulator emulator = new Emulator(this, folder, command, run);
             emulator.awaitPower(boards);
-            TRANSITIONS.setLevel(Level.FINE);
-            TRANSITIONS.addHandler(emulator.transitions);
             emulator.keep(keeping);
             return emulator;
+        }
+
+        /** Writes it into a folder, which may have EEPROM files. */
+        public Path write(Path folder) throws IOException {
+            Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
+            if (!faults.isEmpty()) {
+                scenario.put("faults", faults);
+            }
+            Files.createDirectories(folder.resolve("eeprom"));
+            return Files.writeString(folder.resolve("scenario.json"), new Gson().toJson(scenario));
         }
 
         private List<String> ports() {
@@ -260,7 +257,9 @@ public final class Emulator implements AutoCloseable {
 
     /** The path under which a host opens a board's serial port. */
     public String port(String board) {
-        return engine.port(board);
+        String port = "ports/" + board;
+        // In emulated time of no folder, which differs from run to run: agents carry that name about.
+        return run == null ? folder.resolve(port).toString() : port;
     }
 
     /** The boards' ports are there before the boards have power. */
@@ -270,7 +269,7 @@ public final class Emulator implements AutoCloseable {
                 await("power of " + board.get("name"), event -> event.is("reset", (String) board.get("name")));
             }
         } catch (AssertionError lost) {
-            engine.end();
+            engine.close();
             throw lost;
         }
     }
@@ -297,7 +296,13 @@ public final class Emulator implements AutoCloseable {
         int next = 0;
         int found = 0;
         while (true) {
-            boolean last = engine.hasEnded() || time.nanos() - end >= 0;
+            if (Thread.interrupted()) {
+                throw new InterruptedException(what);
+            }
+            boolean last = !engine.process().isAlive() || time.nanos() - end >= 0;
+            if (last) {
+                engine.readTrace();
+            }
             for (TraceEvent event : kept(next)) {
                 next++;
                 if (wanted.test(event) && ++found == nth) {
@@ -307,7 +312,7 @@ public final class Emulator implements AutoCloseable {
             if (last) {
                 throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints());
             }
-            engine.awaitMore();
+            time.pause(MOMENT_NANOS);
         }
     }
 
@@ -334,10 +339,26 @@ public final class Emulator implements AutoCloseable {
         }
     }
 
-    /** Leaves the edges of the model that this run may have taken where those of all runs are put together. */
-    private void writeEdges(String run) throws IOException {
+    /**
+     * Replays the trace of a run that was no emulator of this class.
+     *
+     * @param run its name.
+     * @throws AssertionError if the model refuses it.
+     */
+    public static void check(Path trace, Path keys, String run) throws IOException {
+        Replay model = new Replay(keys);
+        TraceReader.read(trace, model::event);
+        model.finish();
+        if (model.refusal().isPresent()) {
+            throw new AssertionError(model.verdict() + "; its trace is in " + trace);
+        }
+        writeEdges(run, model);
+    }
+
+    /** Leaves the edges of the model that a run may have taken where those of all runs are put together. */
+    private static void writeEdges(String run, Replay model) throws IOException {
         String edges = System.getProperty("javino.edges");
-        if (edges != null && modelled) {
+        if (edges != null) {
             Path all = Files.createDirectories(Path.of(edges));
             Files.write(Files.createTempFile(all, run + "-", ""), model.covered());
         }
@@ -365,9 +386,8 @@ public final class Emulator implements AutoCloseable {
     }
 
     private void end(Class<?> user) {
-        TRANSITIONS.removeHandler(transitions);
         try {
-            engine.end();
+            engine.close();
             model.finish();
             if (model.refusal().isPresent()) {
                 refused.accept("seed " + seed + ": " + model.verdict() + (run == null
@@ -375,11 +395,11 @@ public final class Emulator implements AutoCloseable {
                         : "; its trace is in " + run.folder()));
                 return;
             }
-            writeEdges(user.getSimpleName());
+            if (modelled) {
+                writeEdges(user.getSimpleName(), model);
+            }
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
         }
     }
 }

@@ -2,13 +2,10 @@ package harness;
 
 import com.google.gson.Gson;
 import com.google.gson.reflect.TypeToken;
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -24,14 +21,14 @@ public final class GatewayProcess implements AutoCloseable {
     private static final long PAGE_BYTES = 4096;
 
     private final Process process;
-    private final List<String> lines = Collections.synchronizedList(new ArrayList<>());
+    private final Lines lines = new Lines();
     private final Thread reader;
 
     private GatewayProcess(Process process) {
         this.process = process;
         // A run that is broken off leaves no process behind.
         Runtime.getRuntime().addShutdownHook(new Thread(process::destroyForcibly));
-        reader = new Thread(this::read, "gateway output");
+        reader = new Thread(() -> process.inputReader().lines().forEach(lines::add), "gateway output");
         reader.setDaemon(true);
         reader.start();
     }
@@ -60,19 +57,6 @@ public final class GatewayProcess implements AutoCloseable {
         return new GatewayProcess(builder.start());
     }
 
-    private void read() {
-        try (BufferedReader output = process.inputReader()) {
-            output.lines().forEach(line -> {
-                synchronized (lines) {
-                    lines.add(line);
-                    lines.notifyAll();
-                }
-            });
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     /** Waits until it has said such a line. */
     public void await(Predicate<String> wanted) throws InterruptedException {
         await(1, wanted);
@@ -80,23 +64,12 @@ public final class GatewayProcess implements AutoCloseable {
 
     /** Waits until it has said so many such lines. */
     public void await(int times, Predicate<String> wanted) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        synchronized (lines) {
-            while (said(wanted) < times) {
-                long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-                if (left <= 0) {
-                    throw new AssertionError("the gateway has said only " + lines);
-                }
-                lines.wait(left);
-            }
-        }
+        lines.await("such a line of the gateway", times, wanted);
     }
 
     /** How many such lines it has said. */
     public long said(Predicate<String> wanted) {
-        synchronized (lines) {
-            return lines.stream().filter(wanted).count();
-        }
+        return lines.count(wanted);
     }
 
     /** The process, to see how much it takes. */
@@ -113,10 +86,10 @@ public final class GatewayProcess implements AutoCloseable {
     /** The lines that it wrote, and at last its exit status; waits until it has ended. */
     public List<String> ended() throws InterruptedException {
         if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-            throw new AssertionError("the gateway has not ended: " + lines);
+            throw new AssertionError("the gateway has not ended: " + lines.all());
         }
         reader.join();
-        List<String> all = new ArrayList<>(lines);
+        List<String> all = new ArrayList<>(lines.all());
         all.add("" + process.exitValue());
         return all;
     }
@@ -126,8 +99,8 @@ public final class GatewayProcess implements AutoCloseable {
         // Its handle ends it: the other way would drop what it has yet to say.
         process.toHandle().destroy();
         ended();
-        String last = lines.stream().filter(line -> line.contains("\"heard\":")).findFirst()
-                .orElseThrow(() -> new AssertionError("no counters in " + lines));
+        String last = lines.all().stream().filter(line -> line.contains("\"heard\":")).findFirst()
+                .orElseThrow(() -> new AssertionError("no counters in " + lines.all()));
         return new Gson().fromJson(last.substring(last.indexOf('{')), new TypeToken<Map<String, Long>>() {}.getType());
     }
 

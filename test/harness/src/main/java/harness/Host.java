@@ -16,7 +16,6 @@ import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
-import javino.link.Time;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -24,6 +23,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.HostMessage;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 import lockstep.Simulation;
 
 /** A board session that a test drives, in the time of the test's emulator, with what came from the board in queues. */
@@ -139,9 +139,27 @@ public final class Host implements AutoCloseable {
         return this;
     }
 
+    /** Waits until the board is greeted, which has its id and keys, and opens its radio. */
+    public Host listen() throws InterruptedException {
+        awaitOnline(1);
+        get(board.radio(true));
+        return this;
+    }
+
     /** Sends, and waits until it has been on the air. */
-    public void send(String to, String content) {
-        get(board.transmit(Address.parse(to), Content.parse(content)).end());
+    public Outcome send(String to, String content) {
+        return get(board.transmit(Address.parse(to), Content.parse(content)).end());
+    }
+
+    /** The content of the next message that came, waited for. */
+    public String content() throws InterruptedException {
+        return message().content().toString();
+    }
+
+    /** The next message that came, waited for, as {@code "SUPO to //SU: tell;help"}. */
+    public String received() throws InterruptedException {
+        ReceivedMessage next = message();
+        return next.from() + " to " + next.to() + ": " + next.content();
     }
 
     /** The next message that came, waited for. */
@@ -200,13 +218,7 @@ public final class Host implements AutoCloseable {
 
     /** The result of a request. */
     public static <T> T await(CompletableFuture<T> request) throws ExecutionException {
-        Time time = Simulation.here();
-        try {
-            return time.get(time.orTimeout(request.copy(), Duration.ofSeconds(PATIENCE_SECONDS)));
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError(interrupted);
-        }
+        return Simulation.await(request, Duration.ofSeconds(PATIENCE_SECONDS));
     }
 
     @Override

@@ -3,7 +3,6 @@ package harness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -27,7 +26,6 @@ public final class MovingAgents implements AutoCloseable {
     public static final int AWAY = 1;
 
     private static final String MOVE = "MOVE_";
-    private static final long PATIENCE_SECONDS = 300;
 
     private static final String DOOR = """
             !start.
@@ -66,8 +64,7 @@ public final class MovingAgents implements AutoCloseable {
     private final List<AgentProcess> processes = new ArrayList<>();
     private final int[] lives = new int[2];
     private final WalkerLog walk = new WalkerLog();
-    private final List<String> lines = new ArrayList<>();
-    private final Changes changes = new Changes();
+    private final Lines lines = new Lines();
     private final Consumer<String> listener;
 
     /**
@@ -140,7 +137,7 @@ public final class MovingAgents implements AutoCloseable {
     private void printed(int side, int life, String line) {
         walk.see(side, life, line);
         listener.accept(line);
-        changes.change(() -> lines.add((side == HOME ? "home" : "away") + life + " " + line));
+        lines.add((side == HOME ? "home" : "away") + life + " " + line);
     }
 
     /** Ends one MAS by SIGKILL. */
@@ -155,22 +152,18 @@ public final class MovingAgents implements AutoCloseable {
 
     /** All that both have printed, each line behind which of the two has and in which of its lives. */
     public List<String> lines() {
-        synchronized (changes) {
-            return List.copyOf(lines);
-        }
+        return lines.all();
     }
 
     /** Waits for the n-th line, since the beginning, that is as wanted. */
     public void await(String what, int nth, Predicate<String> wanted) throws InterruptedException {
-        changes.await(() -> "not " + nth + " times " + what + ":\n" + String.join("\n", lines()),
-                Duration.ofSeconds(PATIENCE_SECONDS),
-                () -> lines.stream().filter(wanted).count() < nth ? null : what);
+        lines.await(what, nth, wanted);
     }
 
     /** Waits until the agent has shown so often from now on that it is awake. */
     public void awaitTicks(int more) throws InterruptedException {
         Predicate<String> ticks = line -> line.contains("] tick ");
-        await("ticks", (int) lines().stream().filter(ticks).count() + more, ticks);
+        await("ticks", (int) lines.count(ticks) + more, ticks);
     }
 
     /** The word of a host about a move (SPEC 9.1), such as "offer"; "" if the event is none of these. */

@@ -3,14 +3,12 @@ package lockstep;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Writer;
-import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.StringTokenizer;
-import java.util.concurrent.TimeUnit;
 
 /** An emulator whose time goes on only as far as it is told (emulator/README.md, Lock-step). */
-final class Lockstep {
+final class Lockstep extends EmulatorProcess {
 
     /** Nanoseconds of two cycles at 16 MHz. */
     private static final int TWO_CYCLES = 125;
@@ -19,7 +17,6 @@ final class Lockstep {
     private static final String PERFORMED = "{\"ok\":true}";
     /** The most bytes that a line may hold. */
     private static final int MOST_BYTES = 4096;
-    private static final int ENDING_SECONDS = 60;
 
     /** What has happened at the boards' ports. */
     interface News {
@@ -30,38 +27,19 @@ final class Lockstep {
         void plugged(int board);
     }
 
-    final Process process;
     private final BufferedReader answers;
     private final Writer lines;
-    private final List<String> complaints = new ArrayList<>();
-    private final Thread errors;
 
     Lockstep(List<String> command) throws IOException {
-        process = new ProcessBuilder(command).start();
+        super(new ProcessBuilder(command));
         answers = process.inputReader();
         lines = process.outputWriter();
-        errors = new Thread(() -> process.errorReader().lines().forEach(this::complained), "emulator errors");
-        errors.setDaemon(true);
-        errors.start();
-    }
-
-    private synchronized void complained(String line) {
-        complaints.add(line);
-    }
-
-    /** The lines that it has written to its standard error. */
-    synchronized List<String> complaints() {
-        return List.copyOf(complaints);
     }
 
     private String ask(String line) {
         String answer = answer(line);
         if (answer == null) {
-            try {
-                errors.join();
-            } catch (InterruptedException interrupted) {
-                Thread.currentThread().interrupt();
-            }
+            awaitEnd();
             throw new IllegalStateException("the emulator has ended: " + complaints());
         }
         return answer;
@@ -119,17 +97,12 @@ final class Lockstep {
     }
 
     /** Ends it. @return its exit status. */
-    int end() throws InterruptedException {
+    int end() {
         try {
             lines.close();
         } catch (IOException ended) {
             // Its exit status says why.
         }
-        if (!process.waitFor(ENDING_SECONDS, TimeUnit.SECONDS)) {
-            process.destroyForcibly();
-        }
-        int status = process.waitFor();
-        errors.join();
-        return status;
+        return awaitEnd();
     }
 }

@@ -25,6 +25,7 @@ import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.link.Time;
+import trace.EmulatorControl;
 
 /**
  * The time of one emulator and of all hosts at its boards. The thread that starts it is its coordinator: while that
@@ -32,7 +33,7 @@ import javino.link.Time;
  * hosts' threads their turns, and has the emulator run on where nothing is due. Nothing takes time but the boards'
  * programs, and the seeded lateness of their bytes. One thread runs at a time; a call from any other fails the run.
  */
-public final class Simulation implements Time, AutoCloseable {
+public final class Simulation implements Time, RunningEmulator {
 
     /** How late bytes from boards may come. */
     public static final Duration JITTER = Duration.ofMillis(5);
@@ -119,6 +120,7 @@ public final class Simulation implements Time, AutoCloseable {
         Simulation simulation = start(whole, ports, seed, jitter);
         simulation.trace = new TraceFile(file, lines);
         simulation.watch(simulation::readTrace);
+        simulation.emulator.traceTransitions(simulation);
         return simulation;
     }
 
@@ -139,6 +141,16 @@ public final class Simulation implements Time, AutoCloseable {
     public static Time here() {
         Simulation simulation = HERE.get();
         return simulation == null ? REAL : simulation;
+    }
+
+    /** Waits for the result of a request, in the time of this thread. A failed one stays as it is for others. */
+    public static <T> T await(CompletableFuture<T> request, Duration longest) throws ExecutionException {
+        try {
+            return here().get(here().orTimeout(request.copy(), longest));
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError("the test was interrupted", interrupted);
+        }
     }
 
     // Who runs
@@ -306,18 +318,18 @@ public final class Simulation implements Time, AutoCloseable {
         watchers.forEach(Runnable::run);
     }
 
-    /** All of the trace until now has been read when this returns. */
+    @Override
     public void readTrace() {
         if (trace != null) {
             trace.read();
         }
     }
 
-    /** Gives the emulator a command, in the words of emulator/README.md, which takes effect at once. */
-    public void command(String json) throws IOException {
+    @Override
+    public void perform(Map<String, ?> command) throws IOException {
         check();
         countAtThisMoment();
-        emulator.command(json);
+        emulator.command(EmulatorControl.json(command));
         if (!(Thread.currentThread() instanceof Coroutine)) {
             watchers.forEach(Runnable::run);
         }
@@ -327,12 +339,12 @@ public final class Simulation implements Time, AutoCloseable {
         return emulator;
     }
 
-    /** The emulator's process. */
+    @Override
     public ProcessHandle process() {
         return emulator.process.toHandle();
     }
 
-    /** The lines that the emulator has written to its standard error. */
+    @Override
     public List<String> complaints() {
         return emulator.complaints();
     }
@@ -345,6 +357,7 @@ public final class Simulation implements Time, AutoCloseable {
     @Override
     public void close() {
         check();
+        emulator.forgetTransitions();
         watchdog.end();
         try {
             over = true;
@@ -358,12 +371,7 @@ public final class Simulation implements Time, AutoCloseable {
             int status = emulator.end();
             readTrace();
             throwFailure();
-            if (status != 0) {
-                throw new AssertionError("the emulator ended with " + status + ": " + complaints());
-            }
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError("the simulation was interrupted", interrupted);
+            emulator.check(status);
         } finally {
             HERE.remove();
             if (trace != null) {

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import javino.board.Board;
@@ -75,10 +76,10 @@ class SimulationTest {
                 Board police = open(simulation, 0, SUPO, SUPP);
                 Board support = open(simulation, 1, SUPP, SUPO)) {
             assertEquals(Outcome.DELIVERED, simulation.join(police.transmit(SUPP, Content.parse("tell;x")).end()));
-            simulation.command("{\"do\": \"unplug\", \"board\": \"support\"}");
+            simulation.perform(Map.of("do", "unplug", "board", "support"));
             CompletableFuture<Outcome> second = police.transmit(SUPP, Content.parse("tell;y")).end();
             simulation.pause(Duration.ofSeconds(1).toNanos());
-            simulation.command("{\"do\": \"plug\", \"board\": \"support\"}");
+            simulation.perform(Map.of("do", "plug", "board", "support"));
             simulation.join(second);
             simulation.join(support.statistics());
             byte[] key = new byte[16];
@@ -111,10 +112,10 @@ class SimulationTest {
             }
         })) {
             simulation.join(police.greeted());
-            simulation.command("{\"do\": \"unplug\", \"board\": \"police\"}");
+            simulation.perform(Map.of("do", "unplug", "board", "police"));
             simulation.pause(SHORT.toNanos());
             assertEquals(BoardState.OFFLINE, police.state());
-            simulation.command("{\"do\": \"plug\", \"board\": \"police\"}");
+            simulation.perform(Map.of("do", "plug", "board", "police"));
             simulation.runUntil(() -> police.state() == BoardState.ONLINE, simulation.in(Duration.ofSeconds(10)));
         }
         assertEquals(List.of("online", "ports/police: cannot be read; was the board unplugged?",

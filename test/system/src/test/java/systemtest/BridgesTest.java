@@ -74,7 +74,7 @@ class BridgesTest extends JoinedCells {
         link.block();
         double since = now();
         while (now() < since + MINUTE) {
-            assertEquals(Outcome.UNDELIVERED, deliver(police, "ROMA", "tell;lost"));
+            assertEquals(Outcome.UNDELIVERED, police.send("ROMA", "tell;lost"));
         }
         link.reopen();
         awaitBridges();

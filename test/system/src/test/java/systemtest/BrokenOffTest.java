@@ -51,13 +51,13 @@ class BrokenOffTest {
                 Host hospital = Host.of(emulator, "hospital").as("SUHO", Map.of("ROMA", TestKeys.PAIR))) {
             bus.awaitOnline(1);
             police.board.transmit(Address.parse("SUPP"), Content.parse("tell;x"));
-            assertEquals("tell;x", support.message().content().toString());
+            assertEquals("tell;x", support.content());
             emulator.await("the loss of power", 2, event -> event.is("reset", "support"));
 
             bus.board.transmit(Address.parse("SUHO"), Content.parse("tell;long(\"" + "x".repeat(60) + "\")"));
             bus.awaitOnline(1);
             bus.send("SUHO", "tell;x");
-            assertEquals("tell;x", hospital.message().content().toString());
+            assertEquals("tell;x", hospital.content());
         }
     }
 }

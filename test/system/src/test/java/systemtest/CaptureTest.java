@@ -16,8 +16,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import javino.protocol.Address;
-import javino.protocol.Content;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,8 +43,7 @@ class CaptureTest {
             capture.start();
             awaitPacket(bus, file);
             for (String content : List.of("tell;help", "tell;" + "x".repeat(150))) {
-                assertEquals(Outcome.DELIVERED,
-                        Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse(content)).end()));
+                assertEquals(Outcome.DELIVERED, police.send("ROMA", content));
             }
             bus.send("////", "tell;last");
             while (!contains(file, "tell;last")) {

@@ -104,7 +104,7 @@ class FalseGatewayTest extends JoinedCells {
             claim();
             exchange(i, i + 1);
         }
-        assertEquals(Outcome.UNDELIVERED, deliver(police, ABSENT, "tell;nobody"));
+        assertEquals(Outcome.UNDELIVERED, police.send(ABSENT, "tell;nobody"));
         assertTrue(relayedOfNobody().size() > 4, "its frames were on the air: " + relayedOfNobody());
         exchange(4, 5);
     }
@@ -135,8 +135,8 @@ class FalseGatewayTest extends JoinedCells {
     void falseGateway_thatClaimsADevice_holdsUpItsMessagesOnly() throws Exception {
         exchange(0, 1);
         claim();
-        assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", "tell;go(1)"));
-        assertEquals("tell;go(1)", bus.message().content().toString());
+        assertEquals(Outcome.DELIVERED, police.send("ROMA", "tell;go(1)"));
+        assertEquals("tell;go(1)", bus.content());
         List<TraceEvent> sent = emulator.sentBy("police");
         assertTrue(count("police").get(sent.get(sent.size() - 1).text("payload")) >= 2, "it was drawn away");
         exchange(2, 4);
@@ -173,7 +173,7 @@ class FalseGatewayTest extends JoinedCells {
             owner.watch("#", (topic, payload) -> written.add(topic));
             exchange(0, 2);
             police.send("//RO", "tell;toTheGroup");
-            assertEquals("tell;toTheGroup", bus.message().content().toString());
+            assertEquals("tell;toTheGroup", bus.content());
             Set<String> others = Set.copyOf(written);
             assertTrue(others.containsAll(Set.of("javino/to/east/from/west/air", "javino/to/west/from/east/air",
                     "javino/seek/ROMA/from/west", "javino/search/all/from/west/air")), "" + others);
@@ -210,8 +210,8 @@ class FalseGatewayTest extends JoinedCells {
                 Thread.sleep(10);
             }
             double until = now();
-            assertEquals(Outcome.DELIVERED, deliver(bus, "NEAR", "tell;here"));
-            assertEquals("tell;here", near.message().content().toString());
+            assertEquals(Outcome.DELIVERED, bus.send("NEAR", "tell;here"));
+            assertEquals("tell;here", near.content());
             double seconds = emulator.sentBy("east").stream().filter(sent -> sent.seconds() > since
                     && sent.seconds() < until).mapToDouble(sent -> sent.number("bits") / BIT_RATE).sum();
             assertTrue(seconds > 10 && seconds < 10 + (until - since) / 4 + 1, seconds + " of " + (until - since));
@@ -264,7 +264,7 @@ class FalseGatewayTest extends JoinedCells {
             owner.watch("#", (topic, payload) -> seen.add(topic + " " + HEX.formatHex(payload)));
             exchange(0, 2);
             police.send("//RO", "tell;toTheGroup");
-            assertEquals("tell;toTheGroup", bus.message().content().toString());
+            assertEquals("tell;toTheGroup", bus.content());
         }
         assertTrue(seen.contains("javino/to/west/from/west/air " + emulator.sentBy("police").get(0).text("payload")),
                 "" + seen);
@@ -290,7 +290,7 @@ class FalseGatewayTest extends JoinedCells {
                 owner.air(EAST_CELL, "west", "f1", changed(packet));
             });
             owner.keep("javino/gateway/0/from/east", "first by name");
-            assertEquals(Outcome.UNDELIVERED, deliver(police, "ROMA", "tell;stopped"));
+            assertEquals(Outcome.UNDELIVERED, police.send("ROMA", "tell;stopped"));
             owner.keep("javino/gateway/0/from/east", "");
         }
         exchange(1, 3);
@@ -311,7 +311,7 @@ class FalseGatewayTest extends JoinedCells {
         }
         exchange(2, 3);
         onUnicast(intruder, packet -> inject(WEST, forgedAcknowledgement(frame(packet))));
-        assertEquals(Outcome.UNDELIVERED, deliver(police, ABSENT, "tell;nobody"));
+        assertEquals(Outcome.UNDELIVERED, police.send(ABSENT, "tell;nobody"));
         exchange(3, 4);
     }
 

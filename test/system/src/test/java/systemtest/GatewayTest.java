@@ -42,8 +42,8 @@ class GatewayTest extends JoinedCells {
     @Tag("verify")
     void unicast_inFragments_isDelivered() throws Exception {
         String content = "tell;" + "x".repeat(300);
-        assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", content));
-        assertEquals(content, bus.message().content().toString());
+        assertEquals(Outcome.DELIVERED, police.send("ROMA", content));
+        assertEquals(content, bus.content());
     }
 
     @Test
@@ -53,7 +53,7 @@ class GatewayTest extends JoinedCells {
         exchange(0, 1);
         police.send("////", "tell;toAll");
         police.send("//RO", "tell;toTheGroup");
-        assertEquals("tell;toTheGroup", bus.message().content().toString());
+        assertEquals("tell;toTheGroup", bus.content());
         exchange(1, 2);
         assertEquals(0, count("west").getOrDefault(emulator.sentBy("bus").get(0).text("payload"), 0L));
         assertTrue(west.end().get("heard") > 0);
@@ -65,7 +65,7 @@ class GatewayTest extends JoinedCells {
         east.end();
         east = join("east", "--broadcasts");
         police.send("////", "tell;toAll");
-        assertEquals("tell;toAll", bus.message().content().toString());
+        assertEquals("tell;toAll", bus.content());
         exchange(0, 1);
         assertEquals(1, count("east").get(emulator.sentBy("police").get(0).text("payload")));
     }
@@ -92,7 +92,7 @@ class GatewayTest extends JoinedCells {
         east.kill();
         east = join("east", "--group", "RO");
         police.send("//RO", "tell;toTheGroup");
-        assertEquals("tell;toTheGroup", bus.message().content().toString());
+        assertEquals("tell;toTheGroup", bus.content());
         exchange(1, 2);
     }
 
@@ -127,7 +127,7 @@ class GatewayTest extends JoinedCells {
         broker.stop();
         double since = now();
         while (now() < since + MINUTE) {
-            assertEquals(Outcome.UNDELIVERED, deliver(police, "ROMA", "tell;lost"));
+            assertEquals(Outcome.UNDELIVERED, police.send("ROMA", "tell;lost"));
         }
         if (!persistent) {
             broker.forget();
@@ -140,7 +140,7 @@ class GatewayTest extends JoinedCells {
         west.kill();
         west = join("west", "--group", "SU");
         bus.send("//SU", "tell;toTheGroup");
-        assertEquals("tell;toTheGroup", police.message().content().toString());
+        assertEquals("tell;toTheGroup", police.content());
         assertNothingTwice("police", "east");
         assertNothingTwice("bus", "west");
     }
@@ -150,7 +150,7 @@ class GatewayTest extends JoinedCells {
     void gateways_thatAreKilledAndComeAgain_joinTheCellsAgain() throws Exception {
         exchange(0, 2);
         west.kill();
-        assertEquals(Outcome.UNDELIVERED, deliver(police, "ROMA", "tell;lost"));
+        assertEquals(Outcome.UNDELIVERED, police.send("ROMA", "tell;lost"));
         west = join("west");
         exchange(2, 4);
         emulator.command(Map.of("do", "reset", "board", "east"));
@@ -201,7 +201,7 @@ class GatewayTest extends JoinedCells {
             int delivered = 0;
             for (int i = 0; i < 20; i++) {
                 String content = "tell;go(" + i + ")";
-                if (deliver(police, "ROMA", content) == Outcome.DELIVERED) {
+                if (police.send("ROMA", content) == Outcome.DELIVERED) {
                     delivered++;
                     assertTrue(
                             bus.messages().stream().anyMatch(message -> message.content().toString().equals(content)));

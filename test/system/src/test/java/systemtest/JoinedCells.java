@@ -12,8 +12,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import javino.protocol.Address;
-import javino.protocol.Content;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -74,17 +72,13 @@ abstract class JoinedCells {
         return GatewayProcess.join(emulator, cell, cell, brokerOf(cell), brokerOf(cell).port(), options);
     }
 
-    static Outcome deliver(Host from, String to, String content) {
-        return Host.get(from.board.transmit(Address.parse(to), Content.parse(content)).end());
-    }
-
     /** Messages there and back, of which each is delivered, once, and nothing else is. */
     void exchange(int from, int to) throws Exception {
         for (int i = from; i < to; i++) {
-            assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", "tell;go(" + i + ")"));
-            assertEquals("tell;go(" + i + ")", bus.message().content().toString());
-            assertEquals(Outcome.DELIVERED, deliver(bus, "SUPO", "tell;done(" + i + ")"));
-            assertEquals("tell;done(" + i + ")", police.message().content().toString());
+            assertEquals(Outcome.DELIVERED, police.send("ROMA", "tell;go(" + i + ")"));
+            assertEquals("tell;go(" + i + ")", bus.content());
+            assertEquals(Outcome.DELIVERED, bus.send("SUPO", "tell;done(" + i + ")"));
+            assertEquals("tell;done(" + i + ")", police.content());
         }
         assertNothingElse();
     }

@@ -116,7 +116,8 @@ class KeySequenceTest {
                     provision(emulator, BOARDS.get(turn % BOARDS.size()), "keys");
                 }
             }
-            try (Host police = open(emulator, "police"); Host support = open(emulator, "support")) {
+            try (Host police = Host.noting(emulator, "police").listen();
+                    Host support = Host.noting(emulator, "support").listen()) {
                 for (Host from : List.of(police, support)) {
                     String to = from == police ? "SUPP" : "SUPO";
                     for (String address : List.of(to, "//SU")) {
@@ -143,13 +144,6 @@ class KeySequenceTest {
 
     private Content content() {
         return Content.parse("tell;x" + said++);
-    }
-
-    private static Host open(Emulator emulator, String board) throws InterruptedException {
-        Host host = Host.noting(emulator, board);
-        host.awaitOnline(1);
-        Host.get(host.board.radio(true));
-        return host;
     }
 
     /** A board repeats a message byte by byte; with no other does a nonce come again. */

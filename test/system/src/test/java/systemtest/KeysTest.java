@@ -67,19 +67,12 @@ class KeysTest {
         assertEquals("0", lines.get(lines.size() - 1), lines.toString());
     }
 
-    private static Host open(Emulator emulator, String board) throws InterruptedException {
-        Host host = Host.of(emulator, board);
-        host.awaitOnline(1);
-        Host.get(host.board.radio(true));
-        return host;
-    }
-
     /** Each sends a unicast to each, and a multicast; all must arrive. */
     private static void exchange(Emulator emulator, String prefix) throws InterruptedException {
         Map<String, Host> hosts = new LinkedHashMap<>();
         try {
             for (String board : IDS.keySet()) {
-                hosts.put(board, open(emulator, board));
+                hosts.put(board, Host.of(emulator, board).listen());
             }
             for (String from : IDS.keySet()) {
                 for (String to : IDS.keySet()) {
@@ -89,7 +82,7 @@ class KeysTest {
                         if (at.equals(from) || !to.equals(from) && !at.equals(to)) {
                             continue;
                         }
-                        assertEquals(text, hosts.get(at).message().content().toString());
+                        assertEquals(text, hosts.get(at).content());
                     }
                 }
             }
@@ -166,7 +159,7 @@ class KeysTest {
         List<Host> hosts = new ArrayList<>();
         try (Transmitter thief = Transmitter.of(emulator, "thief")) {
             for (String board : IDS.keySet()) {
-                hosts.add(open(emulator, board));
+                hosts.add(Host.of(emulator, board).listen());
             }
             for (byte[] packet : recorded) {
                 thief.send(packet);
@@ -244,11 +237,10 @@ class KeysTest {
     private void multicastFrom(String board) throws Exception {
         settle();
         String text = "tell;n" + sent++;
-        assertEquals(Outcome.SENT,
-                Host.get(hosts.get(board).board.transmit(Address.parse("//SU"), Content.parse(text)).end()));
+        assertEquals(Outcome.SENT, hosts.get(board).send("//SU", text));
         for (String to : IDS.keySet()) {
             if (!to.equals(board)) {
-                assertEquals(text, hosts.get(to).message().content().toString(), to);
+                assertEquals(text, hosts.get(to).content(), to);
             }
         }
     }
@@ -258,7 +250,7 @@ class KeysTest {
         unicasts.clear();
         for (Map.Entry<String, Set<String>> each : expected.entrySet()) {
             while (!each.getValue().isEmpty()) {
-                String text = hosts.get(each.getKey()).message().content().toString();
+                String text = hosts.get(each.getKey()).content();
                 assertTrue(each.getValue().remove(text), text + " came to " + each.getKey() + " unasked, or twice");
             }
         }

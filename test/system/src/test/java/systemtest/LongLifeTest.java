@@ -163,7 +163,7 @@ class LongLifeTest {
 
     private static void exchange(Host from, String to, Host at, String content) throws InterruptedException {
         from.send(to, content);
-        assertEquals(content, at.message().content().toString());
+        assertEquals(content, at.content());
     }
 
     /** None of a board's counters becomes less while it has power. */

@@ -66,13 +66,6 @@ class LostStateTest {
                 .board("thief", "Transmitter").start(folder);
     }
 
-    private static Host open(Emulator emulator, String board) throws InterruptedException {
-        Host host = Host.of(emulator, board);
-        host.awaitOnline(1);
-        Host.get(host.board.radio(true));
-        return host;
-    }
-
     private static Status refusal(Host host) {
         ExecutionException failed = assertThrows(ExecutionException.class,
                 () -> Host.await(host.board.transmit(SUPP, Content.parse("tell;x")).taken()));
@@ -81,14 +74,13 @@ class LostStateTest {
 
     /** Both send; what the police has sealed is added, and no nonce may have been there. */
     private static void exchange(Emulator emulator, String text, Map<String, String> sealed) throws Exception {
-        try (Host police = open(emulator, "police"); Host support = open(emulator, "support")) {
+        try (Host police = Host.of(emulator, "police").listen(); Host support = Host.of(emulator, "support").listen()) {
             for (int i = 0; i < 3; i++) {
                 String content = "tell;" + text + i;
-                assertEquals(Outcome.DELIVERED, Host.get(police.board.transmit(SUPP, Content.parse(content)).end()));
-                assertEquals(content, support.message().content().toString());
-                assertEquals(Outcome.DELIVERED,
-                        Host.get(support.board.transmit(Address.parse("SUPO"), Content.parse(content)).end()));
-                assertEquals(content, police.message().content().toString());
+                assertEquals(Outcome.DELIVERED, police.send("SUPP", content));
+                assertEquals(content, support.content());
+                assertEquals(Outcome.DELIVERED, support.send("SUPO", content));
+                assertEquals(content, police.content());
             }
         }
         Map<String, String> here = new HashMap<>();
@@ -123,7 +115,7 @@ class LostStateTest {
                 List<String> examined = javino(emulator, "doctor", "police", "SUPO");
                 assertTrue(examined.stream().anyMatch(line -> line.startsWith("nonces")
                         && line.contains("the board has lost its boot epoch")), examined.toString());
-                try (Host police = open(emulator, "police")) {
+                try (Host police = Host.of(emulator, "police").listen()) {
                     assertEquals(Status.EPOCH_LOST, refusal(police));
                     for (byte[] packet : recorded) {
                         thief.send(packet);
@@ -145,17 +137,15 @@ class LostStateTest {
         try (Emulator emulator = start();
                 Host support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
                 Host police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR))) {
-            assertEquals(Outcome.DELIVERED,
-                    Host.get(police.board.transmit(SUPP, Content.parse("tell;room")).end()));
-            assertEquals("tell;room", support.message().content().toString());
+            assertEquals(Outcome.DELIVERED, police.send("SUPP", "tell;room"));
+            assertEquals("tell;room", support.content());
         }
         try (Emulator emulator = new Emulator.Scenario().board("police", "FullRam").board("support", "Station")
                 .board("thief", "Transmitter").start(folder);
                 Transmitter thief = Transmitter.of(emulator, "thief");
-                Host support = open(emulator, "support")) {
-            try (Host police = open(emulator, "police")) {
-                assertEquals(Outcome.UNDELIVERED,
-                        Host.get(support.board.transmit(Address.parse("SUPO"), Content.parse("tell;help")).end()));
+                Host support = Host.of(emulator, "support").listen()) {
+            try (Host police = Host.of(emulator, "police").listen()) {
+                assertEquals(Outcome.UNDELIVERED, support.send("SUPO", "tell;help"));
                 for (TraceEvent sent : emulator.sentBy("support")) {
                     thief.send(sent.bytes("payload"));
                 }
@@ -163,7 +153,7 @@ class LostStateTest {
                 assertTrue(police.counter(Counter.MEMORY_DAMAGED) > 0);
                 assertEquals(List.of(), police.messages());
                 support.send("////", "tell;help");
-                assertEquals("tell;help", police.message().content().toString(), "what is not sealed works");
+                assertEquals("tell;help", police.content(), "what is not sealed works");
             }
             try (Host again = Host.of(emulator, "police")) {
                 assertTrue(again.warning().contains("has written over the board's memory of nonces"));

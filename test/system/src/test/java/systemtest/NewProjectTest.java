@@ -194,7 +194,7 @@ class NewProjectTest {
         assertTrue(gradleSays(project, "bundle").startsWith("0\n"));
         try (Stream<Path> jars = Files.list(project.resolve("build/bundle/lib"))) {
             assertEquals(List.of(), jars.map(jar -> jar.getFileName().toString())
-                    .filter(jar -> jar.matches("(features|lockstep|cucumber).*")).toList());
+                    .filter(jar -> jar.matches("(features|lockstep|trace|cucumber).*")).toList());
         }
     }
 

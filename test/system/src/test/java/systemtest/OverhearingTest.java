@@ -17,8 +17,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import javino.board.Board;
 import javino.board.BoardListener;
-import javino.protocol.Address;
-import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
@@ -85,9 +83,8 @@ class OverhearingTest {
     @Test
     @Tag("verify")
     void unicast_betweenCells_isDeliveredThoughNobodyBetweenHasAKey() throws Exception {
-        Outcome outcome = Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse("tell;help")).end());
-        assertEquals(Outcome.DELIVERED, outcome);
-        assertEquals("tell;help", bus.message().content().toString());
+        assertEquals(Outcome.DELIVERED, police.send("ROMA", "tell;help"));
+        assertEquals("tell;help", bus.content());
         assertTrue(bus.messages().isEmpty());
         String plain = HexFormat.of().formatHex("help".getBytes(StandardCharsets.UTF_8));
         assertFalse(overheard.stream().anyMatch(packet -> packet.payload().hex().contains(plain)));
@@ -96,15 +93,14 @@ class OverhearingTest {
     @Test
     void unicast_inFragments_isDelivered() throws Exception {
         String content = "tell;" + "x".repeat(150);
-        assertEquals(Outcome.DELIVERED,
-                Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse(content)).end()));
-        assertEquals(content, bus.message().content().toString());
+        assertEquals(Outcome.DELIVERED, police.send("ROMA", content));
+        assertEquals(content, bus.content());
     }
 
     @Test
     void broadcast_isOverheardAsItIsOnTheAir() throws Exception {
         bus.send("////", "tell;roadClosed");
-        assertEquals("tell;roadClosed", police.message().content().toString());
+        assertEquals("tell;roadClosed", police.content());
         TraceEvent sent = emulator.await("the packet", event -> event.is("rf-tx", "bus"));
         assertEquals(sent.text("payload"), overheard.get(0).payload().hex());
         assertEquals(PollReply.Reception.INTACT, overheard.get(0).how());

@@ -64,9 +64,9 @@ class PartnersTest {
             for (Host host : List.of(support, bus)) {
                 String first = host == support ? "0" : "1";
                 String second = host == support ? "2" : "3";
-                assertEquals("tell;number(" + first + ")", host.message().content().toString());
-                assertEquals("tell;number(" + second + ")", host.message().content().toString());
-                assertTrue(host.message().content().toString().startsWith("tell;long("));
+                assertEquals("tell;number(" + first + ")", host.content());
+                assertEquals("tell;number(" + second + ")", host.content());
+                assertTrue(host.content().startsWith("tell;long("));
             }
             List<Integer> ends = emulator.trace().stream().filter(event -> event.is("host-outcome", "police"))
                     .map(event -> event.number("number")).toList();

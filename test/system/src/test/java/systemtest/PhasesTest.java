@@ -319,7 +319,7 @@ class PhasesTest {
 
     private void assertHandedOver(String... contents) throws InterruptedException {
         for (String content : contents) {
-            assertEquals(content, support.message().content().toString());
+            assertEquals(content, support.content());
         }
     }
 

@@ -10,7 +10,6 @@ import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,15 +57,10 @@ class ProMiniTest {
     @Tag("verify")
     void unicast_isDeliveredBothWays() throws Exception {
         mini.send("ROMA", "tell;bright");
-        assertMessage(mega.message(), "LAMP", "tell;bright");
+        assertEquals("LAMP to ROMA: tell;bright", mega.received());
         mega.send("LAMP", "achieve;light(off)");
-        assertMessage(mini.message(), "ROMA", "achieve;light(off)");
+        assertEquals("ROMA to LAMP: achieve;light(off)", mini.received());
         assertEquals(1, mini.counter(Counter.RADIO_ACKNOWLEDGED));
         assertEquals(1, mega.counter(Counter.RADIO_ACKNOWLEDGED));
-    }
-
-    private static void assertMessage(ReceivedMessage message, String from, String content) {
-        assertEquals(from, message.from().toString());
-        assertEquals(content, message.content().toString());
     }
 }

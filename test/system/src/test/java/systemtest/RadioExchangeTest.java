@@ -14,7 +14,6 @@ import java.nio.file.Path;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
-import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -47,8 +46,8 @@ class RadioExchangeTest {
     void broadcast_reachesAllInPlain() throws Exception {
         police.send("////", "tell;roadClosed");
 
-        assertMessage(support.message(), "SUPO", "////", "tell;roadClosed");
-        assertMessage(bus.message(), "SUPO", "////", "tell;roadClosed");
+        assertEquals("SUPO to ////: tell;roadClosed", support.received());
+        assertEquals("SUPO to ////: tell;roadClosed", bus.received());
         emulator.await("the broadcast", event -> event.name().equals("rf-tx") && tells(event, "tell;roadClosed"));
     }
 
@@ -56,7 +55,7 @@ class RadioExchangeTest {
     void multicast_reachesItsGroupAloneAndSealed() throws Exception {
         police.send("//SU", "tell;someoneNeedHelp");
 
-        assertMessage(support.message(), "SUPO", "//SU", "tell;someoneNeedHelp");
+        assertEquals("SUPO to //SU: tell;someoneNeedHelp", support.received());
         assertNotHeardByBus("someoneNeedHelp");
     }
 
@@ -65,7 +64,7 @@ class RadioExchangeTest {
     void unicast_reachesItsDeviceAloneAndSealed() throws Exception {
         police.send("SUPP", "achieve;comeTo(\"km 12\")");
 
-        assertMessage(support.message(), "SUPO", "SUPP", "achieve;comeTo(\"km 12\")");
+        assertEquals("SUPO to SUPP: achieve;comeTo(\"km 12\")", support.received());
         assertNotHeardByBus("comeTo");
     }
 
@@ -78,12 +77,6 @@ class RadioExchangeTest {
                 .map(payload -> payload.substring(20 + 12)).toList();
         assertEquals(2, sealed.size());
         assertNotEquals(sealed.get(0), sealed.get(1));
-    }
-
-    private static void assertMessage(ReceivedMessage message, String from, String to, String content) {
-        assertEquals(from, message.from().toString());
-        assertEquals(to, message.to().toString());
-        assertEquals(content, message.content().toString());
     }
 
     private void assertNotHeardByBus(String plaintext) {

@@ -70,16 +70,12 @@ class RelayTest {
         return host;
     }
 
-    private Outcome send(String content) {
-        return Host.get(sender.board.transmit(TO, Content.parse(content)).end());
-    }
-
     @Test
     void unicast_overTwoHops_isDelivered() throws Exception {
         line(2, "Station", Map.of());
         Host relay = relay("relay1", true);
-        assertEquals(Outcome.DELIVERED, send("tell;help"));
-        assertEquals("tell;help", receiver.message().content().toString());
+        assertEquals(Outcome.DELIVERED, sender.send("SUPO", "tell;help"));
+        assertEquals("tell;help", receiver.content());
         assertTrue(receiver.messages().isEmpty());
         assertEquals(1, relay.counter(Counter.RELAY_COPIES));
         assertEquals(1, relay.counter(Counter.RELAY_ANSWERS));
@@ -101,8 +97,8 @@ class RelayTest {
             relay("relay" + hop, true);
         }
         for (int i = 0; i < 5; i++) {
-            assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
-            assertEquals("tell;n(" + i + ")", receiver.message().content().toString());
+            assertEquals(Outcome.DELIVERED, sender.send("SUPO", "tell;n(" + i + ")"));
+            assertEquals("tell;n(" + i + ")", receiver.content());
         }
         assertTrue(receiver.messages().isEmpty());
         assertEquals("2", hops(emulator.sentBy("relay2").get(0)));
@@ -126,8 +122,8 @@ class RelayTest {
         for (String message : List.of("//// a", "//SU b", "//// c")) {
             String content = "tell;n(" + message.substring(5) + ")";
             sender.send(message.substring(0, 4), content);
-            assertEquals(content, receiver.message().content().toString());
-            assertEquals(content, near.message().content().toString());
+            assertEquals(content, receiver.content());
+            assertEquals(content, near.content());
         }
         double now = emulator.await("a third copy", 3, event -> event.is("rf-tx", "relay1")).seconds();
         emulator.await("some time without another copy", event -> event.seconds() > now + 1.5);
@@ -139,8 +135,8 @@ class RelayTest {
     @Tag("verify")
     void unicast_byARelayOnAnUno_isDelivered() throws Exception {
         line(2, "Relay", Map.of("model", "uno"));
-        assertEquals(Outcome.DELIVERED, send("tell;help"));
-        assertEquals("tell;help", receiver.message().content().toString());
+        assertEquals(Outcome.DELIVERED, sender.send("SUPO", "tell;help"));
+        assertEquals("tell;help", receiver.content());
     }
 
     @Test
@@ -152,7 +148,7 @@ class RelayTest {
         emulator.command(Map.of("do", "reset", "board", "relay1"));
         relay.awaitOnline(2);
         assertFalse(Host.get(relay.board.isRelaying()));
-        assertEquals(Outcome.UNDELIVERED, send("tell;help"));
+        assertEquals(Outcome.UNDELIVERED, sender.send("SUPO", "tell;help"));
         assertEquals(0, emulator.sentBy("relay1").size());
     }
 
@@ -166,7 +162,7 @@ class RelayTest {
         relay("one", true);
         relay("other", true);
         for (int i = 0; i < 5; i++) {
-            assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
+            assertEquals(Outcome.DELIVERED, sender.send("SUPO", "tell;n(" + i + ")"));
         }
         emulator.await("the last outcome", 5, event -> event.is("host-outcome", "from"));
         // Not all copies: a relay that does not hear an answer in time sends its copy again.

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javino.protocol.Address;
-import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
@@ -47,8 +46,8 @@ class SerialModuleTest {
     }
 
     private void assertDelivers(String content) throws Exception {
-        assertEquals(Outcome.DELIVERED, Host.get(sender.board.transmit(TO, Content.parse(content)).end()));
-        assertEquals(content, receiver.message().content().toString());
+        assertEquals(Outcome.DELIVERED, sender.send("SUPO", content));
+        assertEquals(content, receiver.content());
     }
 
     @ParameterizedTest

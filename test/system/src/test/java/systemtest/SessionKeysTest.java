@@ -88,18 +88,14 @@ class SessionKeysTest {
         return ((RequestFailedException) failed.getCause()).status();
     }
 
-    private Outcome end(Host from, Address to, String text) {
-        return Host.get(from.board.transmit(to, Content.parse(text)).end());
-    }
-
     private void exchange(String prefix) throws Exception {
-        assertEquals(Outcome.DELIVERED, end(police, SUPP, "tell;" + prefix + "1"));
-        assertEquals("tell;" + prefix + "1", support.message().content().toString());
-        assertEquals(Outcome.DELIVERED, end(support, SUPO, "tell;" + prefix + "2"));
-        assertEquals("tell;" + prefix + "2", police.message().content().toString());
+        assertEquals(Outcome.DELIVERED, police.send("SUPP", "tell;" + prefix + "1"));
+        assertEquals("tell;" + prefix + "1", support.content());
+        assertEquals(Outcome.DELIVERED, support.send("SUPO", "tell;" + prefix + "2"));
+        assertEquals("tell;" + prefix + "2", police.content());
         String fragments = "tell;" + prefix + "3" + "x".repeat(100);
-        assertEquals(Outcome.DELIVERED, end(police, SUPP, fragments));
-        assertEquals(fragments, support.message().content().toString());
+        assertEquals(Outcome.DELIVERED, police.send("SUPP", fragments));
+        assertEquals(fragments, support.content());
     }
 
     /** Plays all that the police has sent so far; nothing of it may be handed to the support. */
@@ -118,7 +114,7 @@ class SessionKeysTest {
                 () -> Host.await(police.board.transmit(SUPP, Content.parse("tell;x")).taken()));
         assertEquals(Status.NO_KEY, ((RequestFailedException) failed.getCause()).status());
         Host.get(police.board.setSessionKey(SUPP, key(1)));
-        assertEquals(Outcome.UNDELIVERED, end(police, SUPP, "tell;early"));
+        assertEquals(Outcome.UNDELIVERED, police.send("SUPP", "tell;early"));
         assertEquals("SUPO", emulator.await("a frame without a key",
                 event -> event.is("host-no-key", "support")).text("origin"));
         assertTrue(support.counter(Counter.RADIO_NO_KEY) > 0);

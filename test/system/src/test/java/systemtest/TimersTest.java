@@ -114,9 +114,9 @@ class TimersTest {
         one.as("ROMA", Map.of("SUPO", TestKeys.PAIR));
         other.as("SUPO", Map.of("ROMA", TestKeys.PAIR));
         one.send("SUPO", "tell;here");
-        assertEquals("tell;here", other.message().content().toString());
+        assertEquals("tell;here", other.content());
         other.send("ROMA", "tell;there");
-        assertEquals("tell;there", one.message().content().toString());
+        assertEquals("tell;there", one.content());
         assertEquals(1, one.counter(Counter.RADIO_ACKNOWLEDGED));
         assertEquals(1, other.counter(Counter.RADIO_ACKNOWLEDGED));
     }

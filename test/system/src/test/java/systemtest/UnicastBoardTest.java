@@ -44,9 +44,9 @@ class UnicastBoardTest {
     @Tag("verify")
     void unicast_isDeliveredBothWays() throws Exception {
         uno.send("ROMA", "tell;there");
-        assertEquals("tell;there", mega.message().content().toString());
+        assertEquals("tell;there", mega.content());
         mega.send("LAMP", "tell;back");
-        assertEquals("tell;back", uno.message().content().toString());
+        assertEquals("tell;back", uno.content());
     }
 
     @Test
@@ -63,7 +63,7 @@ class UnicastBoardTest {
             long counted = uno.counter(Counter.RADIO_NOT_FOR_US);
             mega.send(to, "tell;x");
             mega.send("LAMP", "tell;last");
-            assertEquals("tell;last", uno.message().content().toString());
+            assertEquals("tell;last", uno.content());
             assertTrue(uno.counter(Counter.RADIO_NOT_FOR_US) > counted, to);
         }
         assertEquals(List.of(), uno.messages());

@@ -1,7 +1,7 @@
 // Goes through the four kinds of openness of the paper's table 1, all that by its board's radio but the last.
 !start.
 
-+!start <- .port("ports/antenna"); .setMyRFId(CAFE).
++!start <- .port("ports/robot"); .setMyRFId(CAFE).
 
 // Lets agents of ROMA move in, once agents may.
 +!admit <- .add_plan({ +!moveIn(_, mutualism)[cast(unicast, From)] : .term2string(From, "ROMA") }).

@@ -2,7 +2,7 @@
 !start.
 
 +!start <-
-    .port("ports/antenna");
+    .port("ports/robot");
     .setMyRFId(CAFE);
     .getRFMessages(open);
     .silence(2000).

@@ -5,7 +5,7 @@ network([as_it_is, up, as_it_is, down, up, as_it_is, down, as_it_is]).
 !start.
 
 +!start <-
-    .port("ports/antenna");
+    .port("ports/robot");
     .setMyRFId(CAFE);
     .getRFMessages(open).
 

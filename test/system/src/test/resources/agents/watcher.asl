@@ -2,7 +2,7 @@
 !start.
 
 +!start : true <-
-    .port("ports/lamp");
+    .port("ports/robot");
     .percepts(open);
     .setMyRFId(CAFE);
     .getRFMessages(open);
