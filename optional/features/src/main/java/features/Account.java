@@ -11,6 +11,7 @@ import java.util.function.LongSupplier;
 import java.util.function.LongUnaryOperator;
 import java.util.stream.Stream;
 import lockstep.AgentProgram;
+import trace.why.RunLog;
 
 /** What was seen of the boards and agents of a scenario, in the order in which it happened. */
 final class Account implements AgentProgram.Observer {
@@ -26,6 +27,7 @@ final class Account implements AgentProgram.Observer {
     private final Map<String, String> payloads = new TreeMap<>();
     /** What came after the last when begins here. */
     private int mark;
+    private final RunLog log = new RunLog();
     private long whenNanos;
 
     /** @param clock tells the time of the run. */
@@ -127,6 +129,12 @@ final class Account implements AgentProgram.Observer {
 
     @Override
     public void printed(String agent, String line) {
+        JsonObject printed = new JsonObject();
+        printed.addProperty("t", clock.getAsLong() / (double) Window.SECOND);
+        printed.addProperty("event", "agent-prints");
+        printed.addProperty("agent", agent);
+        printed.addProperty("text", line);
+        log.add(printed.toString());
         see(Kind.PRINTS, agent, line, "");
     }
 
@@ -143,6 +151,22 @@ final class Account implements AgentProgram.Observer {
     @Override
     public void performed(String agent, String action, String error) {
         see(error.isEmpty() ? Kind.PERFORMED : Kind.FAILED, agent, action, error);
+    }
+
+    @Override
+    public void recorded(String line) {
+        // In real time agents do not know the run's.
+        log.add(line.replaceFirst("\"t\":[^,]*", "\"t\":" + clock.getAsLong() / (double) Window.SECOND));
+    }
+
+    @Override
+    public boolean records() {
+        return true;
+    }
+
+    /** What the agents decided. */
+    RunLog log() {
+        return log;
     }
 
     /** What an agent believes now. */

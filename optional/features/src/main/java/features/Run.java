@@ -1,6 +1,7 @@
 package features;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +13,7 @@ import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
 import org.opentest4j.TestAbortedException;
+import trace.MalformedEventException;
 
 /**
  * The run of one scenario: its boards and agents. The first step that is not of the boards' and agents' choice
@@ -337,6 +339,18 @@ final class Run implements AutoCloseable {
         }
     }
 
+    /** Writes run.jsonl, of which {@code javino why} asks. */
+    private void writeLog() {
+        Path trace = folder.resolve("trace.jsonl");
+        try {
+            if (Files.exists(trace)) {
+                account.log().write(trace, folder.resolve("run.jsonl"));
+            }
+        } catch (IOException | MalformedEventException failed) {
+            throw new StepFailure("there is no run.jsonl: " + failed.getMessage());
+        }
+    }
+
     private void end() {
         if (engine == null || watched.isPresent()) {
             return;
@@ -353,6 +367,7 @@ final class Run implements AutoCloseable {
                     throw again;
                 }
             }
+            writeLog();
         }
     }
 }

@@ -40,6 +40,14 @@ public final class AgentProgram implements AutoCloseable {
 
         /** The action has ended. @param error the atom of its failure; empty if the board has performed it. */
         default void performed(String agent, String action, String error) {}
+
+        /** What an agent decided, and by what: a line of JSON. */
+        default void recorded(String line) {}
+
+        /** Whether {@link #recorded} is to be called. */
+        default boolean records() {
+            return false;
+        }
     }
 
     /** What a running program says of itself, and is given. */
