@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
@@ -32,16 +33,12 @@ public final class RunLog {
         }
     }
 
-    /** All events of a run. @param trace the boards'. */
+    /** All events of a run. @param trace the boards', if there is one. */
     public synchronized List<TraceEvent> merged(Path trace) throws IOException {
-        List<TraceEvent> all = new ArrayList<>(Files.size(trace) == 0 ? List.of() : TraceReader.all(trace));
-        Stream.of(kept, lines).flatMap(each -> each.stream()).forEach(line -> all.add(TraceEvent.parse(0, line)));
+        boolean none = !Files.exists(trace) || Files.size(trace) == 0;
+        List<TraceEvent> all = new ArrayList<>(none ? List.of() : TraceReader.all(trace));
+        Stream.of(kept, lines).flatMap(Collection::stream).forEach(line -> all.add(TraceEvent.parse(0, line)));
         all.sort(Comparator.comparingDouble(TraceEvent::seconds));
         return all;
-    }
-
-    /** Writes it to a file. */
-    public void write(Path trace, Path file) throws IOException {
-        Files.write(file, merged(trace).stream().map(TraceEvent::line).toList());
     }
 }
