@@ -23,7 +23,7 @@
 // The bytes of a packet, as they come.
 typedef struct {
   uint8_t bytes[SERIAL_MAX_PACKET];
-  size_t length;  // more than SERIAL_MAX_PACKET: too long
+  size_t length;           // more than SERIAL_MAX_PACKET: too long
   cycles_t first, second;  // when these bytes of it came
 } serial_line;
 

@@ -14,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.logging.Level;
 
@@ -292,9 +293,9 @@ public class Diffuser extends AgArch {
      * Has all that the agent decides told from now on, as {@link Recorder} does; without it the agent does nothing for
      * that. Before the agent's first cycle, or on its own thread.
      *
-     * @param lines takes each line of JSON, on any thread; its time {@code t} is {@link #time()}'s, in s.
+     * @param lines takes each line of JSON as {@link Recorder} gives it; its time {@code t} is {@link #time()}'s, in s.
      */
-    public void record(Consumer<String> lines) {
+    public void record(Consumer<Supplier<String>> lines) {
         record(Optional.of(new Recorder(getTS(), time, lines)));
     }
 

@@ -212,7 +212,8 @@ public final class Policy {
 
     /** Decides about an act. */
     public static Decision decide(Act act, Provenance of) {
-        return row(act, of).map(row -> row.decide(of)).orElseGet(() -> new Decision(Verdict.REFUSED, whyNot(act, of), List.of()));
+        return row(act, of).map(row -> row.decide(of))
+                .orElseGet(() -> new Decision(Verdict.REFUSED, whyNot(act, of), List.of()));
     }
 
     private static String whyNot(Act act, Provenance of) {

@@ -41,8 +41,37 @@ final class RecordedContext {
     /** Is told of each time when a context was asked. */
     interface Listener {
 
-        /** @param holds whether the context has a first answer; if not, {@link #part} is false. */
-        void answered(Plan of, RecordedContext context, boolean holds);
+        void answered(Answer answer);
+    }
+
+    /**
+     * What a context has answered when it was asked. Its texts are made where they are read.
+     *
+     * @param holds    whether it has a first answer.
+     * @param part     the furthest part that was asked: if the context does not hold, the one that is false.
+     * @param bindings under which it was asked, some of them.
+     */
+    record Answer(Plan plan, boolean holds, LogicalFormula part, List<Unifier> bindings) {
+
+        /** The part as the program has it. */
+        String text() {
+            String text = String.valueOf(part);
+            return part instanceof RelExpr || part instanceof LogExpr
+                    ? text.replaceFirst("^(not )?\\((.*)\\)$", "$1$2") : text;
+        }
+
+        /** The values of its variables, as {@code L = 50}. */
+        List<String> values() {
+            return bindings.stream().map(this::values).filter(each -> !each.isEmpty()).distinct().toList();
+        }
+
+        private String values(Unifier binding) {
+            Map<VarTerm, Integer> variables = new HashMap<>();
+            part.countVars(variables);
+            return new TreeSet<>(variables.keySet()).stream().filter(each -> !each.isUnnamedVar())
+                    .map(each -> Map.entry(each, each.capply(binding))).filter(each -> !each.getValue().isVar())
+                    .map(each -> each.getKey() + " = " + each.getValue()).collect(Collectors.joining(", "));
+        }
     }
 
     /** A formula in a plan that is a recorded one. */
@@ -104,7 +133,7 @@ final class RecordedContext {
                 boolean more = answers != null && answers.hasNext();
                 if (!told) {
                     told = true;
-                    listener.answered(plan, RecordedContext.this, more);
+                    listener.answered(answer(more));
                 }
                 return more;
             }
@@ -116,29 +145,9 @@ final class RecordedContext {
         };
     }
 
-    /** The furthest part that was asked, as the program has it. */
-    String part() {
-        return furthest < 0 ? "" : text(parts.get(furthest));
-    }
-
-    /** The values of its variables under each binding with which it was asked, as {@code L = 50}. */
-    List<String> values() {
-        return furthest < 0 ? List.of() : bindings.stream().map(each -> values(parts.get(furthest), each))
-                .filter(each -> !each.isEmpty()).distinct().toList();
-    }
-
-    private static String values(LogicalFormula part, Unifier binding) {
-        Map<VarTerm, Integer> variables = new HashMap<>();
-        part.countVars(variables);
-        return new TreeSet<>(variables.keySet()).stream().filter(each -> !each.isUnnamedVar())
-                .map(each -> Map.entry(each, each.capply(binding))).filter(each -> !each.getValue().isVar())
-                .map(each -> each.getKey() + " = " + each.getValue()).collect(Collectors.joining(", "));
-    }
-
-    private static String text(LogicalFormula part) {
-        String text = part.toString();
-        return part instanceof RelExpr || part instanceof LogExpr
-                ? text.replaceFirst("^(not )?\\((.*)\\)$", "$1$2") : text;
+    private Answer answer(boolean holds) {
+        return holds || furthest < 0 ? new Answer(plan, holds, null, List.of())
+                : new Answer(plan, false, parts.get(furthest), List.copyOf(bindings));
     }
 
     /** A part of a conjunction, which notes that it was asked. */
@@ -160,7 +169,7 @@ final class RecordedContext {
                 bindings.clear();
             }
             if (index == furthest && bindings.size() < MOST_BINDINGS) {
-                bindings.add(unifier.clone());
+                bindings.add(unifier);
             }
             return getLHS().logicalConsequence(agent, unifier);
         }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.CircumstanceListener;
@@ -18,6 +19,7 @@ import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
 import jason.asSemantics.Option;
 import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Plan;
@@ -51,42 +53,44 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
 
     private final transient TransitionSystem ts;
     private final transient Time time;
-    private final transient Consumer<String> lines;
+    private final transient Consumer<Supplier<String>> lines;
     private transient Circumstance watched;
     private transient Iterable<?> library;
     /** The numbers of events that wait. */
     private final transient Map<Event, Integer> numbers = new IdentityHashMap<>();
-    /** The plans that were told. */
-    private final transient Set<Plan> plans = Collections.newSetFromMap(new IdentityHashMap<>());
+    /** The library's plans, which are recorded. */
+    private final transient List<Plan> plans = new ArrayList<>();
     private int events;
     private int requests;
     /** The event for which plans are being asked, and what they have answered. */
     private transient Event selected;
-    private final transient List<Map<String, Object>> answers = new ArrayList<>();
+    private final transient List<RecordedContext.Answer> answers = new ArrayList<>();
     private transient Event chosen;
     /** The intention that was selected is kept somewhere, or was told to have ended. */
     private transient Intention kept;
     private boolean passing;
 
     /**
-     * @param lines takes each line, on the agent's thread or the board's.
+     * @param lines takes each line, on the agent's thread or the board's. It may make the text of it later, as long as the
+     *              agent is not in a cycle then.
      */
-    public Recorder(TransitionSystem ts, Time time, Consumer<String> lines) {
+    public Recorder(TransitionSystem ts, Time time, Consumer<Supplier<String>> lines) {
         this.ts = ts;
         this.time = time;
         this.lines = lines;
     }
 
-    private Map<String, Object> line(String event) {
-        Map<String, Object> line = new LinkedHashMap<>();
-        line.put("t", Math.round(time.nanos() / NANOS * MICROS) / MICROS);
-        line.put("event", "agent-" + event);
-        line.put("agent", ts.getAgArch().getAgName());
-        return line;
-    }
-
-    private void tell(Map<String, Object> line) {
-        lines.accept(JsonLine.of(line));
+    /** Tells a line, whose texts are made where it is read: an agent does not wait for them. */
+    private void tell(String event, Consumer<Map<String, Object>> fields) {
+        long at = time.nanos();
+        lines.accept(() -> {
+            Map<String, Object> line = new LinkedHashMap<>();
+            line.put("t", Math.round(at / NANOS * MICROS) / MICROS);
+            line.put("event", "agent-" + event);
+            line.put("agent", ts.getAgArch().getAgName());
+            fields.accept(line);
+            return JsonLine.of(line);
+        });
     }
 
     /** Looks at what is new: in each cycle, before an event is selected, as the agent may get other plans and minds. */
@@ -98,31 +102,47 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             if (first) {
                 for (Literal belief : ts.getAg().getBB()) {
                     if (!belief.hasAnnot(HIDDEN)) {
-                        Map<String, Object> line = line("believes");
-                        line.put("belief", belief.toString());
-                        tell(line);
+                        String text = belief.toString();
+                        tell("believes", line -> line.put("belief", text));
                     }
                 }
             }
             watched.getEvents().forEach(each -> added(each, first ? "program" : ""));
             library = (Iterable<?>) Plans.library(ts.getAg());
         }
+        int known = 0;
         for (Object plan : library) {
-            record((Plan) plan);
+            if (known == plans.size() || plans.get(known) != plan) {
+                recordAll();
+                return;
+            }
+            known++;
+        }
+    }
+
+    private void recordAll() {
+        Set<Plan> before = Collections.newSetFromMap(new IdentityHashMap<>());
+        before.addAll(plans);
+        plans.clear();
+        for (Object each : library) {
+            Plan plan = (Plan) each;
+            plans.add(plan);
+            if (!before.contains(plan)) {
+                record(plan);
+            }
         }
     }
 
     private void record(Plan plan) {
         RecordedContext.record(plan, this);
-        boolean jasons = plan.getSrcInfo() != null && String.valueOf(plan.getSrcInfo().getSrcFile()).endsWith(JASONS_PLANS);
-        if (plans.add(plan) && !jasons) {
-            Map<String, Object> line = line("plan");
-            name(line, plan);
-            line.put("trigger", plan.getTrigger().toString());
-            line.put("body", String.valueOf(plan.getBody()));
-            tell(line);
-            Plans.within(plan).forEach(this::record);
+        if (!String.valueOf(plan.getSrcInfo()).contains(JASONS_PLANS)) {
+            tell("plan", line -> {
+                name(line, plan);
+                line.put("trigger", plan.getTrigger().toString());
+                line.put("body", String.valueOf(plan.getBody()));
+            });
         }
+        Plans.within(plan).forEach(this::record);
     }
 
     /** Leaves the agent as it was. */
@@ -146,15 +166,22 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
                 : place.getSrcFile().replaceFirst("^(.*/|\\w+:)+", "") + ":" + place.getBeginSrcLine());
     }
 
-    /** Where an intention is: its plan on top, and that one's step. */
-    private static void name(Map<String, Object> line, Intention intention) {
-        line.put(INTENTION, intention.getId());
-        if (!intention.isFinished()) {
-            IntendedMeans top = intention.peek();
-            name(line, top.getPlan());
-            PlanBody step = top.getCurrentStep();
-            Term term = step == null ? null : step.getBodyTerm();
-            line.put("step", term == null ? "" : step.getBodyType() + term.capply(top.getUnif()).toString());
+    /** Where an intention is: its plan on top, and that one's step; without them it has ended. */
+    private record Place(int intention, Plan plan, PlanBody step, Unifier binding) {
+
+        static Place of(Intention intention) {
+            IntendedMeans top = intention.isFinished() ? null : intention.peek();
+            return top == null ? new Place(intention.getId(), null, null, null)
+                    : new Place(intention.getId(), top.getPlan(), top.getCurrentStep(), top.getUnif());
+        }
+
+        void putInto(Map<String, Object> line) {
+            line.put(INTENTION, intention);
+            if (plan != null) {
+                name(line, plan);
+                Term term = step == null ? null : step.getBodyTerm();
+                line.put("step", term == null ? "" : step.getBodyType() + term.capply(binding).toString());
+            }
         }
     }
 
@@ -166,20 +193,27 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     private void added(Event event, String origin) {
-        Trigger trigger = event.getTrigger();
-        numbers.put(event, ++events);
-        Map<String, Object> line = line("event");
-        line.put("number", events);
-        line.put("trigger", trigger.toString());
-        if (!origin.isEmpty()) {
-            line.put("origin", origin);
-        } else if (event.getIntention() != null && event.getIntention() != Intention.EmptyInt) {
-            keep(event.getIntention());
-            name(line, event.getIntention());
-        } else if (isBy(ts.getC().getSelectedIntention(), trigger)) {
-            name(line, ts.getC().getSelectedIntention());
+        // A belief's annotations change with it.
+        Trigger trigger = event.getTrigger().isGoal() ? event.getTrigger() : event.getTrigger().clone();
+        int number = ++events;
+        numbers.put(event, number);
+        Intention from = event.getIntention();
+        boolean internal = from != null && from != Intention.EmptyInt;
+        if (internal) {
+            keep(from);
         }
-        tell(line);
+        Intention by = internal ? from : isBy(ts.getC().getSelectedIntention(), trigger)
+                ? ts.getC().getSelectedIntention() : null;
+        Place place = by == null || !origin.isEmpty() ? null : Place.of(by);
+        tell("event", line -> {
+            line.put("number", number);
+            line.put("trigger", trigger.toString());
+            if (!origin.isEmpty()) {
+                line.put("origin", origin);
+            } else if (place != null) {
+                place.putInto(line);
+            }
+        });
     }
 
     /** Whether the step that an intention does now has made that event. */
@@ -195,7 +229,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     @Override
-    public void answered(Plan of, RecordedContext context, boolean holds) {
+    public void answered(RecordedContext.Answer answer) {
         Event now = ts.getC().getSelectedEvent();
         if (passing || now == null) {
             return;
@@ -204,32 +238,43 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             tellChoice();
             selected = now;
         }
-        Map<String, Object> answer = new LinkedHashMap<>();
-        name(answer, of);
-        answer.put("holds", holds);
-        if (!holds) {
-            answer.put("part", context.part());
-            answer.put("values", context.values());
-        }
         answers.add(answer);
     }
 
     /** Tells the event for which plans were asked, if none of them applies. */
     private void tellChoice() {
         if (selected != null && selected != chosen) {
-            tell(choice(selected));
+            choice(selected, null, 0);
         }
         selected = null;
         answers.clear();
     }
 
-    private Map<String, Object> choice(Event event) {
-        Map<String, Object> line = line("choice");
+    /** @param plan the one that was chosen, for that intention; null if none was. */
+    private void choice(Event event, Plan plan, int intention) {
         Integer number = numbers.remove(event);
-        line.put("number", number == null ? 0 : number);
-        line.put("trigger", event.getTrigger().toString());
-        line.put("asked", event == selected ? List.copyOf(answers) : List.of());
-        return line;
+        Trigger trigger = event.getTrigger();
+        List<RecordedContext.Answer> asked = event == selected ? List.copyOf(answers) : List.of();
+        tell("choice", line -> {
+            line.put("number", number == null ? 0 : number);
+            line.put("trigger", trigger.toString());
+            line.put("asked", asked.stream().map(Recorder::fields).toList());
+            if (plan != null) {
+                name(line, plan);
+                line.put(INTENTION, intention);
+            }
+        });
+    }
+
+    private static Map<String, Object> fields(RecordedContext.Answer answer) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        name(fields, answer.plan());
+        fields.put("holds", answer.holds());
+        if (!answer.holds()) {
+            fields.put("part", answer.text());
+            fields.put("values", answer.values());
+        }
+        return fields;
     }
 
     // Intentions
@@ -249,10 +294,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             if (event != selected) {
                 tellChoice();
             }
-            Map<String, Object> line = choice(event);
-            name(line, option.getPlan());
-            line.put(INTENTION, intention.getId());
-            tell(line);
+            choice(event, option.getPlan(), intention.getId());
             chosen = event;
         }
     }
@@ -260,9 +302,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     @Override
     public void intentionWaiting(Intention intention, Term reason) {
         keep(intention);
-        Map<String, Object> line = line("waits");
-        name(line, intention);
-        tell(line);
+        tell("waits", Place.of(intention)::putInto);
     }
 
     @Override
@@ -276,15 +316,17 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         if (intention.isFinished()) {
             return;
         }
-        Map<String, Object> line = line("dropped");
-        name(line, intention);
+        Place place = Place.of(intention);
         Intention by = ts.getC().getSelectedIntention();
-        if (by != null && !by.isFinished()) {
-            Map<String, Object> dropping = new LinkedHashMap<>();
-            name(dropping, by);
-            line.put("by", dropping);
-        }
-        tell(line);
+        Place dropping = by == null || by.isFinished() ? null : Place.of(by);
+        tell("dropped", line -> {
+            place.putInto(line);
+            if (dropping != null) {
+                Map<String, Object> fields = new LinkedHashMap<>();
+                dropping.putInto(fields);
+                line.put("by", fields);
+            }
+        });
     }
 
     /** At the end of a cycle: an intention that is kept nowhere has failed, and no plan handles it. */
@@ -292,9 +334,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         tellChoice();
         Intention done = ts.getC().getSelectedIntention();
         if (done != null && (done.isFinished() || done != kept)) {
-            Map<String, Object> line = line(done.isFinished() ? "ended" : "stopped");
-            name(line, done);
-            tell(line);
+            tell(done.isFinished() ? "ended" : "stopped", Place.of(done)::putInto);
         }
         kept = null;
         chosen = null;
@@ -307,13 +347,13 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
 
     /** What the agent wishes of its board. */
     public void settings(BoardSettings settings, String port) {
-        Map<String, Object> line = line("settings");
-        line.put("port", port);
-        line.put("percepts", settings.percepts().name().toLowerCase(Locale.ROOT));
-        line.put("filters", settings.filters().size());
-        line.put("radio", settings.radio());
-        line.put("rfId", settings.rfId().map(Object::toString).orElse(""));
-        tell(line);
+        tell("settings", line -> {
+            line.put("port", port);
+            line.put("percepts", settings.percepts().name().toLowerCase(Locale.ROOT));
+            line.put("filters", settings.filters().size());
+            line.put("radio", settings.radio());
+            line.put("rfId", settings.rfId().map(Object::toString).orElse(""));
+        });
     }
 
     /** An action that the board is asked for. */
@@ -323,23 +363,25 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     private int request(String event, String field, String value) {
-        Map<String, Object> line = line(event);
-        line.put("request", ++requests);
-        line.put(field, value);
+        int request = ++requests;
         Intention by = ts.getC().getSelectedIntention();
-        if (by != null) {
-            name(line, by);
-        }
-        tell(line);
-        return requests;
+        Place place = by == null ? null : Place.of(by);
+        tell(event, line -> {
+            line.put("request", request);
+            line.put(field, value);
+            if (place != null) {
+                place.putInto(line);
+            }
+        });
+        return request;
     }
 
     private void performed(int request, Throwable thrown) {
-        Map<String, Object> line = line("performed");
-        line.put("request", request);
-        line.put("error", thrown == null ? "" : Failure.of(thrown).error());
-        line.put("message", thrown == null ? "" : Failure.of(thrown).message());
-        tell(line);
+        tell("performed", line -> {
+            line.put("request", request);
+            line.put("error", thrown == null ? "" : Failure.of(thrown).error());
+            line.put("message", thrown == null ? "" : Failure.of(thrown).message());
+        });
     }
 
     /** A message that the board is asked to send. */
@@ -361,14 +403,14 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
      * @param row the gate's row that decided; empty if none did.
      */
     void message(ReceivedMessage message, String how, String why, String row) {
-        Map<String, Object> line = line("message");
-        line.put("from", message.from().toString());
-        line.put("to", message.to().toString());
-        line.put("id", String.format("%06x", message.id()));
-        line.put("content", message.content().toString());
-        line.put("how", how);
-        line.put("why", why);
-        line.put("row", row);
-        tell(line);
+        tell("message", line -> {
+            line.put("from", message.from().toString());
+            line.put("to", message.to().toString());
+            line.put("id", String.format("%06x", message.id()));
+            line.put("content", message.content().toString());
+            line.put("how", how);
+            line.put("why", why);
+            line.put("row", row);
+        });
     }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.LongSupplier;
 import java.util.function.LongUnaryOperator;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import lockstep.AgentProgram;
 import trace.why.RunLog;
@@ -134,7 +135,7 @@ final class Account implements AgentProgram.Observer {
         printed.addProperty("event", "agent-prints");
         printed.addProperty("agent", agent);
         printed.addProperty("text", line);
-        log.add(printed.toString());
+        log.add(printed::toString);
         see(Kind.PRINTS, agent, line, "");
     }
 
@@ -154,9 +155,14 @@ final class Account implements AgentProgram.Observer {
     }
 
     @Override
-    public void recorded(String line) {
-        // In real time agents do not know the run's.
-        log.add(line.replaceFirst("\"t\":[^,]*", "\"t\":" + clock.getAsLong() / (double) Window.SECOND));
+    public void recorded(Supplier<String> line) {
+        log.add(line);
+    }
+
+    /** In real time agents do not know the run's. */
+    void recordedNow(String line) {
+        String now = line.replaceFirst("\"t\":[^,]*", "\"t\":" + clock.getAsLong() / (double) Window.SECOND);
+        log.add(() -> now);
     }
 
     @Override

@@ -58,7 +58,8 @@ final class Explanation {
     private void answer(Expectations.Question why) {
         try {
             text.append("  why:\n");
-            new Why(run.log()).answer(why.what(), why.agent()).forEach(line -> text.append("    ").append(line).append('\n'));
+            new Why(run.log()).answer(why.what(), why.agent())
+                    .forEach(line -> text.append("    ").append(line).append('\n'));
         } catch (IOException | MalformedEventException none) {
             text.append("    ").append(none.getMessage()).append('\n');
         }

@@ -328,7 +328,8 @@ final class Run implements AutoCloseable {
         }
         String again = feature + (isByHand() ? " -Pport=" + realPort : " -Pseed=" + seed
                 + "\n  its trace: javino watch --trace " + folder.resolve("trace.jsonl")
-                + "\n  why: javino why " + folder.resolve("run.jsonl") + " " + (why == null ? "WHAT" : "'" + why.what() + "'"));
+                + "\n  why: javino why " + folder.resolve("run.jsonl") + " "
+                + (why == null ? "WHAT" : "'" + why.what() + "'"));
         String printed = engine instanceof RealTimeEngine
                 ? "\n  all that its agents have printed: " + folder.resolve("agents.log") : "";
         return new StepFailure(head + new Explanation(this, account).of(what, seen, why)
@@ -369,6 +370,7 @@ final class Run implements AutoCloseable {
                 others.close();
             }
         } finally {
+            account.log().settle();
             try {
                 engine.close();
             } catch (AssertionError again) {

@@ -63,7 +63,8 @@ public final class SeenSteps {
         Predicate<String> matching = matching(belief).and(text -> marked(text, marks));
         Run.now().expected.event(window, count, each -> each.is(Kind.BELIEVES, agent) && matching.test(each.what()),
                 agent + " does not come to believe " + belief + marks + (holds(agent, matching)
-                        ? "; it has believed it all the time" : ""), new Expectations.Question(agent, belief));
+                        ? "; it has believed it all the time" : ""),
+                new Expectations.Question(agent, belief));
     }
 
     @Then("{window}{agent} no longer believes {term}")

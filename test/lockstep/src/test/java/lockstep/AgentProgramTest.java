@@ -16,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.regex.Pattern;
@@ -119,8 +120,8 @@ class AgentProgramTest {
                 }
 
                 @Override
-                public void recorded(String line) {
-                    lines.add(line);
+                public void recorded(Supplier<String> line) {
+                    lines.add(line.get());
                 }
 
                 @Override

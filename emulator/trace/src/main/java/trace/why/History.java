@@ -136,8 +136,8 @@ final class History {
                 turn = each.number("number");
             } else if (each.is("rf-tx", board) && each.real("start") >= asked && turn == transmit.number("number")
                     && !each.text("kind").equals("acknowledgement")) {
-                packets.add(each);
-            }
+                        packets.add(each);
+                    }
         }
         return packets;
     }
@@ -154,9 +154,9 @@ final class History {
                 queued = 0;
             } else if (each.is("point", handed.board()) && each.text("name").equals("QUEUED")
                     && queued++ % HANDED_NUMBERS == handed.number("number") && each.has("packet")) {
-                found = all().filter(sent -> sent.is("rf-tx") && sent.number("packet") == each.number("packet"))
-                        .findFirst();
-            }
+                        found = all().filter(sent -> sent.is("rf-tx") && sent.number("packet") == each.number("packet"))
+                                .findFirst();
+                    }
         }
         return found;
     }
@@ -183,7 +183,8 @@ final class History {
     List<TraceEvent> reached(String agent, String action) {
         return of(agent, "agent-action").filter(each -> each.text("action").equals(action))
                 .filter(each -> !outcome(each).map(end -> Set.of("port_off", "queue_full", "too_long")
-                        .contains(end.text("error"))).orElse(false)).toList();
+                        .contains(end.text("error"))).orElse(false))
+                .toList();
     }
 
     static List<Map.Entry<String, JsonObject>> asked(TraceEvent choice) {

@@ -43,7 +43,8 @@ public final class Why {
         answer = new ArrayList<>();
         Optional<Words> words = Words.parse(question.startsWith("!") ? "+" + question : question);
         if (words.isEmpty()) {
-            return List.of("'" + question + "' is no belief, goal, action or pin, such as 'lamp(on)', '!go' or 'ledOn'");
+            return List
+                    .of("'" + question + "' is no belief, goal, action or pin, such as 'lamp(on)', '!go' or 'ledOn'");
         }
         List<String> agents = agent.isEmpty() ? history.agents() : List.of(agent);
         if (!history.agents().containsAll(agents) || agents.isEmpty()) {
@@ -66,25 +67,30 @@ public final class Why {
         Optional<TraceEvent> pin = asked.sign().isEmpty() ? lastPin(asked) : Optional.empty();
         String agent = agents.stream().filter(each -> concerns(each, asked)).findFirst().orElse(agents.get(0));
         WhyNot not = new WhyNot(history, this, agent);
+        Optional<String> board = boardWith(asked);
         if (pin.isPresent()) {
             chain(pin.get());
-        } else if (!asked.sign().isEmpty()) {
-            not.event(asked);
-        } else {
-            Optional<TraceEvent> gained = History.last(history.events(agent, "+", asked).stream());
-            Optional<TraceEvent> lost = History.last(history.events(agent, "-", asked).stream());
-            Optional<TraceEvent> action = History.last(not.actions(asked));
-            boolean holds = gained.isPresent() && lost.filter(history.after(gained.get())).isEmpty();
-            if (holds) {
-                chain(gained.get());
-            } else if (action.flatMap(history::outcome).filter(end -> end.text("error").isEmpty()).isPresent()) {
-                chain(action.get());
-            } else if (action.isPresent() || not.isStep(asked)) {
-                not.action(asked);
+        } else if (asked.sign().isEmpty() && board.isPresent() && history.believed(agent).stream()
+                .noneMatch(asked::matches)) {
+                    not.pin(board.get(), asked);
+                } else
+            if (!asked.sign().isEmpty()) {
+                not.event(asked);
             } else {
-                not.belief(asked, lost);
+                Optional<TraceEvent> gained = History.last(history.events(agent, "+", asked).stream());
+                Optional<TraceEvent> lost = History.last(history.events(agent, "-", asked).stream());
+                Optional<TraceEvent> action = History.last(not.actions(asked));
+                boolean holds = gained.isPresent() && lost.filter(history.after(gained.get())).isEmpty();
+                if (holds) {
+                    chain(gained.get());
+                } else if (action.flatMap(history::outcome).filter(end -> end.text("error").isEmpty()).isPresent()) {
+                    chain(action.get());
+                } else if (action.isPresent() || not.isStep(asked)) {
+                    not.action(asked);
+                } else {
+                    not.belief(asked, lost);
+                }
             }
-        }
     }
 
     private boolean concerns(String agent, Words asked) {
@@ -97,6 +103,14 @@ public final class Why {
         return History.last(history.all().filter(each -> level && each.is("pin")
                 && each.textOrEmpty("name").equals(asked.functor())
                 && (each.number("level") == 1) == !asked.arguments().get(0).equals("off")));
+    }
+
+    /** The board of which the scenario watches a pin of that name. */
+    private Optional<String> boardWith(Words pin) {
+        boolean level = pin.arguments().size() == 1 && ON.matcher(pin.arguments().get(0)).matches();
+        return history.boards().stream().filter(each -> level && History.elements(each.get("watch"))
+                .anyMatch(one -> one.getAsJsonObject().get("name").getAsString().equals(pin.functor())))
+                .map(each -> each.get("name").getAsString()).findFirst();
     }
 
     // The answer

@@ -59,6 +59,19 @@ final class WhyNot {
         return history.of(agent, "agent-action").filter(each -> action.matches(History.words(each, "action")));
     }
 
+    /** Why a pin did not change: its sketch knows; what was asked of the board last is told. */
+    void pin(String of, Words asked) {
+        Optional<TraceEvent> last = History.last(history.of(agent, "agent-action"));
+        if (last.flatMap(history::outcome).filter(end -> !end.text("error").isEmpty()).isPresent()) {
+            failed(last.get());
+        } else {
+            last.ifPresent(
+                    each -> why.link(each, "the last action that " + agent + " asked for is " + each.text("action")));
+            why.cause("no action of " + of + "'s board has changed " + asked.functor()
+                    + " so; ask of one, such as 'lampOn'");
+        }
+    }
+
     // Events and goals
 
     /** Why an event did not come, or has no plan; or what became of it. */
@@ -97,7 +110,8 @@ final class WhyNot {
         }
         Optional<Words> same = plans().map(each -> History.words(each, "trigger"))
                 .filter(each -> each.sign().equals(trigger.sign()) && each.goal().equals(trigger.goal())
-                        && each.matches(trigger)).findFirst();
+                        && each.matches(trigger))
+                .findFirst();
         Optional<Words> nearest = History.nearest(trigger, plans().map(each -> History.words(each, "trigger"))
                 .filter(each -> each.goal().equals(trigger.goal()) && each.sign().equals(trigger.sign())));
         if (same.isPresent()) {
@@ -112,7 +126,8 @@ final class WhyNot {
     private void mismatch(Words event, Words plan) {
         Optional<String> lacking = plan.annotations().stream().filter(each -> Words.parse(each)
                 .filter(mark -> event.annotations().stream().noneMatch(had -> Words.parse(had).filter(mark::matches)
-                        .isPresent())).isPresent()).findFirst();
+                        .isPresent()))
+                .isPresent()).findFirst();
         String had = lacking.flatMap(Words::parse).map(mark -> event.annotations().stream()
                 .filter(each -> Words.parse(each).filter(mark::isOfKind).isPresent())
                 .collect(Collectors.joining(", "))).orElse("");
@@ -228,8 +243,9 @@ final class WhyNot {
             case "agent-dropped" -> {
                 why.link(at, "the intention is dropped at the step " + step);
                 JsonObject by = at.has("by") ? at.json("by").getAsJsonObject() : new JsonObject();
-                why.cause("its plan was dropped" + (by.has("step") ? " by " + by.get("step").getAsString() + " of the plan "
-                        + Why.plan(by) : ""));
+                why.cause("its plan was dropped"
+                        + (by.has("step") ? " by " + by.get("step").getAsString() + " of the plan "
+                                + Why.plan(by) : ""));
             }
             case "agent-stopped" -> {
                 why.link(at, "the plan stops at the step " + step);
@@ -237,7 +253,8 @@ final class WhyNot {
             }
             case "agent-waits", "agent-action", "agent-sends" -> {
                 Optional<TraceEvent> action = History.last(history.of(agent, "agent-action")
-                        .filter(each -> each.textOrEmpty("intention").equals(intention) && step.equals(each.text("step"))));
+                        .filter(each -> each.textOrEmpty("intention").equals(intention)
+                                && step.equals(each.text("step"))));
                 if (action.isPresent()) {
                     failed(action.get());
                 } else {
@@ -314,8 +331,9 @@ final class WhyNot {
     /** Tells the last attempt to tell it that came to nothing, if there was one. @param lost after this. */
     private boolean refused(Words asked, Optional<TraceEvent> lost) {
         double since = lost.map(TraceEvent::seconds).orElse(0.0);
-        Optional<TraceEvent> message = History.last(history.of(agent, "agent-message").filter(each -> each.seconds() > since
-                && !each.text("how").equals("passed") && isSaid(asked, each)));
+        Optional<TraceEvent> message =
+                History.last(history.of(agent, "agent-message").filter(each -> each.seconds() > since
+                        && !each.text("how").equals("passed") && isSaid(asked, each)));
         if (message.isPresent()) {
             TraceEvent said = message.get();
             why.link(said, said.text("from") + " said " + said.text("content") + " to " + said.text("to"));
@@ -372,8 +390,9 @@ final class WhyNot {
         why.link(packet, "packet " + number + " of " + packet.board() + ", attempt " + packets.size());
         List<TraceEvent> here = history.atBoard(board, number);
         Optional<TraceEvent> damaged = here.stream().filter(each -> each.is("rf-damaged")).findFirst();
-        Optional<TraceEvent> dropped = here.stream().filter(each -> each.is("point") && each.text("name").equals("COUNT")
-                && Counter.of(each.number("counter")).filter(DROPS::contains).isPresent()).findFirst();
+        Optional<TraceEvent> dropped =
+                here.stream().filter(each -> each.is("point") && each.text("name").equals("COUNT")
+                        && Counter.of(each.number("counter")).filter(DROPS::contains).isPresent()).findFirst();
         if (dropped.isPresent()) {
             Counter counter = Counter.of(dropped.get().number("counter")).orElseThrow();
             why.link(dropped.get(), board + "'s board counts " + counter);
