@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import trace.MalformedEventException;
 import trace.why.Why;
 
 /** The text of a failure: what it is, when, what was seen in its place, and how this run is made again. */
@@ -60,7 +59,7 @@ final class Explanation {
             text.append("  why:\n");
             new Why(run.log()).answer(why.what(), why.agent())
                     .forEach(line -> text.append("    ").append(line).append('\n'));
-        } catch (IOException | MalformedEventException none) {
+        } catch (IOException | IllegalArgumentException none) {
             text.append("    ").append(none.getMessage()).append('\n');
         }
     }

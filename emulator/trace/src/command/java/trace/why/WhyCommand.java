@@ -32,7 +32,7 @@ public final class WhyCommand implements CommandPlugin {
     @Option(names = "--at", paramLabel = "S", description = "Ask of what happened at that time of the run, in seconds.")
     private Double at;
 
-    @Option(names = "--from", paramLabel = "AGENT", defaultValue = "",
+    @Option(names = "--from", paramLabel = "AGENT",
             description = "Ask this agent, where several could be meant.")
     private String agent;
 
@@ -44,13 +44,19 @@ public final class WhyCommand implements CommandPlugin {
         if (what == null == (at == null)) {
             throw new ParameterException(spec.commandLine(), "why takes either WHAT, such as 'lamp(on)', or --at S");
         }
+        if (agent != null && agent.isEmpty()) {
+            throw new ParameterException(spec.commandLine(), "--from takes the name of an agent");
+        }
         try {
             Why why = new Why(TraceReader.all(file));
-            List<String> answer = at == null ? why.answer(what, agent) : why.at(at);
+            String from = agent == null ? "" : agent;
+            List<String> answer = at == null ? why.answer(what, from) : why.at(at, from);
             answer.forEach(spec.commandLine().getOut()::println);
             return 0;
         } catch (MalformedEventException wrong) {
             throw new JavinoException(file + ": " + wrong.getMessage(), wrong);
+        } catch (IllegalArgumentException wrong) {
+            throw new JavinoException(wrong.getMessage(), wrong);
         }
     }
 }

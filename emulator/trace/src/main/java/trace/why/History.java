@@ -89,32 +89,32 @@ final class History {
         return agents().stream().filter(each -> boardOf(each).equals(board)).toList();
     }
 
-    static Words words(TraceEvent event, String field) {
-        return Words.parse(event.text(field)).orElse(new Words("", "", "", List.of(), List.of()));
+    static Term parsed(TraceEvent event, String field) {
+        return Term.parse(event.text(field)).orElse(new Term("", "", "", List.of(), List.of()));
     }
 
     /** The events of an agent with that sign whose term is an instance. */
-    List<TraceEvent> events(String agent, String sign, Words pattern) {
+    List<TraceEvent> events(String agent, String sign, Term pattern) {
         return of(agent, "agent-event").filter(each -> {
-            Words trigger = words(each, "trigger");
+            Term trigger = parsed(each, "trigger");
             return trigger.sign().equals(sign) && trigger.goal().equals(pattern.goal()) && pattern.matches(trigger);
         }).toList();
     }
 
     /** All that an agent has ever believed, without annotations. */
-    Set<Words> believed(String agent) {
-        Set<Words> all = new LinkedHashSet<>();
-        of(agent, "agent-believes").map(each -> words(each, "belief")).forEach(all::add);
-        of(agent, "agent-event").map(each -> words(each, "trigger"))
+    Set<Term> believed(String agent) {
+        Set<Term> all = new LinkedHashSet<>();
+        of(agent, "agent-believes").map(each -> parsed(each, "belief")).forEach(all::add);
+        of(agent, "agent-event").map(each -> parsed(each, "trigger"))
                 .filter(each -> each.goal().isEmpty() && each.sign().equals("+")).forEach(all::add);
         return all;
     }
 
     /** The one with the nearest name, if it is near. */
-    static Optional<Words> nearest(Words wanted, Stream<Words> all) {
+    static Optional<Term> nearest(Term wanted, Stream<Term> all) {
         int most = Math.max(1, wanted.functor().length() / 2);
         return all.filter(each -> !each.functor().isEmpty() && wanted.distance(each) <= most)
-                .min(Comparator.comparingInt((Words each) -> wanted.distance(each))
+                .min(Comparator.comparingInt((Term each) -> wanted.distance(each))
                         .thenComparing(each -> !each.arguments().equals(wanted.arguments())));
     }
 

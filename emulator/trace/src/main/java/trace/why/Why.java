@@ -38,32 +38,39 @@ public final class Why {
      * @param question a belief or pin as {@code lamp(on)}, an action, a goal as {@code !go}, or an event as {@code +dark(_)}.
      * @param agent    of whom it is asked; empty for the one that it concerns.
      * @return lines: the question's answer back to the first cause, which is the last one.
+     * @throws IllegalArgumentException if it is no question, or there is no such agent; the message says what to do.
      */
     public List<String> answer(String question, String agent) {
         answer = new ArrayList<>();
-        Optional<Words> words = Words.parse(question.startsWith("!") ? "+" + question : question);
-        if (words.isEmpty()) {
-            return List
-                    .of("'" + question + "' is no belief, goal, action or pin, such as 'lamp(on)', '!go' or 'ledOn'");
-        }
-        List<String> agents = agent.isEmpty() ? history.agents() : List.of(agent);
-        if (!history.agents().containsAll(agents) || agents.isEmpty()) {
-            return List.of("the log has no agent " + agent + "; it has " + String.join(", ", history.agents()));
-        }
-        answer(words.get(), agents);
+        Term asked = Term.parse(question.startsWith("!") ? "+" + question : question)
+                .orElseThrow(() -> new IllegalArgumentException("WHAT takes a belief, goal, action or pin, such as"
+                        + " 'lamp(on)', '!go' or 'lampOn', not '" + question + "'"));
+        answer(asked, agents(agent));
         return answer;
     }
 
-    /** Answers why that happened which is nearest to a time, in s. */
-    public List<String> at(double seconds) {
+    private List<String> agents(String agent) {
+        List<String> agents = agent.isEmpty() ? history.agents() : List.of(agent);
+        if (agents.isEmpty() || !history.agents().containsAll(agents)) {
+            throw new IllegalArgumentException("the log has no agent " + agent
+                    + (history.agents().isEmpty() ? "; is it run.jsonl?"
+                            : "; it has " + String.join(", ", history.agents())));
+        }
+        return agents;
+    }
+
+    /** Answers why that happened which is nearest to a time, in s; the agent's, as in {@link #answer}. */
+    public List<String> at(double seconds, String agent) {
         answer = new ArrayList<>();
-        Optional<TraceEvent> nearest = history.all().filter(each -> AT_A_TIME.contains(each.name()))
+        List<String> agents = agents(agent);
+        Optional<TraceEvent> nearest = history.all().filter(each -> AT_A_TIME.contains(each.name())
+                && (!each.has("agent") || agents.contains(each.text("agent"))))
                 .min(Comparator.comparingDouble(each -> Math.abs(each.seconds() - seconds)));
         nearest.ifPresentOrElse(this::chain, () -> answer.add("nothing happened in this log"));
         return answer;
     }
 
-    private void answer(Words asked, List<String> agents) {
+    private void answer(Term asked, List<String> agents) {
         Optional<TraceEvent> pin = asked.sign().isEmpty() ? lastPin(asked) : Optional.empty();
         String agent = agents.stream().filter(each -> concerns(each, asked)).findFirst().orElse(agents.get(0));
         WhyNot not = new WhyNot(history, this, agent);
@@ -93,12 +100,12 @@ public final class Why {
             }
     }
 
-    private boolean concerns(String agent, Words asked) {
+    private boolean concerns(String agent, Term asked) {
         return history.all().anyMatch(each -> each.textOrEmpty("agent").equals(agent)
                 && Pattern.compile("\\b" + Pattern.quote(asked.functor()) + "\\b").matcher(each.line()).find());
     }
 
-    private Optional<TraceEvent> lastPin(Words asked) {
+    private Optional<TraceEvent> lastPin(Term asked) {
         boolean level = asked.arguments().size() == 1 && ON.matcher(asked.arguments().get(0)).matches();
         return History.last(history.all().filter(each -> level && each.is("pin")
                 && each.textOrEmpty("name").equals(asked.functor())
@@ -106,7 +113,7 @@ public final class Why {
     }
 
     /** The board of which the scenario watches a pin of that name. */
-    private Optional<String> boardWith(Words pin) {
+    private Optional<String> boardWith(Term pin) {
         boolean level = pin.arguments().size() == 1 && ON.matcher(pin.arguments().get(0)).matches();
         return history.boards().stream().filter(each -> level && History.elements(each.get("watch"))
                 .anyMatch(one -> one.getAsJsonObject().get("name").getAsString().equals(pin.functor())))
@@ -195,7 +202,7 @@ public final class Why {
 
     private void choice(TraceEvent choice) {
         String agent = choice.text("agent");
-        link(choice, agent + " chose the plan " + plan(choice) + " for " + History.words(choice, "trigger").brief());
+        link(choice, agent + " chose the plan " + plan(choice) + " for " + History.parsed(choice, "trigger").brief());
         for (Map.Entry<String, JsonObject> each : History.asked(choice)) {
             if (!each.getValue().get("holds").getAsBoolean()) {
                 link(choice, "not " + plan(each.getValue()) + ": " + falsePart(each.getValue()));
@@ -214,7 +221,7 @@ public final class Why {
 
     private void event(TraceEvent event) {
         String agent = event.text("agent");
-        Words trigger = History.words(event, "trigger");
+        Term trigger = History.parsed(event, "trigger");
         String what = trigger.goal().isEmpty() ? trigger.sign().equals("+") ? agent + " believes " + trigger.term()
                 : agent + " no longer believes " + trigger.term() : agent + " has the event " + trigger.brief();
         link(event, what);
@@ -238,7 +245,7 @@ public final class Why {
         }
     }
 
-    private void percept(TraceEvent event, Words trigger) {
+    private void percept(TraceEvent event, Term trigger) {
         String board = history.boardOf(event.text("agent"));
         if (trigger.functor().equals("port") || trigger.sign().equals("-")) {
             lost(event, board);
@@ -259,26 +266,24 @@ public final class Why {
         TraceEvent reading = readings.get(at);
         link(reading, board + "'s board tells " + trigger.term());
         double since = at == 0 ? 0 : readings.get(at - 1).seconds();
-        Optional<TraceEvent> by = History.last(history.all().filter(each -> each.board().equals(board)
-                && each.seconds() >= since && each.seconds() <= reading.seconds()
-                && (each.is("host-action") || each.is("command") && each.textOrEmpty("do").equals("sensor"))));
-        if (by.filter(each -> each.is("host-action")).isPresent()) {
-            String what = by.get().text("action");
-            link(by.get(), "after " + what + ", which the reading before does not show");
-            History.same(by.get(), history.onBoard(board, "host-action")
-                    .filter(each -> each.text("action").equals(what)).toList(),
-                    history.reached(event.text("agent"), what))
-                    .ifPresentOrElse(this::action, () -> cause("another host asked for " + what));
-        } else if (by.isPresent()) {
-            link(by.get(), "the sensor changed before that reading");
-            cause("the sensor at " + board + "'s " + by.get().text("pin") + " was set to " + by.get().text("value"));
+        // A percept that has a pin's name tells of that pin; which action changes another one, only the sketch knows.
+        Optional<TraceEvent> pin = History.last(history.onBoard(board, "pin").filter(history.before(reading))
+                .filter(each -> each.textOrEmpty("name").equals(trigger.functor())));
+        Optional<TraceEvent> sensor = History.last(history.onBoard(board, "command").filter(history.before(reading))
+                .filter(each -> each.textOrEmpty("do").equals("sensor") && each.seconds() >= since));
+        if (pin.isPresent()) {
+            pin(pin.get());
+        } else if (sensor.isPresent()) {
+            link(sensor.get(), "the sensor changed before that reading");
+            cause("the sensor at " + board + "'s " + sensor.get().text("pin") + " was set to "
+                    + sensor.get().text("value"));
         } else {
             cause(board + "'s board told it, by its sensors");
         }
     }
 
-    private static boolean tells(TraceEvent reading, Words trigger) {
-        return History.percepts(reading).stream().anyMatch(each -> Words.parse(each).filter(trigger::matches)
+    private static boolean tells(TraceEvent reading, Term trigger) {
+        return History.percepts(reading).stream().anyMatch(each -> Term.parse(each).filter(trigger::matches)
                 .isPresent());
     }
 

@@ -50,17 +50,17 @@ final class WhyNot {
     }
 
     /** Whether a plan has it as an action. */
-    boolean isStep(Words action) {
+    boolean isStep(Term action) {
         return plansWith("", action.functor()).findAny().isPresent();
     }
 
     /** What the agent asked its board for that is an instance. */
-    Stream<TraceEvent> actions(Words action) {
-        return history.of(agent, "agent-action").filter(each -> action.matches(History.words(each, "action")));
+    Stream<TraceEvent> actions(Term action) {
+        return history.of(agent, "agent-action").filter(each -> action.matches(History.parsed(each, "action")));
     }
 
     /** Why a pin did not change: its sketch knows; what was asked of the board last is told. */
-    void pin(String of, Words asked) {
+    void pin(String of, Term asked) {
         Optional<TraceEvent> last = History.last(history.of(agent, "agent-action"));
         if (last.flatMap(history::outcome).filter(end -> !end.text("error").isEmpty()).isPresent()) {
             failed(last.get());
@@ -75,7 +75,7 @@ final class WhyNot {
     // Events and goals
 
     /** Why an event did not come, or has no plan; or what became of it. */
-    void event(Words asked) {
+    void event(Term asked) {
         Optional<TraceEvent> event = History.last(history.events(agent, asked.sign(), asked).stream());
         if (event.isEmpty()) {
             never(asked);
@@ -100,7 +100,7 @@ final class WhyNot {
 
     /** Why no plan was chosen for an event. */
     private void noPlan(TraceEvent event) {
-        Words trigger = History.words(event, "trigger");
+        Term trigger = History.parsed(event, "trigger");
         List<Map.Entry<String, JsonObject>> asked = choice(event).map(History::asked).orElse(List.of());
         if (!asked.isEmpty()) {
             asked.forEach(each -> why.link(event, "the plan " + Why.plan(each.getValue()) + " was asked: "
@@ -108,11 +108,11 @@ final class WhyNot {
             why.cause(Why.falsePart(asked.get(0).getValue()));
             return;
         }
-        Optional<Words> same = plans().map(each -> History.words(each, "trigger"))
+        Optional<Term> same = plans().map(each -> History.parsed(each, "trigger"))
                 .filter(each -> each.sign().equals(trigger.sign()) && each.goal().equals(trigger.goal())
                         && each.matches(trigger))
                 .findFirst();
-        Optional<Words> nearest = History.nearest(trigger, plans().map(each -> History.words(each, "trigger"))
+        Optional<Term> nearest = History.nearest(trigger, plans().map(each -> History.parsed(each, "trigger"))
                 .filter(each -> each.goal().equals(trigger.goal()) && each.sign().equals(trigger.sign())));
         if (same.isPresent()) {
             mismatch(trigger, same.get());
@@ -123,19 +123,19 @@ final class WhyNot {
     }
 
     /** Why a plan with the same term is not for an event. */
-    private void mismatch(Words event, Words plan) {
-        Optional<String> lacking = plan.annotations().stream().filter(each -> Words.parse(each)
-                .filter(mark -> event.annotations().stream().noneMatch(had -> Words.parse(had).filter(mark::matches)
+    private void mismatch(Term event, Term plan) {
+        Optional<String> lacking = plan.annotations().stream().filter(each -> Term.parse(each)
+                .filter(mark -> event.annotations().stream().noneMatch(had -> Term.parse(had).filter(mark::matches)
                         .isPresent()))
                 .isPresent()).findFirst();
-        String had = lacking.flatMap(Words::parse).map(mark -> event.annotations().stream()
-                .filter(each -> Words.parse(each).filter(mark::isOfKind).isPresent())
+        String had = lacking.flatMap(Term::parse).map(mark -> event.annotations().stream()
+                .filter(each -> Term.parse(each).filter(mark::isOfKind).isPresent())
                 .collect(Collectors.joining(", "))).orElse("");
         why.cause(event.term() + " has " + (had.isEmpty() ? "no " : had + ", not ")
                 + lacking.orElse("values of that kind"));
     }
 
-    private void never(Words asked) {
+    private void never(Term asked) {
         if (asked.goal().isEmpty()) {
             belief(asked, Optional.empty());
             return;
@@ -155,7 +155,7 @@ final class WhyNot {
     // Actions and plans
 
     /** Why an action of the board was not performed. */
-    void action(Words asked) {
+    void action(Term asked) {
         Optional<TraceEvent> action = History.last(actions(asked));
         if (action.isPresent()) {
             failed(action.get());
@@ -189,12 +189,12 @@ final class WhyNot {
 
     /** Why a plan has not done all of its steps. */
     private void plan(TraceEvent plan) {
-        Words trigger = History.words(plan, "trigger");
+        Term trigger = History.parsed(plan, "trigger");
         String place = plan.text("place");
         why.link(plan, "it is in the plan " + trigger.brief() + " (" + place + ")");
         Optional<TraceEvent> last = History.last(chosen(plan).stream());
         if (last.isPresent()) {
-            why.link(last.get(), agent + " chose it for " + History.words(last.get(), "trigger").brief());
+            why.link(last.get(), agent + " chose it for " + History.parsed(last.get(), "trigger").brief());
             if (!ran(last.get().text("intention"), place, true)) {
                 why.cause("its plan ran to its end, another way");
             }
@@ -203,25 +203,25 @@ final class WhyNot {
         Optional<TraceEvent> asked = History.last(history.of(agent, "agent-choice").filter(each -> History.asked(each)
                 .stream().anyMatch(one -> one.getKey().equals(place))));
         Optional<TraceEvent> other = History.last(history.of(agent, "agent-choice").filter(each -> each.has("place")
-                && isFor(trigger, History.words(each, "trigger"))));
+                && isFor(trigger, History.parsed(each, "trigger"))));
         Optional<TraceEvent> event = History.last(history.events(agent, trigger.sign(), trigger).stream());
         if (asked.isPresent()) {
             JsonObject answer = History.asked(asked.get()).stream().filter(one -> one.getKey().equals(place))
                     .findFirst().orElseThrow().getValue();
-            why.link(asked.get(), "its context was asked for " + History.words(asked.get(), "trigger").brief());
+            why.link(asked.get(), "its context was asked for " + History.parsed(asked.get(), "trigger").brief());
             why.cause(Why.falsePart(answer));
         } else if (other.isPresent()) {
             why.link(other.get(), agent + " chose the plan (" + other.get().text("place") + ")");
             why.cause("its plan was not asked, as one before it applied: (" + other.get().text("place") + ")");
         } else if (event.isPresent()) {
-            why.link(event.get(), agent + " has the event " + History.words(event.get(), "trigger").brief());
-            mismatch(History.words(event.get(), "trigger"), trigger);
+            why.link(event.get(), agent + " has the event " + History.parsed(event.get(), "trigger").brief());
+            mismatch(History.parsed(event.get(), "trigger"), trigger);
         } else {
             never(trigger);
         }
     }
 
-    private static boolean isFor(Words plan, Words event) {
+    private static boolean isFor(Term plan, Term event) {
         return plan.sign().equals(event.sign()) && plan.goal().equals(event.goal()) && plan.matches(event);
     }
 
@@ -287,12 +287,12 @@ final class WhyNot {
     // Beliefs and messages
 
     /** Why something is not believed. @param lost when it was believed no longer. */
-    void belief(Words asked, Optional<TraceEvent> lost) {
+    void belief(Term asked, Optional<TraceEvent> lost) {
         if (refused(asked, lost)) {
             return;
         }
         List<String> told = History.last(history.onBoard(board, "percepts")).map(History::percepts).orElse(List.of());
-        Optional<String> kept = told.stream().filter(each -> Words.parse(each).filter(asked::matches).isPresent())
+        Optional<String> kept = told.stream().filter(each -> Term.parse(each).filter(asked::matches).isPresent())
                 .findFirst();
         Optional<TraceEvent> settings = history.settings(agent);
         if (kept.isPresent() && settings.get().number("filters") > 0) {
@@ -300,7 +300,7 @@ final class WhyNot {
             return;
         }
         if (lost.isPresent()) {
-            Words term = History.words(lost.get(), "trigger");
+            Term term = History.parsed(lost.get(), "trigger");
             if (term.source().equals("percept")) {
                 why.link(lost.get(), agent + " no longer believes " + term.term());
                 why.lost(lost.get(), board);
@@ -315,7 +315,7 @@ final class WhyNot {
             plan(adding.get(adding.size() - 1));
             return;
         }
-        Optional<Words> nearest = History.nearest(asked, history.believed(agent).stream());
+        Optional<Term> nearest = History.nearest(asked, history.believed(agent).stream());
         if (nearest.isPresent()) {
             why.cause(agent + " never believed " + asked.term() + "; the nearest is " + nearest.get().term());
         } else if (settings.map(each -> each.text("port").isEmpty()).orElse(true)) {
@@ -329,7 +329,7 @@ final class WhyNot {
     }
 
     /** Tells the last attempt to tell it that came to nothing, if there was one. @param lost after this. */
-    private boolean refused(Words asked, Optional<TraceEvent> lost) {
+    private boolean refused(Term asked, Optional<TraceEvent> lost) {
         double since = lost.map(TraceEvent::seconds).orElse(0.0);
         Optional<TraceEvent> message =
                 History.last(history.of(agent, "agent-message").filter(each -> each.seconds() > since
@@ -351,14 +351,14 @@ final class WhyNot {
                 .orElse(false);
     }
 
-    private static boolean isSaid(Words asked, TraceEvent message) {
+    private static boolean isSaid(Term asked, TraceEvent message) {
         String content = message.text("content");
         return asked.isSaidBy(content) || message.text("how").equals("malformed") && content
                 .substring(content.lastIndexOf(';') + 1).startsWith(asked.functor());
     }
 
     /** What was to be sent with that content: by hosts, or by an attacker who needs none. */
-    private Stream<TraceEvent> transmissions(Words asked) {
+    private Stream<TraceEvent> transmissions(Term asked) {
         return history.all().filter(each -> (each.is("host-transmit") && !each.board().equals(board)
                 || each.is("rf-tx", "injector")) && asked.isSaidBy(each.textOrEmpty("content")));
     }

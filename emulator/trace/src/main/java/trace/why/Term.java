@@ -15,13 +15,13 @@ import java.util.regex.Pattern;
  * @param arguments   as they are written.
  * @param annotations as they are written.
  */
-record Words(String sign, String goal, String functor, List<String> arguments, List<String> annotations) {
+record Term(String sign, String goal, String functor, List<String> arguments, List<String> annotations) {
 
     private static final Pattern HEAD = Pattern.compile("([+-]*)([!?]*)(~?\\.?\\w[\\w.:]*)");
     private static final Pattern VARIABLE = Pattern.compile("_\\w*|\\p{Lu}\\w*");
 
     /** Reads a text; what stands behind the term does not matter. Nothing if it is none. */
-    static Optional<Words> parse(String as) {
+    static Optional<Term> parse(String as) {
         String text = as.strip().replaceAll("\\b_\\d+\\b", "_");
         Matcher head = HEAD.matcher(text);
         if (!head.lookingAt()) {
@@ -31,7 +31,7 @@ record Words(String sign, String goal, String functor, List<String> arguments, L
         int end = rest.startsWith("(") ? end(rest) : 0;
         String behind = rest.substring(end);
         int last = behind.startsWith("[") ? end(behind) : 0;
-        return Optional.of(new Words(head.group(1).isEmpty() ? "" : head.group(1).substring(0, 1), head.group(2),
+        return Optional.of(new Term(head.group(1).isEmpty() ? "" : head.group(1).substring(0, 1), head.group(2),
                 head.group(3), parts(rest, end), parts(behind, last)));
     }
 
@@ -70,12 +70,12 @@ record Words(String sign, String goal, String functor, List<String> arguments, L
     }
 
     /** Whether that has the same name and number of arguments. */
-    boolean isOfKind(Words other) {
+    boolean isOfKind(Term other) {
         return functor.equals(other.functor) && arguments.size() == other.arguments.size();
     }
 
     /** Whether that is an instance of this, whose variables match anything; annotations do not matter. */
-    boolean matches(Words other) {
+    boolean matches(Term other) {
         boolean matches = isOfKind(other);
         for (int i = 0; matches && i < arguments.size(); i++) {
             matches = matches(arguments.get(i), other.arguments.get(i));
@@ -87,7 +87,7 @@ record Words(String sign, String goal, String functor, List<String> arguments, L
         if (VARIABLE.matcher(pattern).matches() || VARIABLE.matcher(text).matches() || pattern.equals(text)) {
             return true;
         }
-        Optional<Words> one = parse(pattern);
+        Optional<Term> one = parse(pattern);
         return one.isPresent() && !one.get().arguments.isEmpty()
                 && parse(text).filter(other -> one.get().matches(other)).isPresent();
     }
@@ -117,7 +117,7 @@ record Words(String sign, String goal, String functor, List<String> arguments, L
     }
 
     /** How far apart two names are: letters that differ, are left out, added, or have changed places. */
-    int distance(Words other) {
+    int distance(Term other) {
         int[][] rows = new int[functor.length() + 1][other.functor.length() + 1];
         for (int i = 0; i < rows.length; i++) {
             for (int j = 0; j < rows[0].length; j++) {
