@@ -205,7 +205,7 @@ public final class Policy {
         return ROWS.stream().filter(row -> row.matches(words)).findFirst();
     }
 
-    /** The row of the table by which an act is not simply allowed; empty if no row has decided, or one that allows it. */
+    /** The row of the table by which an act is not simply allowed; empty if none decides, or one that allows it. */
     public static String restriction(Act act, Provenance of) {
         return row(act, of).filter(row -> !row.decide(of).isAllowed()).map(Row::line).orElse("");
     }

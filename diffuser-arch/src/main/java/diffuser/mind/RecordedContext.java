@@ -87,8 +87,7 @@ final class RecordedContext {
     }
 
     /**
-     * Records a plan's context from now on, if it has one of Jason's formulas. For a plan that is recorded, or has none,
-     * it does nothing.
+     * Records a plan's context from now on, if it has one of Jason's formulas and is not recorded.
      */
     static void record(Plan plan, Listener listener) {
         LogicalFormula real = plan.getContext();

@@ -71,8 +71,8 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     private boolean passing;
 
     /**
-     * @param lines takes each line, on the agent's thread or the board's. It may make the text of it later, as long as the
-     *              agent is not in a cycle then.
+     * @param lines takes each line, on the agent's thread or the board's. It may make the text of it later, while the
+     *              agent is not in a cycle.
      */
     public Recorder(TransitionSystem ts, Time time, Consumer<Supplier<String>> lines) {
         this.ts = ts;

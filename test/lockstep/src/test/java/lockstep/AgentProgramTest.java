@@ -94,7 +94,8 @@ class AgentProgramTest {
                 wide(X) :- n(X) & X > 0.
                 +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; .wait(200); !never; +end.
                 -!never[error(E)] <- .print("failed ", E).
-                +!count(N) : N > 0 & n(X) & .print("asked ", X) & X > 1 <- .print(N, X); .random(R); .print(R); !count(N-1).
+                +!count(N) : N > 0 & n(X) & .print("asked ", X) & X > 1
+                    <- .print(N, X); .random(R); .print(R); !count(N-1).
                 +!count(N) : not N > 0 & .findall(X, wide(X), L) <- .print(L).
                 +!count(N) : n(N) <- .print("else ", N); !count(N-1).
                 @l +!plans : n(X) & X > 1 | wide(9) <- .add_plan({+!late : n(Y) & Y > 7 <- .print(Y)}, x);

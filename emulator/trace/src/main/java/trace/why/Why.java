@@ -35,7 +35,8 @@ public final class Why {
     /**
      * Answers a question.
      *
-     * @param question a belief or pin as {@code lamp(on)}, an action, a goal as {@code !go}, or an event as {@code +dark(_)}.
+     * @param question a belief or pin as {@code lamp(on)}, an action, a goal as {@code !go}, or an event as {@code
+     *                 +dark(_)}.
      * @param agent    of whom it is asked; empty for the one that it concerns.
      * @return lines: the question's answer back to the first cause, which is the last one.
      * @throws IllegalArgumentException if it is no question, or there is no such agent; the message says what to do.
