@@ -38,6 +38,7 @@ static json_t *boards(const scenario *s) {
     const board_config *board = &s->boards[i];
     json_t *object = json_pack("{sssssososo}", "name", board->name, "model", board->model->name, "position",
                                position(board->x_m, board->y_m), "sensors", sensors(board), "watch", watches(board));
+    if (board->port_name) json_object_set_new(object, "port", json_string(board->port_name));
     if (board->clock_error_ppm) json_object_set_new(object, "clockError", json_integer(board->clock_error_ppm));
     if (board->vehicle.radius_m > 0) {
       json_object_set_new(object, "heading", json_real(board->vehicle.heading_deg));

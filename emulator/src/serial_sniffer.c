@@ -159,7 +159,7 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
     write_key(s, packet->message + 1, packet->message + 1 + ADDRESS_LENGTH);
   if (command != 0 && strchr("IKNUFDV", command) && packet->length >= 1 + ADDRESS_LENGTH)
     memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
-  if (command == 'Y') {
+  if (command == 'Y' || command == 'A') {
     s->request.content_length = packet->length - 1;
     memcpy(s->request.content, packet->message + 1, s->request.content_length);
   }
@@ -272,6 +272,17 @@ static void write_key_step(serial_sniffer *s, const serial_request *request, con
   trace_end(s->out);
 }
 
+// Pins that change between `asked` and `replied`, when the board begins to reply, change by the action itself.
+static void write_action(serial_sniffer *s, const serial_request *request, bool done, cycles_t at) {
+  if (!utf8_valid(request->content, request->content_length)) return;
+  begin(s, at, "host-action");
+  trace_utf8(s->out, "action", request->content, request->content_length);
+  trace_time(s->out, "asked", request->at);
+  trace_time(s->out, "replied", 2 * s->from_board.first - s->from_board.second);
+  trace_flag(s->out, "done", done);
+  trace_end(s->out);
+}
+
 static void write_radio(serial_sniffer *s, bool open, cycles_t at) {
   begin(s, at, "host-radio");
   trace_text(s->out, "radio", open ? "open" : "blocked");
@@ -355,6 +366,7 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
     s->waiting = false;
     s->remembered = status != STATUS_NOT_GREETED;
   }
+  if (request->command == 'A' && status != STATUS_NOT_GREETED) write_action(s, request, status == STATUS_OK, at);
   if (status == STATUS_OK && !from_memory) performed(s, request, packet->message + 1, packet->length - 1, at);
 }
 
@@ -362,6 +374,8 @@ void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles
   serial_line *line = from_host ? &s->from_host : &s->from_board;
   serial_packet packet;
   if (byte != 0) {
+    if (line->length == 0) line->first = at;
+    if (line->length == 1) line->second = at;
     if (line->length < SERIAL_MAX_PACKET) line->bytes[line->length] = byte;
     if (line->length <= SERIAL_MAX_PACKET) line->length++;
     return;

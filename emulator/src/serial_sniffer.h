@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host,
-// how transmissions ended, what the board perceives, and what the host changes: host-id, host-key, host-radio, host-relaying,
+// how transmissions ended, what the board perceives and is to do, and what the host changes: host-id, host-key, host-action, host-radio, host-relaying,
 // host-transmit, host-relay, host-handed, host-no-key, host-taking, host-taken, host-outcome, host-nothing and percepts events.
 // Keys that the host gives go to a file of their own.
 #ifndef JAVINO_SERIAL_SNIFFER_H
@@ -23,7 +23,8 @@
 // The bytes of a packet, as they come.
 typedef struct {
   uint8_t bytes[SERIAL_MAX_PACKET];
-  size_t length;  // more than SERIAL_MAX_PACKET: too long
+  size_t length;           // more than SERIAL_MAX_PACKET: too long
+  cycles_t first, second;  // when these bytes of it came
 } serial_line;
 
 typedef struct {
@@ -37,7 +38,7 @@ typedef struct {
   bool open;                           // of a request for the radio
   uint8_t epoch[SERIAL_EPOCH_LENGTH];  // that the boot epoch is to be raised to
   cycles_t at;
-  uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent, or relayed
+  uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent, relayed, or done
   size_t content_length;
 } serial_request;
 

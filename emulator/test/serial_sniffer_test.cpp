@@ -145,6 +145,25 @@ TEST(SerialSniffer, tells_whether_the_host_opens_or_blocks_the_radio) {
   EXPECT_EQ(radio[1].text("radio"), "blocked");
 }
 
+TEST(SerialSniffer, tells_an_action_with_its_request_and_reply_once) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, joined({{'A'}, bytes("turn(30)")}));
+  line.host(2, TO_BOARD, joined({{'A'}, bytes("turn(30)")}));
+  line.board(2, {0});
+  line.host(2, TO_BOARD, joined({{'A'}, bytes("turn(30)")}));
+  line.board(2, {0});
+  line.host(3, TO_BOARD, joined({{'A'}, bytes("jump")}));
+  line.board(3, {4});
+  auto actions = line.events("host-action");
+  ASSERT_EQ(actions.size(), 2u);
+  EXPECT_EQ(actions[0].text("action"), "turn(30)");
+  EXPECT_LT(actions[0].real("asked"), actions[0].real("replied"));
+  EXPECT_LT(actions[0].real("replied"), actions[0].t);
+  EXPECT_TRUE(actions[0].flag("done"));
+  EXPECT_FALSE(actions[1].flag("done"));
+}
+
 TEST(SerialSniffer, tells_whether_the_board_is_a_relay) {
   Line line;
   line.greet();

@@ -14,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.logging.Level;
 
@@ -56,6 +57,7 @@ import diffuser.mind.Openness;
 import diffuser.mind.Outbox;
 import diffuser.mind.OutgoingMessage;
 import diffuser.mind.Questions;
+import diffuser.mind.Recorder;
 import diffuser.report.Failure;
 import diffuser.report.Warnings;
 
@@ -110,6 +112,7 @@ public class Diffuser extends AgArch {
     private transient boolean ended;
     private transient volatile Consumer<String> printed = text -> {};
     private transient BiConsumer<String, CompletableFuture<Void>> performed = (action, outcome) -> {};
+    private transient Optional<Recorder> recorder = Optional.empty();
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
     @Override
@@ -189,6 +192,7 @@ public class Diffuser extends AgArch {
                     new DeviceContext(getAgName(), (message, peer) -> inbox.put(message, peer, getAgName()), hosts,
                             warnings, this::wakeAgent,
                             text -> printed.accept(text), service(KeyService.class)));
+            recordSettings();
             Duration patience = patience();
             return device.decided().thenCompose(decided -> reading(patience));
         }
@@ -285,6 +289,33 @@ public class Diffuser extends AgArch {
         performed = listener;
     }
 
+    /**
+     * Has all that the agent decides told from now on, as {@link Recorder} does; without it the agent does nothing for
+     * that. Before the agent's first cycle, or on its own thread.
+     *
+     * @param lines takes each line of JSON as {@link Recorder} gives it; its time {@code t} is {@link #time()}'s, in s.
+     */
+    public void record(Consumer<Supplier<String>> lines) {
+        record(Optional.of(new Recorder(getTS(), time, lines)));
+    }
+
+    /** Ends what {@link #record} has begun. On the agent's own thread. */
+    public void endRecord() {
+        record(Optional.empty());
+    }
+
+    private void record(Optional<Recorder> by) {
+        recorder.ifPresent(Recorder::end);
+        recorder = by;
+        inbox.record(by);
+        outbox.record(by);
+        recordSettings();
+    }
+
+    private void recordSettings() {
+        recorder.ifPresent(each -> each.settings(settings, device().map(Device::port).orElse("")));
+    }
+
     /** Sets the abilities that an infrastructure other than the board's radio gives from now on. */
     public void setInfrastructure(String name, Set<Ability> allows) {
         infrastructures.set(name, Set.copyOf(allows));
@@ -334,6 +365,7 @@ public class Diffuser extends AgArch {
         try {
             CompletableFuture<Void> outcome = board.act(action);
             performed.accept(action, outcome);
+            recorder.ifPresent(each -> each.asks(action, outcome));
             return outcome;
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
@@ -465,7 +497,14 @@ public class Diffuser extends AgArch {
     public void checkMail() {
         percepts.believed();
         super.checkMail();
+        recorder.ifPresent(Recorder::watch);
         inbox.handOn();
+    }
+
+    @Override
+    public void reasoningCycleFinished() {
+        super.reasoningCycleFinished();
+        recorder.ifPresent(Recorder::cycled);
     }
 
     @Override
@@ -578,6 +617,7 @@ public class Diffuser extends AgArch {
     private void change(UnaryOperator<BoardSettings> change) {
         settings = change.apply(settings);
         device().ifPresent(board -> board.apply(settings));
+        recordSettings();
     }
 
     /** Asks the board in any case; waits for its answer only if it is there. */

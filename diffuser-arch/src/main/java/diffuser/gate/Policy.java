@@ -165,12 +165,12 @@ public final class Policy {
         }
     }
 
-    private record Row(List<Set<String>> conditions, String decision) {
+    private record Row(String line, List<Set<String>> conditions, String decision) {
 
         public static Row of(String line) {
             List<String> cells = Arrays.stream(line.split("\\|")).skip(1).map(String::strip).toList();
             int last = cells.size() - 1;
-            return new Row(cells.subList(0, last).stream().map(cell -> Set.of(cell.split(", "))).toList(),
+            return new Row(line, cells.subList(0, last).stream().map(cell -> Set.of(cell.split(", "))).toList(),
                     cells.get(last));
         }
 
@@ -199,11 +199,20 @@ public final class Policy {
                 .findFirst().orElseGet(() -> value.name().toLowerCase(Locale.ROOT).replace('_', ' '));
     }
 
-    /** Decides about an act. */
-    public static Decision decide(Act act, Provenance of) {
+    private static Optional<Row> row(Act act, Provenance of) {
         List<String> words = Stream.concat(Stream.of(act, of.cast(), of.peer(), of.answers(), of.home())
                 .map(Policy::word), Stream.of(of.away() ? "away" : "here")).toList();
-        return ROWS.stream().filter(row -> row.matches(words)).findFirst().map(row -> row.decide(of))
+        return ROWS.stream().filter(row -> row.matches(words)).findFirst();
+    }
+
+    /** The row of the table by which an act is not simply allowed; empty if none decides, or one that allows it. */
+    public static String restriction(Act act, Provenance of) {
+        return row(act, of).filter(row -> !row.decide(of).isAllowed()).map(Row::line).orElse("");
+    }
+
+    /** Decides about an act. */
+    public static Decision decide(Act act, Provenance of) {
+        return row(act, of).map(row -> row.decide(of))
                 .orElseGet(() -> new Decision(Verdict.REFUSED, whyNot(act, of), List.of()));
     }
 

@@ -39,6 +39,7 @@ public final class Inbox {
 
     /** The last message that Jason was given. */
     private Optional<Message> handedOn = Optional.empty();
+    private volatile Optional<Recorder> recorder = Optional.empty();
 
     /**
      * A message whose content could be read, or one literal of a list that it says.
@@ -72,6 +73,11 @@ public final class Inbox {
         this.warnings = warnings;
     }
 
+    /** Tells the recorder of each message from now on. */
+    public void record(Optional<Recorder> by) {
+        recorder = by;
+    }
+
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
     public void put(ReceivedMessage message, TrustLevel peer, String receiver) {
         Provenance of = Provenance.of(message.from(), Cast.of(message.to()), peer);
@@ -81,6 +87,7 @@ public final class Inbox {
                     .forEach(said -> waiting.add(new IncomingMessage(message, of, receiver, said)));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
+            recorder.ifPresent(each -> each.message(message, "malformed", e.getMessage(), ""));
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
         }
     }
@@ -108,6 +115,7 @@ public final class Inbox {
 
     private Optional<Message> pass(IncomingMessage incoming) {
         Message message = incoming.toJason();
+        recorder.ifPresent(each -> each.passing(true));
         try {
             if (incoming.content().isAnswer()) {
                 answer(incoming, message);
@@ -115,18 +123,24 @@ public final class Inbox {
                 gate.pass(message, incoming.of());
             }
             received.incrementAndGet();
+            recorder.ifPresent(each -> each.message(incoming.message(), "passed", "", ""));
             return Optional.of(message);
         } catch (Gate.RefusedException e) {
-            refuse(incoming.message(), e.kind(), e.getMessage());
+            refuse(incoming, e.kind(), e.getMessage());
         } catch (RuntimeException e) {
             // A term that makes Jason stumble costs the message, not the agent's intentions.
-            refuse(incoming.message(), e.getClass().getName(), "Jason cannot handle it: " + e);
+            refuse(incoming, e.getClass().getName(), "Jason cannot handle it: " + e);
+        } finally {
+            recorder.ifPresent(each -> each.passing(false));
         }
         return Optional.empty();
     }
 
-    private void refuse(ReceivedMessage message, String kind, String why) {
+    private void refuse(IncomingMessage incoming, String kind, String why) {
+        ReceivedMessage message = incoming.message();
         refused.incrementAndGet();
+        recorder.ifPresent(each -> each.message(message, "refused", why,
+                Policy.restriction(Policy.Act.of(message.content().performative()), incoming.of())));
         String what = "dropped " + message.content().performative() + " from " + message.from() + ": ";
         warnings.once(what + kind, what + why);
     }

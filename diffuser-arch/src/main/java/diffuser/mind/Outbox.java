@@ -23,11 +23,17 @@ public final class Outbox {
     private final Counts<Outcome> ended = new Counts<>();
     private final Warnings warnings;
     private final Consumer<Literal> signal;
+    private Optional<Recorder> recorder = Optional.empty();
 
     /** @param signal makes a literal an event of the agent's; called on any thread. */
     public Outbox(Warnings warnings, Consumer<Literal> signal) {
         this.warnings = warnings;
         this.signal = signal;
+    }
+
+    /** Tells the recorder of each message from now on. */
+    public void record(Optional<Recorder> by) {
+        recorder = by;
     }
 
     /** Sends a message; completes when the board has taken it. Its outcome is an event. */
@@ -81,6 +87,7 @@ public final class Outbox {
                     + group + "\"");
         }
         Transmission transmission = board.transmit(outgoing.to(), outgoing.content());
+        recorder.ifPresent(each -> each.sends(outgoing, transmission));
         return new Transmission(
                 transmission.taken().handle((nothing, thrown) -> taken(thrown, outgoing)),
                 transmission.end().thenApply(this::counted));

@@ -1,5 +1,6 @@
 package features;
 
+import com.google.gson.JsonObject;
 import features.Seen.Kind;
 import java.util.ArrayList;
 import java.util.List;
@@ -7,9 +8,11 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.LongSupplier;
 import java.util.function.LongUnaryOperator;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import lockstep.AgentProgram;
 import trace.TraceEvent;
+import trace.why.RunLog;
 
 /** What was seen of the boards and agents of a scenario, in the order in which it happened. */
 final class Account implements AgentProgram.Observer {
@@ -25,6 +28,7 @@ final class Account implements AgentProgram.Observer {
     private final Map<String, String> payloads = new TreeMap<>();
     /** What came after the last when begins here. */
     private int mark;
+    private final RunLog log = new RunLog();
     private long whenNanos;
 
     /** @param clock tells the time of the run. */
@@ -122,6 +126,12 @@ final class Account implements AgentProgram.Observer {
 
     @Override
     public void printed(String agent, String line) {
+        JsonObject printed = new JsonObject();
+        printed.addProperty("t", clock.getAsLong() / (double) Window.SECOND);
+        printed.addProperty("event", "agent-prints");
+        printed.addProperty("agent", agent);
+        printed.addProperty("text", line);
+        log.add(printed::toString);
         see(Kind.PRINTS, agent, line, "");
     }
 
@@ -138,6 +148,27 @@ final class Account implements AgentProgram.Observer {
     @Override
     public void performed(String agent, String action, String error) {
         see(error.isEmpty() ? Kind.PERFORMED : Kind.FAILED, agent, action, error);
+    }
+
+    @Override
+    public void recorded(Supplier<String> line) {
+        log.add(line);
+    }
+
+    /** In real time agents do not know the run's. */
+    void recordedNow(String line) {
+        String now = line.replaceFirst("\"t\":[^,]*", "\"t\":" + clock.getAsLong() / (double) Window.SECOND);
+        log.add(() -> now);
+    }
+
+    @Override
+    public boolean records() {
+        return true;
+    }
+
+    /** What the agents decided. */
+    RunLog log() {
+        return log;
     }
 
     /** What an agent believes now. */

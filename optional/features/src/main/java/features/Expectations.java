@@ -22,6 +22,9 @@ final class Expectations {
     private final List<Standing> standing = new ArrayList<>();
     private final Map<String, Map<String, Object>> before = new TreeMap<>();
 
+    /** Why does an agent not believe or do that? */
+    record Question(String agent, String what) {}
+
     /** Something that is not to happen until the scenario ends. */
     private record Standing(String step, int from, Predicate<Seen> matching) {}
 
@@ -55,6 +58,11 @@ final class Expectations {
      * @param what  the failure if it does not happen, as {@code robot's lamp does not go on}.
      */
     void event(Window window, Window.Count count, Predicate<Seen> matching, String what) {
+        event(window, count, matching, what, null);
+    }
+
+    /** @param why what to ask of the run if it does not happen; null if nothing. */
+    void event(Window window, Window.Count count, Predicate<Seen> matching, String what, Question why) {
         long from = begin(window);
         long end = from + window.nanos() * (isNot(window) || count != null ? 1 : run.slack());
         Predicate<Seen> wanted = each -> each.nanos() <= end && (run.isByHand() || each.nanos() >= from)
@@ -69,7 +77,7 @@ final class Expectations {
                 throw run.failure("seen " + often);
             });
         } else if (times.isEmpty() != isNot(window)) {
-            throw run.failure(times.isEmpty() ? what : happens(times.get(0)));
+            throw times.isEmpty() ? run.failure(what, why) : run.failure(happens(times.get(0)));
         }
         if (window.kind() == Window.Kind.NEVER) {
             standing.add(new Standing(run.step, account.size(), matching));

@@ -1,8 +1,10 @@
 package features;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import trace.why.Why;
 
 /** The text of a failure: what it is, when, what was seen in its place, and how this run is made again. */
 final class Explanation {
@@ -22,8 +24,13 @@ final class Explanation {
         this.account = account;
     }
 
-    /** @param seen whether what was seen matters: the feature itself is not what is wrong. */
-    String of(String what, boolean seen) {
+    /**
+     * The text.
+     *
+     * @param seen whether what was seen matters: the feature itself is not what is wrong.
+     * @param why  a question whose answer belongs to it; null for none.
+     */
+    String of(String what, boolean seen, Expectations.Question why) {
         text.append("  at ").append(Seen.seconds(run.nanos())).append(": ").append(what).append('\n');
         List<Seen> since = account.since().stream().filter(each -> each.kind() != Seen.Kind.PIN
                 || !account.servo(each.who(), each.what()).isKnown()).toList();
@@ -31,6 +38,9 @@ final class Explanation {
             text.append("  seen since ").append(Seen.seconds(account.when())).append(":\n");
             since.subList(Math.max(0, since.size() - MOST_SEEN), since.size())
                     .forEach(each -> text.append("    ").append(each).append('\n'));
+        }
+        if (why != null) {
+            answer(why);
         }
         if (run.agents() != null) {
             run.agents().agents().forEach(this::describe);
@@ -42,6 +52,16 @@ final class Explanation {
                     .toList());
         }
         return text.toString();
+    }
+
+    private void answer(Expectations.Question why) {
+        try {
+            text.append("  why:\n");
+            new Why(run.log()).answer(why.what(), why.agent())
+                    .forEach(line -> text.append("    ").append(line).append('\n'));
+        } catch (IOException | IllegalArgumentException none) {
+            text.append("    ").append(none.getMessage()).append('\n');
+        }
     }
 
     private static boolean isTold(Map.Entry<String, Object> count) {

@@ -17,6 +17,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 import jason.architecture.AgArch;
@@ -40,12 +41,18 @@ public final class RealAgents {
 
     /** What an answer begins with; the first is there when all agents are. */
     static final String ANSWER = "answer";
+    /** What is recorded of an agent, as text. */
+    static final String LINE = "line";
     private static final long LOOK_NANOS = 5 * Window.MILLI;
     private static final int LONGEST_SECONDS = 10;
 
     private static final Observer OBSERVER = (Observer) Proxy.newProxyInstance(RealAgents.class.getClassLoader(),
             new Class<?>[] {Observer.class}, (proxy, method, words) -> {
-                tell(message(method.getName(), words));
+                if (method.getReturnType() == boolean.class) {
+                    return true;
+                }
+                boolean line = words[0] instanceof Supplier<?>;
+                tell(line ? new Object[] {LINE, ((Supplier<?>) words[0]).get()} : message(method.getName(), words));
                 return null;
             });
     private static ObjectOutputStream out;

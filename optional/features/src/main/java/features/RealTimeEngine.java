@@ -89,6 +89,10 @@ abstract class RealTimeEngine implements Engine {
     }
 
     private void told(Object[] message) {
+        if (message[0].equals(RealAgents.LINE)) {
+            account.recordedNow((String) message[1]);
+            return;
+        }
         try {
             RealAgents.call(AgentProgram.Observer.class, account, message);
         } catch (NoSuchElementException ended) {

@@ -1,6 +1,7 @@
 package features;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Collection;
@@ -10,6 +11,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
+import trace.MalformedEventException;
+import trace.TraceEvent;
 
 /**
  * The run of one scenario: its boards and agents. The first step that is not of the boards' and agents' choice
@@ -281,24 +284,31 @@ class Run implements AutoCloseable {
 
     /** The failure of this step, as the feature itself is wrong. */
     StepFailure wrong(String what) {
-        return failure(what, false);
+        return failure(what, false, null);
     }
 
     /** The failure of this step: what is not as it should be. */
     StepFailure failure(String what) {
-        return failure(what, true);
+        return failure(what, null);
     }
 
-    private StepFailure failure(String what, boolean seen) {
+    /** The same, with the answer to a question; null for none. */
+    StepFailure failure(String what, Expectations.Question why) {
+        return failure(what, true, why);
+    }
+
+    private StepFailure failure(String what, boolean seen, Expectations.Question why) {
         String head = step.isEmpty() ? "" : step + "\n";
         if (engine == null) {
             return new StepFailure(head + (step.isEmpty() ? "" : "  ") + what);
         }
         String again = feature + (isByHand() ? " -Pport=" + realPort : " -Pseed=" + seed
-                + "\n  its trace: javino watch --trace " + folder.resolve("trace.jsonl"));
+                + "\n  its trace: javino watch --trace " + folder.resolve("trace.jsonl")
+                + "\n  why: javino why " + folder.resolve("run.jsonl") + " "
+                + (why == null ? "WHAT" : "'" + why.what() + "'"));
         String printed = engine instanceof RealTimeEngine
                 ? "\n  all that its agents have printed: " + folder.resolve("agents.log") : "";
-        return new StepFailure(head + new Explanation(this, account).of(what, seen)
+        return new StepFailure(head + new Explanation(this, account).of(what, seen, why)
                 + "  this runs it again: gradle test -Pfeature=" + again + printed);
     }
 
@@ -313,6 +323,20 @@ class Run implements AutoCloseable {
         }
     }
 
+    /** What has happened on boards and in agents until now. */
+    List<TraceEvent> log() throws IOException {
+        return account.log().merged(folder.resolve("trace.jsonl"));
+    }
+
+    /** Writes run.jsonl, of which {@code javino why} asks. */
+    private void writeLog() {
+        try {
+            Files.write(folder.resolve("run.jsonl"), log().stream().map(TraceEvent::line).toList());
+        } catch (IOException | MalformedEventException failed) {
+            throw new StepFailure("there is no run.jsonl: " + failed.getMessage());
+        }
+    }
+
     private void end() {
         if (engine == null) {
             return;
@@ -322,6 +346,7 @@ class Run implements AutoCloseable {
                 others.close();
             }
         } finally {
+            account.log().settle();
             try {
                 engine.close();
             } catch (AssertionError again) {
@@ -329,6 +354,7 @@ class Run implements AutoCloseable {
                     throw again;
                 }
             }
+            writeLog();
         }
     }
 }

@@ -63,7 +63,8 @@ public final class SeenSteps {
         Predicate<String> matching = matching(belief).and(text -> marked(text, marks));
         Run.now().expected.event(window, count, each -> each.is(Kind.BELIEVES, agent) && matching.test(each.what()),
                 agent + " does not come to believe " + belief + marks + (holds(agent, matching)
-                        ? "; it has believed it all the time" : ""));
+                        ? "; it has believed it all the time" : ""),
+                new Expectations.Question(agent, belief));
     }
 
     @Then("{window}{agent} no longer believes {term}")
@@ -103,7 +104,7 @@ public final class SeenSteps {
     public void performs(Window window, String agent, String action, Window.Count count) {
         Predicate<String> matching = matching(action);
         Run.now().expected.event(window, count, each -> each.is(Kind.PERFORMED, agent) && matching.test(each.what()),
-                agent + " does not perform " + action);
+                agent + " does not perform " + action, new Expectations.Question(agent, action));
     }
 
     /** With an error of docs/errors.md. */

@@ -89,6 +89,9 @@ class FeaturesTest {
             "When the agent robot gets the goal blink(3) / "
                     + "Then it performs ledOn at most 2 a second|seen 3 times within",
             "When the agent robot gets the goal wrong / Then it performs ledOm|has not performed ledOm: unknown_action",
+            "When the agent robot gets the goal wrong / Then it performs ledOm|"
+                    + "    first cause: robot's board refused ledOm: unknown_action",
+            "Then the agent robot believes lde(on)|first cause: robot never believed lde(on); the nearest is led(on)",
             "When the agent robot gets the goal wrong / Then it fails to perform ledOm with port_off|does not fail",
             "When the light at robot's A0 falls to 1|expected the pin of a sensor of this board",
             "When bus's board is reset|has no board bus; it has robot",

@@ -1,5 +1,8 @@
 package features;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import io.cucumber.core.cli.Main;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -36,6 +39,21 @@ final class Project implements AutoCloseable {
         System.setProperty("javino.mas", folder.resolve("robot.mas2j").toString());
         System.setProperty("javino.device", firmware("station/Station").toString());
         System.setProperty("javino.runs", folder.resolve("runs").toString());
+    }
+
+    /** Gives its board other fields, and the file further boards, in JSON. */
+    void change(String fields, String boards) throws IOException {
+        Path file = folder.resolve("board.json");
+        JsonObject scenario = JsonParser.parseString(Files.readString(file)).getAsJsonObject();
+        JsonArray all = scenario.getAsJsonArray("boards");
+        JsonParser.parseString("{" + fields + "}").getAsJsonObject().entrySet()
+                .forEach(field -> all.get(0).getAsJsonObject().add(field.getKey(), field.getValue()));
+        JsonParser.parseString("[" + boards + "]").getAsJsonArray().forEach(board -> {
+            JsonObject more = board.getAsJsonObject();
+            more.addProperty("firmware", firmware(more.get("firmware").getAsString()).toString());
+            all.add(more);
+        });
+        Files.writeString(file, scenario.toString());
     }
 
     private static Path firmware(String sketch) {

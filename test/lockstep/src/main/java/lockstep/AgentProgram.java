@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
@@ -40,6 +41,14 @@ public final class AgentProgram implements AutoCloseable {
 
         /** The action has ended. @param error the atom of its failure; empty if the board has performed it. */
         default void performed(String agent, String action, String error) {}
+
+        /** What an agent decided, and by what: a line of JSON, whose text is made where it is read. */
+        default void recorded(Supplier<String> line) {}
+
+        /** Whether {@link #recorded} is to be called. */
+        default boolean records() {
+            return false;
+        }
     }
 
     /** What a running program says of itself, and is given. */

@@ -16,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.regex.Pattern;
@@ -84,6 +85,68 @@ class AgentProgramTest {
         List<String> others = printed(2, plans, 1);
         assertNotEquals(first.get(0), others.get(0));
         assertNotEquals(first.get(1), others.get(1));
+    }
+
+    /** All that a program does that is recorded or not. */
+    private List<String> done(boolean recorded, List<String> lines) throws IOException {
+        Files.writeString(folder.resolve("two.asl"), """
+                n(0). n(1). n(2). !start.
+                wide(X) :- n(X) & X > 0.
+                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; .wait(200); !never; +end.
+                -!never[error(E)] <- .print("failed ", E).
+                +!count(N) : N > 0 & n(X) & .print("asked ", X) & X > 1
+                    <- .print(N, X); .random(R); .print(R); !count(N-1).
+                +!count(N) : not N > 0 & .findall(X, wide(X), L) <- .print(L).
+                +!count(N) : n(N) <- .print("else ", N); !count(N-1).
+                @l +!plans : n(X) & X > 1 | wide(9) <- .add_plan({+!late : n(Y) & Y > 7 <- .print(Y)}, x);
+                    .add_plan({+!late : n(Y) & Y > 7 <- .print(Y)}, y); .add_plan({+!late : n(1) <- .print(late)}, x);
+                    .relevant_plans({+!late}, P); .print(P); .relevant_plans({+!count(_)}, Q); .print(Q);
+                    .plan_label(O, l); .print(O); .list_plans.
+                +port(_, on) <- .drop_desire(count(_)); .print(on).
+                +end : .count(n(_), C) & C == 3 <- .abolish(n(_)); .print(end).
+                """);
+        Path mas = Files.writeString(folder.resolve("two.mas2j"),
+                "MAS two { agents: two agentArchClass diffuser.Diffuser; }");
+        List<String> done = new ArrayList<>();
+        try (Simulation simulation = start(3)) {
+            AgentProgram program = AgentProgram.observe(simulation, mas, new AgentProgram.Observer() {
+                @Override
+                public void printed(String agent, String line) {
+                    done.add(line.replaceAll("p__\\d+", "p"));
+                }
+
+                @Override
+                public void believes(String agent, String belief, boolean added) {
+                    done.add(simulation.nanos() + (added ? " +" : " -") + belief);
+                }
+
+                @Override
+                public void recorded(Supplier<String> line) {
+                    lines.add(line.get());
+                }
+
+                @Override
+                public boolean records() {
+                    return recorded;
+                }
+            });
+            simulation.pause(Duration.ofSeconds(3).toNanos());
+            program.close();
+        }
+        return done;
+    }
+
+    @Test
+    void program_thatIsRecorded_doesTheSame() throws Exception {
+        List<String> lines = new ArrayList<>();
+        List<String> alone = done(false, lines);
+        assertEquals(List.of(), lines);
+        assertEquals(String.join("\n", alone), String.join("\n", done(true, lines)));
+        assertTrue(alone.stream().filter(line -> line.startsWith("asked ")).count() > 8, alone.toString());
+        for (String part : List.of("\"part\":\"N > 0\",\"values\":[\"N = 0\"]", "\"part\":\"Y > 7\",\"values\":[\"Y = ",
+                "\"step\":\"!never\"", "\"event\":\"agent-settings\"")) {
+            assertTrue(lines.stream().anyMatch(line -> line.contains(part)), part + String.join("\n", lines));
+        }
     }
 
     /** A newer Jason may ask for them elsewhere, too. */

@@ -38,6 +38,8 @@ final class CommandLines {
             Map.entry("on|off", "on"), Map.entry("BOARD", "uno"), Map.entry("N", "0"), Map.entry("SOCKET", "{new}"),
             Map.entry("FOLDER", "{new}"), Map.entry("DAY", "2099-01-01"), Map.entry("FINGERPRINT", "0123456789abcdef"),
             Map.entry("NAME", "west"), Map.entry("PREFIX", "javino"), Map.entry("URL", "mqtts://127.0.0.1:1"),
+            Map.entry("why FILE", "{run}"), Map.entry("why WHAT", "!go"), Map.entry("--at", "6.2"),
+            Map.entry("why --from", "robot"),
             Map.entry("--out", "{new}"), Map.entry("--write", "{new}"), Map.entry("--renew", "{keyring}"),
             Map.entry("--keyring", "{keyring}"), Map.entry("--trace", "{trace}"), Map.entry("--ca", "{authority}"),
             Map.entry("ca init --ca", "{new}"), Map.entry("gateway --ca", "{word}"),
@@ -49,6 +51,7 @@ final class CommandLines {
     private static final Map<String, String> NEEDS = Map.ofEntries(
             Map.entry("doctor --keyring", "--id SUPO"), Map.entry("keygen --out", "--group SU"),
             Map.entry("keygen --id", "--renew {keyring}"), Map.entry("capture --write", "--trace {trace}"),
+            Map.entry("why FILE", "--at 6.2"), Map.entry("why --from", "--at 6.2"),
             Map.entry("watch --control", "--trace -"), Map.entry("watch --http-port", "--trace {trace}"),
             Map.entry("gateway --password-file", "--user west"),
             Map.entry("enroll --request", "--folder {home}"), Map.entry("enroll --folder", "--request {new}"),
@@ -58,6 +61,9 @@ final class CommandLines {
 
     private static final String EVENT = "{\"t\":0.1,\"board\":\"bus\",\"event\":\"host-id\",\"id\":\"ROMA\"}\n";
 
+    private static final String SETTINGS =
+            "{\"t\":0.1,\"agent\":\"robot\",\"event\":\"agent-settings\",\"port\":\"\"}\n";
+
     private final Path originals;
 
     /** @param folder for the files. */
@@ -66,7 +72,7 @@ final class CommandLines {
         Files.createDirectory(originals.resolve("folder"));
         Files.createDirectory(originals.resolve("home"));
         for (Map.Entry<String, String> file : Map.of("zeros", "\0".repeat(64), "empty", "", "word", "maybe",
-                "key", HexFormat.of().formatHex(new byte[16]), "trace", EVENT).entrySet()) {
+                "key", HexFormat.of().formatHex(new byte[16]), "trace", EVENT, "run", SETTINGS).entrySet()) {
             PrivateFile.create(originals.resolve(file.getKey()), file.getValue());
         }
         for (String line : List.of("keygen --out {keyring} --pair ROMA,SUPO --group SU", "ca init --ca {authority}",

@@ -47,7 +47,7 @@ class WrongInputTest {
 
     /** Places that take any word: what is right there another computer knows, or comes later. */
     private static final Set<String> ANY_WORD = Set.of("act ACTION", "act ARGUMENT", "gateway --user",
-            "gateway --topic", "gateway --cell", "watch --control");
+            "gateway --topic", "gateway --cell", "watch --control", "why WHAT");
     /** Others that are right: a new folder, a file that is written over, an empty trace, any password. */
     private static final Set<String> RIGHT = Set.of("new FOLDER ABSENT", "enroll --folder ABSENT",
             "enroll --folder FOLDER", "enroll --request ZEROS", "capture --write ZEROS",

@@ -288,7 +288,7 @@ final class TraceMutants {
             case "host-id" -> before.stream()
                     .anyMatch(other -> other.is("host-id") && other.textOrEmpty("id").equals(event.textOrEmpty("id")))
                     || after.stream().takeWhile(other -> !other.is("host-id")).noneMatch(other -> other.is("rf-tx"));
-            case "host-key", "host-radio", "host-relaying", "host-nothing" -> true;
+            case "host-key", "host-action", "host-radio", "host-relaying", "host-nothing" -> true;
             case "rf-tx", "rf-rx", "rf-damaged" -> false;
             default -> !event.name().startsWith("host-");
         };

@@ -28,11 +28,16 @@ public final class Watch {
         this.agent = agent;
         this.observer = observer;
         String name = agent.getAgName();
-        Diffuser.find(agent).ifPresent(diffuser -> diffuser.onPerformed((action, outcome) -> {
-            observer.asksFor(name, action);
-            outcome.whenComplete((done, thrown) -> observer.performed(name, action,
-                    thrown == null ? "" : Failure.of(thrown).error()));
-        }));
+        Diffuser.find(agent).ifPresent(diffuser -> {
+            diffuser.onPerformed((action, outcome) -> {
+                observer.asksFor(name, action);
+                outcome.whenComplete((done, thrown) -> observer.performed(name, action,
+                        thrown == null ? "" : Failure.of(thrown).error()));
+            });
+            if (observer.records()) {
+                diffuser.record(observer::recorded);
+            }
+        });
     }
 
     /** After a cycle, on the agent's thread. */
