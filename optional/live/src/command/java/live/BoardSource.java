@@ -14,6 +14,7 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.board.Transmission;
 import javino.board.ReceivedMessage;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
@@ -141,7 +142,7 @@ final class BoardSource implements Source, BoardListener {
     @Override
     public void command(JsonObject command) throws JavinoException {
         try {
-            if (command.get("do").getAsString().equals("say")) {
+            if (Events.text(command, "do").equals("say")) {
                 say(command);
             } else {
                 act(Events.text(command, "action"));
@@ -165,10 +166,12 @@ final class BoardSource implements Source, BoardListener {
     }
 
     private void say(JsonObject command) throws JavinoException, InterruptedException {
-        String to = Events.text(command, "to");
-        Outcome outcome = result(board.transmit(Address.parse(to), Content.parse(
-                Events.text(command, "performative") + ";" + Events.text(command, "content"))).end());
-        if (outcome == Outcome.UNDELIVERED) {
+        Address to = Address.parse(Events.text(command, "to"));
+        Transmission message = board.transmit(to, Content.parse(
+                Events.text(command, "performative") + ";" + Events.text(command, "content")));
+        result(message.taken());
+        // Only a single device acknowledges.
+        if (to.kind() == Address.Kind.DEVICE && result(message.end()) == Outcome.UNDELIVERED) {
             throw new JavinoException(to + " has not acknowledged it");
         }
     }

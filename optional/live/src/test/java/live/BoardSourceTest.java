@@ -104,6 +104,7 @@ class BoardSourceTest {
 
     @Test
     void message_isTransmittedByTheBoard_andWrongOnesAreSaid() throws Exception {
+        fake.setRfId("ROMA");
         try (BoardSource source = open()) {
             source.command(say("////", "dark(3)"));
 
