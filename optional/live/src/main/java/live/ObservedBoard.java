@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
 
-/** An agent's board: tells which it is, what it does and prints, and its counters where another than asking is counted. */
+/** An agent's board: tells which it is, what it does and prints, and its counters, but not what asking adds. */
 final class ObservedBoard {
 
     private final Diffuser agent;

@@ -51,8 +51,9 @@ class ForgeryTest {
     private record Forgery(String button, String foretold, String headline, String verdict) {}
 
     private static final List<Forgery> FORGERIES = List.of(
-            new Forgery("shout", "heard as a shout only", "as Police: Bus heard it, as a shout only", "Bus heard it as a shout only: a shout has no tag, so it "
-                    + "proves nothing, and the agent is told that anybody can have sent it."),
+            new Forgery("shout", "heard as a shout only", "as Police: Bus heard it, as a shout only",
+                    "Bus heard it as a shout only: a shout has no tag, so it "
+                            + "proves nothing, and the agent is told that anybody can have sent it."),
             new Forgery("replay", "refused: heard before", "You replayed a packet: Bus had it already",
                     "Bus had it already and repeats its answer; its agent hears nothing. Nobody can change the "
                             + "packet's number without the key."),

@@ -165,7 +165,8 @@ class ViewTest {
         Files.writeString(folder.resolve("two.json"), """
                 {"boards": [
                   {"name": "house", "firmware": "%1$s", "port": "ports/tty", "position": [60, 0],
-                   "watch": [{"pin": 13, "name": "lamp"}], "sensors": [{"type": "digital", "pin": 7, "level": [[0, 1]]}]},
+                   "watch": [{"pin": 13, "name": "lamp"}],
+                   "sensors": [{"type": "digital", "pin": 7, "level": [[0, 1]]}]},
                   {"name": "car", "firmware": "%1$s", "position": [0, 0]}]}
                 """.formatted(LiveRun.ROOT.resolve("javino-firmware/build/station/Station.ino.elf")));
         try (LiveRun run = LiveRun.piped(folder, "two.json"); Page page = Page.open(run.address())) {

@@ -362,6 +362,10 @@ function frame(now) {
 function wake(event) {
   if (event.type === 'pointermove' && event.buttons === 0) return;
   road.changed = true;
+  soon();
+}
+
+function soon() {
   if (next > 0) return;
   clearTimeout(-next);
   next = requestAnimationFrame(frame);
@@ -396,7 +400,7 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
 });
 
 readColours();
-road = new Road($('road'), $('labels'), ui);
+road = new Road($('road'), $('labels'), ui, soon);
 render(html`<button type="button" id="fit" title="Show all (F)" @click=${() => road.fit()}>fit</button>
   <button type="button" id="nearer" aria-label="nearer" @click=${() => road.zoom(1.5)}>+</button>
   <button type="button" id="farther" aria-label="farther" @click=${() => road.zoom(1 / 1.5)}>−</button>`, $('camera'));

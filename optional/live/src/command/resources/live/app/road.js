@@ -56,13 +56,16 @@ export class Road {
   #width = 1;
   #height = 1;
 
-  /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the injector's place). */
-  constructor(canvas, layer, ui) {
+  /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the injector's place); `resized` is called when all is to be drawn anew. */
+  constructor(canvas, layer, ui, resized) {
     this.#canvas = canvas;
     this.#labels = new Labels(layer);
     this.#g = canvas.getContext('2d');
     this.#ui = ui;
-    new ResizeObserver(() => this.#measure()).observe(canvas);
+    new ResizeObserver(() => {
+      this.#measure();
+      resized();
+    }).observe(canvas);
     this.#measure();
   }
 
