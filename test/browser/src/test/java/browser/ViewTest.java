@@ -177,14 +177,14 @@ class ViewTest {
             LivePageTest.choose(page, "board car");
             LivePageTest.place(page, -5, 0);
             page.await("a car that has moved", driver -> !drawnAt(page, 1).equals(car));
-            assertEquals(house, drawnAt(page, 0));
+            assertStands(house, drawnAt(page, 0));
             LivePageTest.place(page, 300, 0);
             WebElement arrow = page.await("#labels .edge");
             assertEquals("→ car", arrow.getText());
             assertEquals(List.of(), page.script(FAULTS));
             page.screenshot("outside");
             assertEquals(List.of(), drawnAt(page, 1));
-            assertEquals(house, drawnAt(page, 0));
+            assertStands(house, drawnAt(page, 0));
 
             LivePageTest.click(page, "fit");
             page.await("nobody outside", driver -> page.all("#labels .edge").isEmpty());
@@ -259,6 +259,13 @@ class ViewTest {
         LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
         page.awaitFrames();
         return !before.isEmpty() && before.equals(drawnAt(page, hue)) ? before : null;
+    }
+
+    /** At its place, but for the pixel by which its colour at an edge can differ. */
+    private static void assertStands(List<?> before, List<?> now) {
+        for (int axis : new int[] {0, 1}) {
+            assertTrue(Math.abs(coordinate(before, axis) - coordinate(now, axis)) <= 1, () -> before + ", " + now);
+        }
     }
 
     private static int coordinate(List<?> place, int axis) {

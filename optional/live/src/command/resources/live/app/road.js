@@ -50,6 +50,7 @@ export class Road {
   #framed;
   /** Whether the frame is that of `fit`. */
   #fitted = false;
+  #window;
   #view;
   #shown;
   #hatch;
@@ -76,8 +77,11 @@ export class Road {
     this.#canvas.width = Math.round(this.#width * ratio);
     this.#canvas.height = Math.round(this.#height * ratio);
     this.#g.setTransform(ratio, 0, 0, ratio, 0, 0);
-    if (this.#fitted) this.fit();
+    // Only a window of another size shows all again: words that take another line do not move the view.
+    const seen = innerWidth + ' ' + innerHeight;
+    if (this.#fitted && seen !== this.#window) this.fit();
     else if (this.#frame) this.#look();
+    this.#window = seen;
     this.changed = true;
   }
 
