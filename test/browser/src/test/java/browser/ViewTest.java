@@ -178,7 +178,7 @@ class ViewTest {
             LivePageTest.place(page, -5, 0);
             page.await("a car that has moved", driver -> !drawnAt(page, 1).equals(car));
             assertStands(house, drawnAt(page, 0));
-            LivePageTest.place(page, 300, 0);
+            LivePageTest.place(page, 600, 0);
             WebElement arrow = page.await("#labels .edge");
             assertEquals("→ car", arrow.getText());
             assertEquals(List.of(), page.script(FAULTS));
@@ -191,7 +191,7 @@ class ViewTest {
             assertNotEquals(List.of(), drawnAt(page, 1));
             assertNotEquals(List.of(), drawnAt(page, 0));
 
-            LivePageTest.place(page, 600, 0);
+            LivePageTest.place(page, 1200, 0);
             LivePageTest.click(page, "close-menu");
             page.await("#labels .edge").click();
             page.await("the car in the middle", driver -> !drawnAt(page, 1).isEmpty());
