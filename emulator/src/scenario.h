@@ -106,7 +106,6 @@ typedef struct {
   char *firmware;         // path of an ELF file, as the process sees it
   char *boot_loader;      // path of a HEX file; NULL: none
   char *port;             // path of the pty's symlink, NULL: UART lines go to the trace
-  const char *port_name;  // the same as the scenario has it, without the directory: runs elsewhere have one trace
   char *eeprom;           // path of the EEPROM file, NULL: forgotten at exit
   double x_m, y_m;        // at the start
   series path_x, path_y;  // where it is at what time, in metres; empty: it stays there

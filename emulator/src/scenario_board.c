@@ -339,10 +339,7 @@ void board_config_read(board_config *board, const json_node *node, const char *s
   check_name(board->name, node);
   board->firmware = join_path(scenario_directory, required_text(node, "firmware"));
   board->boot_loader = join_path(scenario_directory, optional_text(node, "bootLoader"));
-  char *port = optional_text(node, "port");
-  size_t length = port ? strlen(port) : 0;
-  board->port = join_path(directory, port);
-  board->port_name = board->port ? board->port + strlen(board->port) - length : NULL;
+  board->port = join_path(directory, optional_text(node, "port"));
   board->eeprom = join_path(directory, optional_text(node, "eeprom"));
   read_wiring(board, node);
   json_node sensors = json_member(node, "sensors");

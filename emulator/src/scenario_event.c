@@ -3,6 +3,7 @@
 
 #include <jansson.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "scenario_board.h"
 #include "scenario_radio.h"
@@ -32,13 +33,19 @@ static json_t *watches(const board_config *board) {
   return list;
 }
 
+// The port's name; its folder differs from run to run.
+static const char *name_of(const char *port) {
+  const char *slash = strrchr(port, '/');
+  return slash ? slash + 1 : port;
+}
+
 static json_t *boards(const scenario *s) {
   json_t *list = json_array();
   for (size_t i = 0; i < s->board_count; i++) {
     const board_config *board = &s->boards[i];
     json_t *object = json_pack("{sssssososo}", "name", board->name, "model", board->model->name, "position",
                                position(board->x_m, board->y_m), "sensors", sensors(board), "watch", watches(board));
-    if (board->port_name) json_object_set_new(object, "port", json_string(board->port_name));
+    if (board->port) json_object_set_new(object, "port", json_string(name_of(board->port)));
     if (board->clock_error_ppm) json_object_set_new(object, "clockError", json_integer(board->clock_error_ppm));
     if (board->vehicle.radius_m > 0) {
       json_object_set_new(object, "heading", json_real(board->vehicle.heading_deg));

@@ -207,12 +207,13 @@ TEST(World, a_reset_board_stands_still) {
 
 TEST(World, the_trace_begins_with_the_scenario) {
   Scratch scratch;
-  Emulation run(scratch, SENSING_CAR, 7);
+  std::string car = SENSING_CAR;
+  Emulation run(scratch, car.insert(car.find(R"("position")"), R"("port":"tty",)"), 7);
   std::string trace = run.trace_text();
   EXPECT_EQ(
       trace.substr(0, trace.find('\n')),
       R"({"t":0.000000,"event":"scenario","version":3,"seed":7,"radio":{"bitRate":2000.0,"range":100.0,"bitErrorRate":0.0},)"
       R"("boards":[{"name":"car","model":"mega","position":[1.0,1.0],)"
-      R"("sensors":[{"type":"hc-sr04","pin":2},{"type":"ldr","pin":"A0"}],"watch":[],"heading":0.0,"radius":0.5}],)"
+      R"("sensors":[{"type":"hc-sr04","pin":2},{"type":"ldr","pin":"A0"}],"watch":[],"port":"tty","heading":0.0,"radius":0.5}],)"
       R"("world":{"light":321.0,"obstacles":[{"name":"rock","position":[4.0,1.0],"radius":0.5}]}})");
 }

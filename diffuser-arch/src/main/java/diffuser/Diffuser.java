@@ -68,6 +68,7 @@ import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.link.Time;
 import javino.protocol.Address;
+import javino.protocol.BoardInfo;
 import javino.protocol.Conversation;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
@@ -421,6 +422,16 @@ public class Diffuser extends AgArch {
             JasonException none = noPort();
             return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
         });
+    }
+
+    /** The port that was opened, as the program names it. For any thread. */
+    public Optional<String> port() {
+        return device().map(Device::port);
+    }
+
+    /** What the board said of itself, if it is there now. For any thread. */
+    public Optional<BoardInfo> board() {
+        return device().filter(Device::isOnline).flatMap(Device::info);
     }
 
     /** The device's address, as far as it is known. For any thread. */

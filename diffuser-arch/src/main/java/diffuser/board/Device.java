@@ -166,6 +166,11 @@ public final class Device implements BoardListener {
         return percepts.malformed();
     }
 
+    /** What the board that is here, or was here last, said of itself. */
+    public Optional<BoardInfo> info() {
+        return info;
+    }
+
     /** Whether a board was here ever. */
     public boolean isKnown() {
         return info.isPresent();

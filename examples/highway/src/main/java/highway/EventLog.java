@@ -16,7 +16,8 @@ import trace.TraceEvent;
 final class EventLog implements AutoCloseable {
 
     /** Events that {@code live.ObservedMas} tells of an agent; other lines of this form are the agent's own words. */
-    private static final Set<String> OF_AGENTS = Set.of("beliefs", "intentions", "counters-of-board", "printed");
+    private static final Set<String> OF_AGENTS =
+            Set.of("agent", "beliefs", "intentions", "board", "acted", "counters-of-board", "printed", "percepts");
     private static final Gson JSON = new Gson();
 
     private final PrintStream file;
@@ -54,7 +55,8 @@ final class EventLog implements AutoCloseable {
     /** Takes a line of an agent's process if it is an event for the page alone: whether it was one. */
     boolean observed(double seconds, Device device, String line) {
         Optional<TraceEvent> event = event(seconds, device, line).filter(seen -> OF_AGENTS.contains(seen.name()));
-        event.ifPresent(seen -> line(seconds, seen.line()));
+        // Percepts are the emulator's to tell.
+        event.filter(seen -> !seen.is("percepts")).ifPresent(seen -> line(seconds, seen.line()));
         return event.isPresent();
     }
 

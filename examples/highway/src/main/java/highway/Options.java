@@ -47,8 +47,8 @@ final class Options {
                     + "${DEFAULT-VALUE}.")
     private int timeout;
 
-    @Option(names = "--live", converter = Given.class,
-            description = "Show the run in the browser, until Ctrl-C.")
+    @Option(names = "--live", converter = Live.class,
+            description = "Show the run in the browser, until Ctrl-C; with the value now, wait for no viewer.")
     private String live;
 
     @Option(names = "--headless", converter = Given.class, description = "With live: open no browser.")
@@ -86,6 +86,13 @@ final class Options {
                 throw new TypeConversionException("takes no value, not " + value);
             }
             return value;
+        }
+    }
+
+    private static final class Live implements ITypeConverter<String> {
+        @Override
+        public String convert(String value) {
+            return value.equals("now") ? value : new Given().convert(value);
         }
     }
 
@@ -147,6 +154,11 @@ final class Options {
     /** Whether the run is watched in the browser, and goes on until the user ends it. */
     boolean live() {
         return live != null;
+    }
+
+    /** Whether the story begins only when somebody looks at the page, and is told slowly then. */
+    boolean awaitsViewer() {
+        return live() && live.isEmpty();
     }
 
     /** Colours, unless asked for none here or by the environment (no-color.org). */
@@ -251,9 +263,12 @@ final class Options {
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) throws IOException {
-        return java(agents,
-                live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS",
-                mas(device), "--log-conf", logging(device), "--no-net");
+        List<String> words = new ArrayList<>(List.of("jason.infra.local.RunLocalMAS", mas(device), "--log-conf",
+                logging(device), "--no-net"));
+        if (live()) {
+            words.add(0, "live.ObservedMas");
+        }
+        return java(agents, words.toArray(String[]::new));
     }
 
     /** Agents tell the emulator of their state machines, too. */

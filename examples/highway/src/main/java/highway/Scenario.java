@@ -66,6 +66,11 @@ final class Scenario implements AutoCloseable {
     /** Each cell has the name of its gateway's board. */
     private static final List<String> CELLS = List.of("west", "east");
 
+    private static final int SECONDS_FOR_A_VIEWER = 30;
+    /** The part of its own speed at which a first viewer can follow the story. */
+    private static final double TOLD_AT = 0.3;
+    /** Words with which agents begin, and which tell nothing of the story. */
+    private static final Pattern ASIDE = Pattern.compile("I am a Diffuser agent|Ready|My board at .* is on");
     private static final Pattern SAID = Pattern.compile("\\[(\\w+)] (.*)");
 
     private static final Path PICTURE = Path.of("build", "highway.svg");
@@ -92,6 +97,7 @@ final class Scenario implements AutoCloseable {
     private boolean introduced;
     private WatchedRun watched;
     private boolean followed;
+    private boolean viewed;
     private String verdict = "";
     private String failure;
     private boolean agentsStarted;
@@ -239,6 +245,7 @@ final class Scenario implements AutoCloseable {
         seconds = event.seconds();
         log.line(seconds, line);
         watched.traced(line);
+        viewed |= event.is("command") && event.text("do").equals("speed");
         if (!introduced) {
             introduced = true;
             introduce();
@@ -250,8 +257,10 @@ final class Scenario implements AutoCloseable {
         }
     }
 
-    /** Says who takes part, and what is to be observed. */
+    /** Says who takes part, and what is to be observed; the page knows nothing of highways. */
     private void introduce() {
+        tell("about", "text", "Each vehicle has an agent, a board and a radio. There is no network: what they tell"
+                + " each other, everybody near can hear.", "roads", List.of(0));
         for (Device device : Device.values()) {
             tell("device", "board", device.id(), "address", device.address, "title", device.title(), "colour",
                     device.hue);
@@ -323,6 +332,7 @@ final class Scenario implements AutoCloseable {
         agentsStarted = true;
         note("five agents, each in a Java virtual machine of its own");
         showPage();
+        awaitViewer();
         for (Device device : Device.values()) {
             if (device != Device.BUS) {
                 startAgent(device);
@@ -334,6 +344,20 @@ final class Scenario implements AutoCloseable {
         startAgent(Device.BUS);
     }
 
+    /** The page of the first viewer slows the run down. Where nobody comes, the story is told all the same. */
+    private void awaitViewer() throws InterruptedException, BrokenOffException {
+        if (!options.awaitsViewer()) {
+            return;
+        }
+        timeline.note("the story waits up to " + SECONDS_FOR_A_VIEWER + " s for somebody who looks at the page");
+        tell("story", "speed", TOLD_AT);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS_FOR_A_VIEWER);
+        while (!viewed && System.nanoTime() < end) {
+            takeHappening(TimeUnit.MILLISECONDS.toNanos(50));
+        }
+        tell("story", "begun", true);
+    }
+
     /** Follows the run until the features have ended, or the time is over. */
     void follow() throws InterruptedException, BrokenOffException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout());
@@ -342,6 +366,8 @@ final class Scenario implements AutoCloseable {
             tell(ended.scenario());
         });
         followed = true;
+        // A page that has slowed the run down lets it go on at the speed of life.
+        tell("story", "speed", 1);
         takeHappening(0);
     }
 
@@ -425,7 +451,11 @@ final class Scenario implements AutoCloseable {
         Device.withAddress(seen.who()).ifPresent(device -> {
             switch (seen.kind()) {
                 case SAYS -> {
-                    tell("said", "board", device.id(), "text", seen.text());
+                    Matcher another = SAID.matcher(seen.text());
+                    boolean isAnother = another.matches();
+                    tell("said", "board", device.id(), "agent", isAnother ? another.group(1) : device.id(),
+                            "text", isAnother ? another.group(2) : seen.text(),
+                            "aside", ASIDE.matcher(seen.text()).matches());
                     if (seen.text().equals("Ready")) {
                         ready.add(device);
                     } else if (seen.text().matches("My board at .* is on")) {

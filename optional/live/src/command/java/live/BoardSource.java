@@ -14,10 +14,14 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.board.Transmission;
 import javino.board.ReceivedMessage;
 import javino.link.LinkOpener;
+import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Content;
 import javino.protocol.Counter;
+import javino.protocol.Outcome;
 
 /** One board without any agent. Its radio is open meanwhile: this takes the messages. */
 final class BoardSource implements Source, BoardListener {
@@ -132,24 +136,43 @@ final class BoardSource implements Source, BoardListener {
 
     @Override
     public List<String> controls() {
-        return List.of("act");
+        return List.of("act", "say");
     }
 
     @Override
     public void command(JsonObject command) throws JavinoException {
-        if (!command.has("action") || !command.get("action").isJsonPrimitive()) {
-            throw new JavinoException("act needs an action, such as {\"do\":\"act\",\"action\":\"lampOn(3)\"}");
+        try {
+            if (Events.text(command, "do").equals("say")) {
+                say(command);
+            } else {
+                act(Events.text(command, "action"));
+            }
+        } catch (IllegalArgumentException e) {
+            throw new JavinoException(e.getMessage(), e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new JavinoException("the page's server is ending", e);
         }
-        String action = command.get("action").getAsString();
+    }
+
+    private void act(String action) throws JavinoException, InterruptedException {
         try {
             result(board.act(action));
             tell("acted", "action", action, "ok", true);
         } catch (JavinoException | IllegalArgumentException e) {
             tell("acted", "action", action, "error", e.getMessage());
-            throw new JavinoException(e.getMessage(), e);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new JavinoException("the page's server is ending", e);
+            throw e;
+        }
+    }
+
+    private void say(JsonObject command) throws JavinoException, InterruptedException {
+        Address to = Address.parse(Events.text(command, "to"));
+        Transmission message = board.transmit(to, Content.parse(
+                Events.text(command, "performative") + ";" + Events.text(command, "content")));
+        result(message.taken());
+        // Only a single device acknowledges.
+        if (to.kind() == Address.Kind.DEVICE && result(message.end()) == Outcome.UNDELIVERED) {
+            throw new JavinoException(to + " has not acknowledged it");
         }
     }
 

@@ -1,5 +1,11 @@
 package live;
 
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -24,6 +30,7 @@ final class Hub {
     private long oldest = FIRST_KEPT;
     private long next;
     private long characters;
+    private PrintStream record = new PrintStream(OutputStream.nullOutputStream());
 
     /**
      * Events for a page.
@@ -40,6 +47,11 @@ final class Hub {
         this(MOST_KEPT);
     }
 
+    /** Writes each event from now on to a file, too, which the page can play later. */
+    synchronized void record(Path file) throws IOException {
+        record = new PrintStream(Files.newOutputStream(file), true, StandardCharsets.UTF_8);
+    }
+
     /** @param kept how many events are kept beside the first ones. */
     Hub(int kept) {
         ring = new String[kept];
@@ -47,6 +59,7 @@ final class Hub {
 
     /** Takes an event: a JSON object in one line. */
     synchronized void add(String event) {
+        record.println(event);
         characters += event.length();
         if (next == head.size() && next < FIRST_KEPT && characters <= MOST_FIRST_CHARACTERS) {
             head.add(event);

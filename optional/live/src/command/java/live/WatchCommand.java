@@ -1,6 +1,7 @@
 package live;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -37,6 +38,15 @@ public final class WatchCommand implements CommandPlugin {
             description = "With --trace -: the emulator's control socket, by which the page interferes.")
     private Path control;
 
+    @Option(names = "--agents", paramLabel = "SOCKET",
+            description = "Also show agents, which tell of themselves at this new socket (gradle run -Plive, gradle "
+                    + "agent -Plive); with --trace - or alone.")
+    private Path agents;
+
+    @Option(names = "--record", paramLabel = "FILE",
+            description = "Write all that the page shows into this file, for --trace.")
+    private Path record;
+
     @Option(names = "--http-port", paramLabel = "N", defaultValue = "0",
             description = "Serve the page at this port of 127.0.0.1; default: one that is free.")
     private int httpPort;
@@ -49,7 +59,9 @@ public final class WatchCommand implements CommandPlugin {
 
     @Override
     public Integer call() throws JavinoException, IOException {
-        check(port == null == (trace != null), "watch takes either --port PORT, for a board, or --trace FILE");
+        check(port == null == (trace != null) || agents != null && port == null,
+                "watch takes either --port PORT, for a board, or --trace FILE");
+        check(agents == null || trace == null || isRun(), "--agents needs --trace - or no trace");
         check(control == null || isRun(), "--control needs --trace -: only a run that goes on takes commands");
         check(control == null || !Files.isDirectory(control) && !Files.isRegularFile(control),
                 "--control takes the emulator's control socket, not " + control);
@@ -70,6 +82,9 @@ public final class WatchCommand implements CommandPlugin {
 
     private void watch() throws JavinoException, IOException, InterruptedException {
         Hub hub = new Hub();
+        if (record != null) {
+            hub.record(record);
+        }
         try (Source source = source(hub); Server server = Server.start(hub, source, httpPort)) {
             if (!Browser.hasScreen()) {
                 spec.commandLine().getOut().println("watch: on the computer with the browser, first "
@@ -88,9 +103,14 @@ public final class WatchCommand implements CommandPlugin {
         if (port != null) {
             return BoardSource.open(SerialLink.opener(port), BoardConfig.create(), hub);
         }
+        PrintWriter warnings = spec.commandLine().getErr();
         if (isRun()) {
-            return RunSource.follow(System.in, hub, Optional.ofNullable(control).map(ControlSocket::new),
-                    spec.commandLine().getErr());
+            RunSource run = RunSource.follow(System.in, hub, Optional.ofNullable(control).map(ControlSocket::new),
+                    warnings);
+            return agents == null ? run : run.withAgents(agents);
+        }
+        if (agents != null) {
+            return RunSource.ofAgents(hub, warnings).withAgents(agents);
         }
         return TraceSource.read(trace, hub);
     }

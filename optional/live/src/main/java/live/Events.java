@@ -38,6 +38,19 @@ final class Events {
         throw new JavinoException("expected a JSON object, not an empty text");
     }
 
+    /**
+     * The text of a command's field.
+     *
+     * @throws IllegalArgumentException if it has none.
+     */
+    static String text(JsonObject command, String field) {
+        if (!command.has(field) || !command.get(field).isJsonPrimitive()
+                || command.get(field).getAsString().isBlank()) {
+            throw new IllegalArgumentException("the command needs a text " + field);
+        }
+        return command.get(field).getAsString();
+    }
+
     /** A text of whatever length, for one line. */
     static String shortened(String text) {
         return text.length() <= MOST_CHARACTERS ? text : text.substring(0, MOST_CHARACTERS - 1) + "…";

@@ -1,5 +1,6 @@
 package live;
 
+import diffuser.Diffuser;
 import jason.architecture.AgArch;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.Intention;
@@ -7,10 +8,12 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.PlanBody;
 import jason.asSyntax.Term;
+import jason.bb.BeliefBase;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -35,15 +38,26 @@ final class ObservedAgent extends AgArch {
     /** Jason's mark of what it keeps itself among an agent's beliefs. */
     private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
 
+    private final String name;
     private final transient Consumer<String> out;
+    private final transient Optional<ObservedBoard> board;
+    private List<String> percepts = List.of();
     private transient Set<String> beliefs = Set.of();
     private transient List<String> intentions = List.of();
     private long lastLook = System.nanoTime() - LEAST_NANOS;
     /** Whether there was a cycle since the last look. */
     private boolean unseen;
 
-    ObservedAgent(Consumer<String> out) {
+    /** @param diffuser the architecture by which it has a board, if it has. */
+    ObservedAgent(String name, Optional<Diffuser> diffuser, Consumer<String> out) {
+        this.name = name;
         this.out = out;
+        board = diffuser.map(of -> new ObservedBoard(of, this::tell));
+    }
+
+    /** Asks its board for the counters. For any thread. */
+    void count() {
+        board.ifPresent(ObservedBoard::count);
     }
 
     @Override
@@ -68,19 +82,25 @@ final class ObservedAgent extends AgArch {
     private void look() {
         lastLook = System.nanoTime();
         unseen = false;
+        board.ifPresent(ObservedBoard::look);
         tellBeliefs();
         tellIntentions();
     }
 
     private void tellBeliefs() {
         Set<String> now = new LinkedHashSet<>();
+        List<String> perceived = new ArrayList<>();
         Iterator<Literal> all = getTS().getAg().getBB().iterator();
         while (all.hasNext() && now.size() < MOST_BELIEFS) {
             Literal belief = all.next();
             if (!belief.isRule() && !belief.hasAnnot(HIDDEN)) {
                 now.add(shortened(belief.toString()));
+                if (belief.hasAnnot(BeliefBase.TPercept)) {
+                    perceived.add(shortened(belief.copy().clearAnnots().toString()));
+                }
             }
         }
+        tellPercepts(perceived);
         if (now.equals(beliefs)) {
             return;
         }
@@ -92,6 +112,14 @@ final class ObservedAgent extends AgArch {
             tellBeliefs(some, List.of(), leftOut);
         }
         beliefs = now;
+    }
+
+    /** A real board has no trace that would tell them. */
+    private void tellPercepts(List<String> now) {
+        if (board.isPresent() && !now.equals(percepts)) {
+            percepts = now;
+            tell("event", "percepts", "percepts", portions(now).stream().findFirst().orElse(List.of()));
+        }
     }
 
     private void tellBeliefs(List<String> added, List<String> removed, int leftOut) {
@@ -149,6 +177,8 @@ final class ObservedAgent extends AgArch {
     }
 
     private void tell(Object... event) {
-        out.accept(Events.json(event));
+        List<Object> all = new ArrayList<>(List.of("agent", name));
+        all.addAll(List.of(event));
+        out.accept(Events.json(all.toArray()));
     }
 }

@@ -72,7 +72,7 @@ class BoardSourceTest {
                     String.join(" ", message.text("from"), message.text("to"),
                             message.text("performative"), message.text("text")));
             assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).json("counters").toString());
-            assertEquals(List.of("act"), source.controls());
+            assertEquals(List.of("act", "say"), source.controls());
         }
         assertEquals("radio 0", List.copyOf(fake.requests).get(fake.requests.size() - 1));
     }
@@ -100,6 +100,29 @@ class BoardSourceTest {
             assertTrue(fake.requests.contains("act lampOn(3)"));
             assertTrue(await("acted", event -> true).text("ok").equals("true"));
         }
+    }
+
+    @Test
+    void message_isTransmittedByTheBoard_andWrongOnesAreSaid() throws Exception {
+        fake.setRfId("ROMA");
+        try (BoardSource source = open()) {
+            source.command(say("////", "dark(3)"));
+
+            assertTrue(List.copyOf(fake.requests).stream().anyMatch(request -> request.contains("tell;dark(3)")),
+                    fake.requests::toString);
+            assertThrows(JavinoException.class, () -> source.command(say("nobody", "dark(3)")));
+            assertEquals("the command needs a text content",
+                    assertThrows(JavinoException.class, () -> source.command(say("////", " "))).getMessage());
+        }
+    }
+
+    private static JsonObject say(String to, String content) {
+        JsonObject command = new JsonObject();
+        command.addProperty("do", "say");
+        command.addProperty("to", to);
+        command.addProperty("performative", "tell");
+        command.addProperty("content", content);
+        return command;
     }
 
     @Test

@@ -2,12 +2,17 @@ package live;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import jason.JasonException;
 import jason.asSemantics.Message;
+import jason.infra.local.LocalRuntimeServices;
+import jason.infra.local.RunLocalMAS;
+import jason.runtime.RuntimeServicesFactory;
 import jason.util.Config;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -17,10 +22,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -37,12 +45,33 @@ class ObservedMasTest {
     @TempDir
     private Path folder;
     private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
-    private final ObservedMas mas = new ObservedMas(told::add);
+    private final Consumer<String> out = told::add;
+    private final ObservedMas observer = new ObservedMas(out);
+    private final Mas mas = new Mas();
     private final Set<String> beliefs = new LinkedHashSet<>();
     private String intentions = "[]";
 
+    /** As its {@code main}, which would not return. */
+    private static final class Mas extends RunLocalMAS {
+        void begin(Consumer<String> out, String... arguments) throws JasonException {
+            runner = this;
+            RuntimeServicesFactory.set(new LocalRuntimeServices(this));
+            init(arguments);
+            LogEvents.instead(out);
+            create();
+            start();
+        }
+    }
+
     private void run(String program) throws Exception {
         // Jason's own would open a window.
+        run(program, "");
+    }
+
+    private void run(String program, Map<String, String> others) throws Exception {
+        for (Map.Entry<String, String> other : others.entrySet()) {
+            Files.writeString(folder.resolve(other.getKey()), other.getValue());
+        }
         run(program, "");
     }
 
@@ -53,11 +82,13 @@ class ObservedMasTest {
                 "MAS tester { agents: tester agentArchClass " + PrintingBoard.class.getName()
                         + "; aslSourcePath: \"" + folder + "\"; }");
         Path logging = Files.writeString(folder.resolve("logging.properties"), log);
-        mas.begin(project.toString(), "--log-conf", logging.toString(), "--no-net");
+        mas.begin(out, project.toString(), "--log-conf", logging.toString(), "--no-net");
+        observer.begin();
     }
 
     @AfterEach
     void stop() {
+        observer.end();
         mas.getAgs().values().forEach(agent -> agent.stopAg());
     }
 
@@ -67,9 +98,10 @@ class ObservedMasTest {
             String line = told.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
             assertNotNull(line, "beliefs " + beliefs + ", intentions " + intentions);
             JsonObject event = JsonParser.parseString(line).getAsJsonObject();
+            assertEquals("tester", event.get("agent").getAsString());
             if (event.get("event").getAsString().equals("intentions")) {
                 intentions = event.get("intentions").toString();
-            } else {
+            } else if (event.get("event").getAsString().equals("beliefs")) {
                 texts(event.get("remove")).forEach(beliefs::remove);
                 beliefs.addAll(texts(event.get("add")));
             }
@@ -108,6 +140,51 @@ class ObservedMasTest {
 
         await(Set.of(), "[\"+!go[source(self)] / .wait({ +never })\"]");
         assertEquals(ObservedAgent.MOST_BELIEFS, beliefs.size());
+    }
+
+    @Test
+    void agent_madeLater_isObservedUnderItsNameToItsEnd() throws Exception {
+        run("!go. +!go <- .create_agent(helper, \"" + folder + "/helper.asl\"); .wait({+over}); .kill_agent(helper).",
+                Map.of("helper.asl", "help."));
+
+        awaitLine("\"agent\":\"helper\",\"event\":\"beliefs\",\"add\":[\"help[source(self)]\"");
+        mas.getAgs().get("tester").receiveMsg(new Message("tell", "test", "tester", "over"));
+        awaitLine("\"event\":\"agent\",\"agent\":\"helper\",\"ended\":true");
+    }
+
+    private void awaitLine(String part) throws InterruptedException {
+        List<String> lines = new ArrayList<>(List.of(""));
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!lines.get(lines.size() - 1).contains(part)) {
+            String line = told.poll(end - System.nanoTime(), TimeUnit.NANOSECONDS);
+            assertNotNull(line, () -> part + " is not among " + lines);
+            lines.add(line);
+        }
+    }
+
+    @Test
+    void commands_giveGoals_andHaveTheBoardAct() throws Exception {
+        run("!go. +!go <- .port(x); .wait({+never}). +!light(N)[source(page)] <- +lit(N). +!use <- .act(lampOn(3)).");
+
+        awaitLine("\"event\":\"board\",\"port\":\"fake\",\"online\":true,\"address\":\"\",\"firmware\":\"fake\","
+                + "\"radio\":false,\"actions\":[\"lampOn\"],\"arguments\":{\"lampOn\":\"3\"}");
+        perform("do", "goal", "goal", "light(2)");
+        awaitLine("\"add\":[\"lit(2)[source(self)]\"]");
+        perform("do", "act", "action", "lampOn(1)");
+        awaitLine("\"event\":\"acted\",\"action\":\"lampOn(1)\"");
+        assertEquals("light( is no goal; write one such as patrol(3)",
+                assertThrows(IllegalArgumentException.class, () -> perform("do", "goal", "goal", "light("))
+                        .getMessage());
+        assertThrows(ExecutionException.class,
+                () -> perform("do", "say", "to", "SUPO", "performative", "tell", "content", "dark"));
+        assertEquals("there is no agent nobody", assertThrows(IllegalArgumentException.class,
+                () -> observer.perform(Events.object("{\"agent\":\"nobody\"}"))).getMessage());
+    }
+
+    private void perform(Object... command) throws Exception {
+        JsonObject all = Events.object(Events.json(command));
+        all.addProperty("agent", "tester");
+        observer.perform(all).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     }
 
     @Test

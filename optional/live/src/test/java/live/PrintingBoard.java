@@ -14,6 +14,7 @@ public final class PrintingBoard extends Diffuser {
     protected LinkOpener link(String port) {
         FakeBoard fake = new FakeBoard();
         fake.setCapabilities(Capability.SAYS_TAKEN);
+        fake.setActions("lampOn");
         fake.line.setPrints("t = 20.99\r\n");
         return fake.port;
     }

@@ -2,17 +2,23 @@ package live;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import javino.JavinoException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import trace.BoundedLines;
 
 @Timeout(120)
@@ -49,5 +55,65 @@ class RunSourceTest {
         RunSource controlled = follow("", Optional.of(new ControlSocket(Path.of("control"))));
         assertTrue(controlled.controls().contains("jam"));
         assertFalse(controlled.controls().contains("act"));
+    }
+
+    /** An agent's program at the socket, which performs all but goals. */
+    private static PageLink program(Path socket) throws Exception {
+        return PageLink.connect(socket, command -> command.get("do").getAsString().equals("goal")
+                ? CompletableFuture.failedFuture(new IllegalArgumentException("no goal")) : CompletableFuture
+                        .completedFuture(null));
+    }
+
+    private String event(String part) throws InterruptedException {
+        while (true) {
+            for (String event : hub.after(0, 1000, false).events()) {
+                if (event.contains(part)) {
+                    return event;
+                }
+            }
+            Thread.sleep(2);
+        }
+    }
+
+    @Test
+    void agents_tellAtTheSocket_andTakeCommands(@TempDir Path folder) throws Exception {
+        Path socket = folder.resolve("live");
+        Path record = folder.resolve("record");
+        hub.record(record);
+        RunSource source = follow("""
+                {"t":0,"event":"scenario","boards":[{"name":"bus","port":"ttyBus"}]}
+                {"t":1.5,"event":"note"}
+                """, Optional.empty()).withAgents(socket);
+        PageLink agents = program(socket);
+        agents.tell("{\"agent\":\"one\",\"event\":\"board\",\"port\":\"ports/ttyBus\"}");
+        agents.tell("{\"agent\":\"one\",\"event\":\"percepts\",\"percepts\":[]}");
+        agents.tell("{\"agent\":\"one\",\"event\":\"said\",\"text\":\"hello\"}");
+        agents.tell("{\"agent\":\"two\",\"event\":\"board\",\"port\":\"/dev/ttyACM0\"}");
+
+        assertEquals("{\"t\":1.5,\"agent\":\"one\",\"event\":\"said\",\"text\":\"hello\",\"board\":\"bus\"}",
+                event("hello"));
+        assertTrue(event("\"two\"").contains("\"board\":\"ttyACM0\""));
+        assertFalse(hub.after(0, 1000, false).events().toString().contains("percepts"), "the trace has them");
+        assertEquals(List.of("goal", "act", "say"), source.controls());
+        source.command(Events.object("{\"do\":\"act\",\"agent\":\"one\",\"action\":\"stop\"}"));
+        assertEquals("no goal", assertThrows(JavinoException.class,
+                () -> source.command(Events.object("{\"do\":\"goal\",\"agent\":\"two\",\"goal\":\"x\"}")))
+                .getMessage());
+        assertEquals("act needs an agent that is there: one of one, two", assertThrows(JavinoException.class,
+                () -> source.command(Events.object("{\"do\":\"act\",\"agent\":\"three\"}"))).getMessage());
+        assertEquals(PosixFilePermissions.fromString("rw-------"), Files.getPosixFilePermissions(socket));
+        agents.close();
+        event("\"agent\":\"one\",\"ended\":true");
+        source.close();
+        assertEquals(hub.after(0, 1000, false).events(), Files.readAllLines(record));
+    }
+
+    @Test
+    void agents_alone_areTimedByTheClock(@TempDir Path folder) throws Exception {
+        try (RunSource source = RunSource.ofAgents(hub, new PrintWriter(warnings)).withAgents(folder.resolve("live"))) {
+            program(folder.resolve("live")).tell("{\"agent\":\"one\",\"event\":\"percepts\"}");
+            assertTrue(event("percepts").matches("\\{\"t\":\\d.*"));
+            assertTrue(source.isLive());
+        }
     }
 }

@@ -10,11 +10,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -22,6 +24,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
+import org.openqa.selenium.Dimension;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebDriver;
 import org.openqa.selenium.WebElement;
@@ -45,18 +48,22 @@ class ForgeryTest {
               && box.left >= 0 && box.right <= innerWidth;
             """;
 
-    private record Forgery(String button, String foretold, String verdict) {}
+    private record Forgery(String button, String foretold, String headline, String verdict) {}
 
     private static final List<Forgery> FORGERIES = List.of(
-            new Forgery("shout", "heard as a shout only", "Bus heard it as a shout only: a shout has no tag, so it "
-                    + "proves nothing, and the agent is told that anybody can have sent it."),
-            new Forgery("replay", "refused: heard before",
-                    "Bus refused it: it has had this very packet before, and its "
-                            + "number counts only once; nobody can change the number without the key."),
-            new Forgery("flip", "refused: wrong tag",
+            new Forgery("shout", "heard as a shout only", "as Police: Bus heard it, as a shout only",
+                    "Bus heard it as a shout only: a shout has no tag, so it "
+                            + "proves nothing, and the agent is told that anybody can have sent it."),
+            new Forgery("replay", "refused: heard before", "You replayed a packet: Bus had it already",
+                    "Bus had it already and repeats its answer; its agent hears nothing. Nobody can change the "
+                            + "packet's number without the key."),
+            new Forgery("flip", "refused: wrong tag", "You changed one bit: Bus refused it, wrong tag.",
                     "Bus refused it: its tag is wrong, because whoever has not the key cannot make the tag."),
-            new Forgery("key", "refused: wrong tag",
+            new Forgery("key", "refused: wrong tag", "You made up a key: Bus refused it, wrong tag.",
                     "Bus refused it: its tag is wrong, because whoever has not the key cannot make the tag."));
+
+    /** Words that say nothing to who looks at the page for the first time. */
+    private static final Pattern ABOVE = Pattern.compile("(?i)injector|start symbol|right CRC");
 
     /** Tests share one highway, and leave it at the speed of life. */
     @TempDir
@@ -113,6 +120,10 @@ class ForgeryTest {
                 // A late host tells that it took it after its board's counters have told of another packet.
                 sent += until(page, forgery.verdict(), () -> click(page, "forge-" + forgery.button()));
                 assertEquals(true, page.script(IN_SIGHT, page.await("#forged")));
+                assertEquals(true, page.script("return document.getElementById('scene').getBoundingClientRect().bottom"
+                        + " <= document.getElementById('forged').getBoundingClientRect().top"), "it covers the road");
+                page.awaitText("#story li", forgery.headline());
+                assertFalse(ABOVE.matcher(page.await("body").getText()).find());
                 assertEquals(sent, run.events(is("rf-tx", "injector")).size());
                 page.screenshot("forge-" + forgery.button());
             }
@@ -125,6 +136,17 @@ class ForgeryTest {
             until(page, "Bus took it: its tag is right.", () -> assertEquals("", page.script(GENUINE, last, key)));
             press(page, "[aria-label='close']");
             page.await("nothing", driver -> !page.await("#forged").isDisplayed());
+            page.awaitText("section.agent[data-board='bus'] .refused", "had already");
+            LivePageTest.slide(page, "range", 95);
+            page.awaitText("#story", "Range is now 95 m.");
+            LivePageTest.slide(page, "range", 100);
+            page.awaitText("#story", "Range is now 100 m.");
+            List<String> story = page.all("#story li").stream().map(WebElement::getText).toList();
+            assertEquals(List.copyOf(new LinkedHashSet<>(story)), story);
+            click(page, "forge-key");
+            page.await("what came of it", driver -> page.await("#forged").isDisplayed());
+            page.driver().findElement(By.tagName("body")).sendKeys(Keys.ESCAPE);
+            page.await("nothing", driver -> !page.await("#forged").isDisplayed());
             assertClean(page);
         }
     }
@@ -134,7 +156,12 @@ class ForgeryTest {
     void injector_isRefused_andItsTextIsNeverMarkup() throws Exception {
         try (Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
+            page.size(new Dimension(1280, 720));
             page.driver().findElement(By.id("tab-injector")).click();
+            page.await(".injector");
+            for (WebElement input : page.all(".injector input, .injector select, .injector button")) {
+                assertEquals(true, page.script(IN_SIGHT, input), input.toString());
+            }
             WebElement term = page.await("#shout input[name='term']");
             term.clear();
             term.sendKeys("p(\"<script>document.title=7</script>\")");
@@ -305,14 +332,21 @@ class ForgeryTest {
     void printsAndWarnings_areShown_butNotAsWhatTheAgentSays() throws Exception {
         Files.writeString(folder.resolve("trace.jsonl"), """
                 {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"}]}
-                {"t":1,"board":"a","event":"said","text":"hello"}
-                {"t":1,"board":"a","event":"printed","text":"first\\r\\nt = 20.99\\r\\n"}
-                {"t":1,"board":"a","event":"warned","text":"the sketch on a is slow, loop(): up to 94 ms <b>"}
-                {"t":1,"board":"a","event":"uart","line":"from its other line"}
+                {"t":1,"event":"note","text":"5 keys written"}
+                {"t":1000,"board":"a","event":"said","text":"hello"}
+                {"t":1000,"board":"a","event":"said","text":"I am an agent","aside":true}
+                {"t":1000,"board":"a","event":"port","state":"closed"}
+                {"t":1000,"board":"a","event":"beliefs","add":["openness(totallyClosed)[source(percept)]"]}
+                {"t":1000,"board":"a","event":"printed","text":"first\\r\\nt = 20.99\\r\\n"}
+                {"t":1000,"board":"a","event":"warned","text":"the sketch on a is slow, loop(): up to 94 ms <b>"}
+                {"t":1000,"board":"a","event":"uart","line":"from its other line"}
                 """);
         try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
             page.awaitText("section.agent .said", "hello");
-            assertEquals(1, page.all(".said li").size());
+            assertEquals(2, page.all(".said li").size());
+            String card = page.await("section.agent").getText();
+            assertFalse(card.contains("cut off") || card.contains("no agent connected"), card);
+            assertFalse(page.await("#story").getText().contains("I am an agent"));
             page.awaitText("section.agent .printed summary", "from its other line");
             click(page, "cards .printed summary");
             page.awaitText("section.agent .printed", "t = 20.99");
@@ -324,15 +358,6 @@ class ForgeryTest {
             assertClean(page);
         }
     }
-
-    private static final String MOVES = """
-            return import('/app/forge.js').then(({ beside }) => {
-              const box = document.getElementById('forged');
-              const left = box.style.left;
-              beside(box, [[900, 400]], { clientWidth: 1000, clientHeight: 800 });
-              return box.style.left !== left;
-            });
-            """;
 
     /** Each is a sentence about its addressee, by what the trace tells. */
     @Test
@@ -355,8 +380,8 @@ class ForgeryTest {
             page.script("const slider = document.getElementById('slider'); slider.value = 3; "
                     + "slider.dispatchEvent(new Event('input', {bubbles: true}))");
             page.awaitText(VERDICT, "Bus did not hear it: move the “?” nearer.");
-            page.actions().moveToElement(page.await("#forged")).perform();
-            assertEquals(false, page.script(MOVES), "it moved under the pointer");
+            page.await(".row .arrow.unheard");
+            assertEquals(0, page.all(".row path.tip").size(), "an arrow to one that has not heard it");
             assertClean(page);
         }
     }

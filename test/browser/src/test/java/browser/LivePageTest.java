@@ -40,6 +40,11 @@ class LivePageTest {
             page.awaitText("section.agent[data-board='bus'] .belief", "accident");
             page.await("section.agent[data-board='bus'] .lamp[data-pin='9'][data-on='1']");
             page.screenshot("highway");
+            double told = clock(page);
+            click(page, "again");
+            page.await("a story that is told slowly", driver -> clock(page) < told
+                    && page.await("#rate").getDomProperty("value").equals("0.3"));
+            click(page, "follow");
             try (Page phone = Page.onPhone(run.address())) {
                 phone.await(OBSERVED, 9);
                 phone.screenshot("phone");
@@ -76,8 +81,11 @@ class LivePageTest {
     @Test
     @Tag("verify")
     void highway_endedBeforeItsEnd_isNoFailure() throws Exception {
-        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+        try (LiveRun run = LiveRun.highway(folder, "--live="); Page page = Page.open(run.address())) {
+            awaitEvent(run, command("speed").and(event -> event.real("value") == 0.3));
             page.await("section.agent[data-board='bus']:not([data-openness=''])");
+            assertTrue(run.events(is("said", "police")).get(0).seconds() > run.events(command("speed")).get(0)
+                    .seconds(), "the story waits for its viewer");
             assertEquals(0, run.end(), run::said);
         }
     }
@@ -233,6 +241,10 @@ class LivePageTest {
             emulator.destroy();
             emulator.waitFor();
         }
+    }
+
+    private static double clock(Page page) {
+        return Double.parseDouble(page.attribute("#clock", "data-t"));
     }
 
     static void click(Page page, String id) {

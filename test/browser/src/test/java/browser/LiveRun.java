@@ -42,19 +42,29 @@ final class LiveRun implements AutoCloseable {
         reader.start();
     }
 
-    /** {@code gradle highway -Plive -Pheadless}, in a copy of the scenario. */
-    static LiveRun highway(Path folder, String... options) throws IOException {
+    /** {@code gradle highway -Plive=now -Pheadless}, in a copy of the scenario. */
+    static LiveRun highway(Path folder) throws IOException {
+        return highway(folder, "--live=now");
+    }
+
+    /** The same with another {@code -Plive}. */
+    static LiveRun highway(Path folder, String live) throws IOException {
         HighwayFiles.copy(folder);
         List<String> arguments = new ArrayList<>(List.of("highway.Highway", "--plain", "--emulator",
                 ROOT.resolve("emulator/build/javino-emulator").toString(),
-                "--live=", "--headless="));
-        arguments.addAll(List.of(options));
+                live, "--headless="));
         return new LiveRun(folder, arguments);
+    }
+
+    /** {@code live.ObservedMas} with a MAS of Jason's beside a page of {@link #piped}. */
+    static LiveRun agents(Path folder, String mas) throws IOException {
+        return new LiveRun(folder, List.of("-Djavino.live=live", "live.ObservedMas", "jason.infra.local.RunLocalMAS",
+                mas, "--log-conf", HighwayFiles.FOLDER.resolve("logging.properties").toString(), "--no-net"));
     }
 
     /** The emulator with a scenario, and {@code javino watch} behind it. */
     static LiveRun piped(Path folder, String scenario) throws IOException {
-        LiveRun run = watch(folder, "--trace", "-", "--control", "control");
+        LiveRun run = watch(folder, "--trace", "-", "--control", "control", "--agents", "live");
         run.emulator = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(), scenario,
                 "--trace", "-", "--control", "control").directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.INHERIT).start();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
+import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 /** The places of things on the page: labels, cards, the camera's frame, plots, and the menu of a vehicle. */
@@ -74,6 +76,15 @@ class ViewTest {
             return found.length === 0 ? [] : [mean((i) => i % width), mean((i) => Math.floor(i / width))];
             """;
 
+    /** How many pixels at the left edge are road. */
+    private static final String ROAD = """
+            const road = document.getElementById('road');
+            const named = getComputedStyle(document.documentElement).getPropertyValue('--road');
+            const colour = named.match(/[0-9a-f]{2}/g).map((hex) => parseInt(hex, 16));
+            const { data } = road.getContext('2d').getImageData(1, 0, 1, road.height);
+            return data.filter((part, i) => i % 4 === 0 && colour.every((c, k) => data[i + k] === c)).length;
+            """;
+
     @TempDir
     private Path folder;
 
@@ -94,6 +105,7 @@ class ViewTest {
                 page.size(size);
                 assertLaidOut(page, size);
                 assertCardsAreWhole(page);
+                assertEquals(0, page.all("#labels .edge").size(), "a resize shows all again");
                 page.screenshot("view-" + size.width);
             }
             page.size(SIZES.get(0));
@@ -109,7 +121,15 @@ class ViewTest {
             LivePageTest.click(page, "free-A0");
             page.awaitText("section.agent[data-board='bus'] .belief", "light(700)");
             LivePageTest.click(page, "close-menu");
-            assertEquals(List.of(), run.events(LivePageTest.command("move")), "a click is no drag");
+            Object road = page.script(ROAD);
+            LivePageTest.choose(page, "board police");
+            LivePageTest.place(page, 20, 9);
+            LivePageTest.awaitEvent(run, event -> event.is("place", "police")
+                    && event.json("position").getAsJsonArray().get(1).getAsDouble() == 9);
+            page.awaitFrames();
+            assertEquals(road, page.script(ROAD), "there is one road");
+            LivePageTest.click(page, "close-menu");
+            assertEquals(1, run.events(LivePageTest.command("move")).size(), "a click is no drag");
             page.await("no menu", driver -> !driver.findElement(By.id("menu")).isDisplayed());
             LivePageTest.assertClean(page);
         }
@@ -144,31 +164,34 @@ class ViewTest {
     void camera_keepsItsFrame_andTellsWhoIsOutside() throws Exception {
         Files.writeString(folder.resolve("two.json"), """
                 {"boards": [
-                  {"name": "house", "firmware": "%1$s", "position": [10, 0]},
+                  {"name": "house", "firmware": "%1$s", "port": "ports/tty", "position": [60, 0],
+                   "watch": [{"pin": 13, "name": "lamp"}],
+                   "sensors": [{"type": "digital", "pin": 7, "level": [[0, 1]]}]},
                   {"name": "car", "firmware": "%1$s", "position": [0, 0]}]}
                 """.formatted(LiveRun.ROOT.resolve("javino-firmware/build/station/Station.ino.elf")));
         try (LiveRun run = LiveRun.piped(folder, "two.json"); Page page = Page.open(run.address())) {
             page.await("#labels .name", 2);
+            assertOwnAgents(page);
             List<?> house = page.await("a house that stands", driver -> standing(page, 0));
             List<?> car = page.await("a car that stands", driver -> standing(page, 1));
             LivePageTest.choose(page, "board car");
             LivePageTest.place(page, -5, 0);
             page.await("a car that has moved", driver -> !drawnAt(page, 1).equals(car));
-            assertEquals(house, drawnAt(page, 0));
-            LivePageTest.place(page, 200, 0);
+            assertStands(house, drawnAt(page, 0));
+            LivePageTest.place(page, 600, 0);
             WebElement arrow = page.await("#labels .edge");
             assertEquals("→ car", arrow.getText());
             assertEquals(List.of(), page.script(FAULTS));
             page.screenshot("outside");
             assertEquals(List.of(), drawnAt(page, 1));
-            assertEquals(house, drawnAt(page, 0));
+            assertStands(house, drawnAt(page, 0));
 
             LivePageTest.click(page, "fit");
             page.await("nobody outside", driver -> page.all("#labels .edge").isEmpty());
             assertNotEquals(List.of(), drawnAt(page, 1));
             assertNotEquals(List.of(), drawnAt(page, 0));
 
-            LivePageTest.place(page, 600, 0);
+            LivePageTest.place(page, 1200, 0);
             LivePageTest.click(page, "close-menu");
             page.await("#labels .edge").click();
             page.await("the car in the middle", driver -> !drawnAt(page, 1).isEmpty());
@@ -194,6 +217,38 @@ class ViewTest {
         }
     }
 
+    /** A project of one's own: an agent with a board, one that it makes later, and what the page has them do. */
+    private void assertOwnAgents(Page page) throws IOException {
+        Files.writeString(folder.resolve("own.mas2j"), "MAS own { agents: owner agentArchClass diffuser.Diffuser; }");
+        Files.writeString(folder.resolve("owner.asl"), """
+                !start.
+                +!start <- .port("ports/tty"); .percepts(open); .setMyRFId("ROMA"); .create_agent(helper, "helper.asl").
+                +!greet(X)[source(page)] <- .print("hello ", X).
+                +delivered(To, P, C) <- .print("not by this").
+                """);
+        Files.writeString(folder.resolve("helper.asl"), "ready.");
+        LiveRun agents = LiveRun.agents(folder, "own.mas2j");
+        try {
+            page.awaitText("section.agent[data-agent='helper'] .belief", "ready");
+            page.awaitText("section.agent[data-board='house'] .name", "owner");
+            page.awaitText("[data-key='board house']", "lamp");
+            page.awaitText("#labels", "car");
+            page.await("[data-agent='owner'] input[name='goal']").sendKeys("greet(page)", Keys.ENTER);
+            page.awaitText("[data-agent='owner'] .said", "hello page");
+            page.awaitText("#story", "The agent owner says: “hello page”");
+            page.await("[data-board='house'] input[name='content']").sendKeys("dark(3)", Keys.ENTER);
+            page.awaitText("#story", "house calls to all in range: “tell;dark(3)”");
+            LivePageTest.click(page, "card-sensor-house-7-0");
+            page.await("#card-sensor-house-7-0[aria-pressed='true']");
+            page.screenshot("own");
+            assertEquals(List.of(), page.script(FAULTS));
+            assertEquals(0L, page.script(ROAD), "no road where there is none");
+        } finally {
+            agents.close();
+        }
+        page.await("no helper", driver -> page.all("section.agent[data-agent='helper']").isEmpty());
+    }
+
     private static List<?> drawnAt(Page page, int hue) {
         return (List<?>) page.script(DRAWN_AT, hue);
     }
@@ -204,6 +259,13 @@ class ViewTest {
         LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
         page.awaitFrames();
         return !before.isEmpty() && before.equals(drawnAt(page, hue)) ? before : null;
+    }
+
+    /** At its place, but for the pixel by which its colour at an edge can differ. */
+    private static void assertStands(List<?> before, List<?> now) {
+        for (int axis : new int[] {0, 1}) {
+            assertTrue(Math.abs(coordinate(before, axis) - coordinate(now, axis)) <= 1, () -> before + ", " + now);
+        }
     }
 
     private static int coordinate(List<?> place, int axis) {
@@ -229,6 +291,7 @@ class ViewTest {
                     "const c = document.querySelector('canvas.plot');"
                             + "return (c && Chart.getChart(c)?.data.datasets[0].data.length) > 25")));
             page.screenshot("plots");
+            page.await("a page that does nothing", driver -> Integer.parseInt(page.attribute("html", "data-fps")) <= 5);
             assertTrue(heightOf(page, "light") > 0.5, () -> "light " + heightOf(page, "light"));
             assertTrue(heightOf(page, "celsius") < 0.2, () -> "celsius " + heightOf(page, "celsius"));
             assertEquals("0 1,023", ticks(page, "light"));

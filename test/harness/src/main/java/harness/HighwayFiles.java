@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 public final class HighwayFiles {
 
     private static final String ROOT = System.getProperty("javino.root");
-    private static final Path HIGHWAY = Path.of(ROOT, "examples/highway");
+    public static final Path FOLDER = Path.of(ROOT, "examples/highway");
 
     private HighwayFiles() {
     }
@@ -22,7 +22,7 @@ public final class HighwayFiles {
     public static void copy(Path to) throws IOException {
         for (String part : List.of("", "agents", "inspector")) {
             Path copies = Files.createDirectories(to.resolve(part));
-            try (Stream<Path> files = Files.list(HIGHWAY.resolve(part))) {
+            try (Stream<Path> files = Files.list(FOLDER.resolve(part))) {
                 for (Path file : files.filter(Files::isRegularFile).toList()) {
                     Files.writeString(copies.resolve(file.getFileName()),
                             Files.readString(file).replace("../..", ROOT));

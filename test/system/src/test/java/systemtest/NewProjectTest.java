@@ -78,8 +78,14 @@ class NewProjectTest {
     void run_lightsTheLampWhileItIsDarkAndLeavesNothing() throws Exception {
         Path trace = onMega.resolve("build/trace.jsonl");
 
-        try (AgentProcess gradle = AgentProcess.start(gradle("run").directory(onMega.toFile()))) {
+        try (AgentProcess gradle = AgentProcess.start(
+                gradle("run", "-Plive", "-Pheadless").directory(onMega.toFile()))) {
             gradle.await(" s lamp off", 2);
+            gradle.await("[robot] my lamp is off", 3);
+            gradle.await("http://127.0.0.1:");
+            // The page's record has the agent's words beside the board's trace.
+            assertTrue(TraceReader.all(trace).stream().anyMatch(event -> event.is("said", "robot")
+                    && event.text("agent").equals("robot") && event.text("text").equals("my lamp is on")));
             List<TraceEvent> lamp = lamp(trace);
             assertEquals(List.of(1, 0, 1, 0), lamp.stream().map(event -> event.number("level")).toList());
             double greeted = lamp.get(0).seconds();

@@ -5,7 +5,7 @@ import { live } from '/lib/lit-html/directives/live.js';
 import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass } from './colours.js';
 import { broadcast, fieldsOf, hexOf } from './packet.js';
-import { plain, rounded, seconds } from './text.js';
+import { YOU, plain, rounded, seconds } from './text.js';
 import { fate, titleOf } from './phrases.js';
 import { PERFORMATIVES } from './lists.js';
 
@@ -29,13 +29,13 @@ export function sniffer(model, state, t, chosen, choose) {
   <tbody>${repeat(packets, (p) => p.n, (p) => html`<tr class="packet ${p.n === chosen ? 'chosen' : ''}" data-n=${p.n} data-kind=${p.kind} @click=${() => choose(p.n)}>
     <td>${seconds(p.t)}</td>
     <td class=${hueClass(state.boards.get(p.board))}><button type="button" class="link" aria-pressed=${p.n === chosen}><code>${plain(p.origin, 4)} → ${plain(p.destination, 4)}</code></button>
-      ${p.board === 'injector' ? html`<b> injector</b>` : nothing}</td>
+      ${p.board === 'injector' ? html`<b> ${YOU}</b>` : nothing}</td>
     <td>${KINDS[p.kind] ?? plain(p.kind, 20)}${p.sealed ? ', sealed' : p.content === undefined ? '' : ', open'}${p.trailer === 'parity' ? ', with parity' : ''}</td>
     <td class="bytes">${fieldsOf(p).map((f) => html`<span class="field ${f.name.replace(' ', '-')}" title="${f.name}: ${plain(f.text, 90)}"><code>${grouped(f.bytes)}</code><small>${f.name}</small></span>`)}</td>
     <td class="readable">${readable(p)}</td></tr>`)}</tbody></table></div>`;
 }
 
-/** The injector, without any key: shouts, replays, flips bits; and what became of it. */
+/** The attacker, without any key: shouts, replays, flips bits; and what became of it. */
 export function injector(app, model, state, t) {
   const ui = app.ui;
   const packets = model.heardAir(t, CHOICES).filter((p) => p.board !== 'injector' || p.n === ui.packet);
@@ -46,8 +46,7 @@ export function injector(app, model, state, t) {
   const last = model.heardAir(t, CHOICES * 4).find((p) => p.board === 'injector');
   const at = app.standing(state);
   return html`<div class="injector">
-    <div><p class="hint">You are an attacker with a radio and without any key. You stand at the “?” on the road: drag it, or type a place.</p>
-    <form class="place" @submit=${app.stand} @input=${app.typingStand} @change=${app.typingStand}><label>x <input id="injector-x" type="number" step="any" .value=${live(app.typedStand?.x ?? rounded(at[0]))} required></label>
+    <div>    <form class="place" title="You are an attacker with a radio and without any key, at the “?”: drag it, or type a place" @submit=${app.stand} @input=${app.typingStand} @change=${app.typingStand}><label>x <input id="injector-x" type="number" step="any" .value=${live(app.typedStand?.x ?? rounded(at[0]))} required></label>
       <label>y <input id="injector-y" type="number" step="any" .value=${live(app.typedStand?.y ?? rounded(at[1]))} required></label>
       <button>stand there</button></form>
     <form id="shout" @submit=${(e) => {
@@ -57,7 +56,7 @@ export function injector(app, model, state, t) {
     }}><fieldset><legend>Shout to all</legend>
       <label>as <input name="origin" value="EVIL" size="5" maxlength="4" required></label>
       <select name="performative" aria-label="performative">${PERFORMATIVES.map((each) => html`<option>${each}</option>`)}</select>
-      <input name="term" aria-label="term" value="help" size="18">
+      <input name="term" aria-label="term" value="hello" size="18">
       <button id="shout-send">shout</button></fieldset></form>
     <fieldset><legend>Send what was heard</legend>
       ${packet ? html`<select id="recorded" aria-label="recorded packet" @change=${(e) => app.choosePacket(Number(e.target.value))}>

@@ -1,7 +1,8 @@
 // The page of one board without any agent: what it perceives, what it can do, what it hears, what it counts.
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
-import { log, percepts, stateOf } from './cards.js';
+import { done, log, percepts, stateOf } from './cards.js';
+import { actions, say } from './do.js';
 import { plain, seconds } from './text.js';
 import { REFUSALS } from './phrases.js';
 
@@ -19,6 +20,12 @@ const AIR = [['radioReceived', 'heard well'], ['radioDamaged', 'heard damaged'],
 
 // SPEC 4.5: the longest time since the boot, not a count.
 const isTime = (name) => /(Millis|Micros)$/.test(name);
+
+/** Groups of counters, by the beginnings of their names (SPEC 4.5); refusals are one of their own. */
+const GROUPS = [['refused', (name) => REFUSALS[name]], ['radio', (name) => name.startsWith('radio')], ['serial line', (name) => name.startsWith('serial')], ['sketch and others', () => true]];
+
+const groups = (board) => GROUPS.map(([title], i) => [title, [...board.counters].filter(([name]) => GROUPS.findIndex(([, has]) => has(name)) === i)])
+  .filter(([, all]) => all.length > 0);
 
 const radio = (board, messages, t) => html`<h3>messages</h3>
     <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.performative, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
@@ -38,18 +45,12 @@ export function boardPage(app, model, state, t) {
     <h2>${plain(board.name, 30)} <code>${plain(board.address, 8)}</code> <small>${plain(board.firmware, 40)}</small>
       <span class="state">${board.online === false ? 'not there' : stateOf(board, t).replace('agent connected', 'online')}</span></h2>
     <h3>perceives</h3>${board.percepts.length ? percepts(board) : html`<p class="hint">no percepts</p>`}
-    ${app.controls.includes('act') ? html`<h3>can do</h3>
-      <ul class="actions">${board.actions.map((name) => html`<li><form @submit=${(e) => {
-        e.preventDefault();
-        const given = new FormData(e.target).get('arguments').trim();
-        app.send({ do: 'act', action: given ? `${name}(${given})` : name });
-      }}><button data-action=${name}>${plain(name, 40)}</button> <input name="arguments" aria-label="arguments of ${name}" placeholder="arguments, such as 3, &quot;text&quot;" size="24"></form></li>`)}
-      ${board.actions.length === 0 ? html`<li class="hint">this sketch has no actions</li>` : nothing}</ul>
-      <p id="acted" aria-live="polite">${board.acted ? `${seconds(board.acted.t, 1)}: ${plain(board.acted.action, 60)} ${board.acted.error ? '✗ ' + plain(board.acted.error) : '✓ done'}` : nothing}</p>` : nothing}
+    <h3>can do</h3>${board.actions.length ? actions(app, board) : html`<p class="hint">this sketch has named no actions</p>`}${say(app, board, undefined, state)}
+    ${done(board)}
     ${log(board)}
   </section>
   <section class="agent hue-0">${board.radio ? radio(board, messages, t) : html`<p class="hint">this board has no radio</p>`}
-    <h3>counters</h3>
-    <table class="counters"><tbody>${[...board.counters].map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${isTime(name) ? 'longest' : `${rate(board, name, t).toFixed(1)} a second`}</td></tr>`)}</tbody></table>
+    ${groups(board).map(([title, all]) => html`<h3>${title}</h3>
+    <table class="counters"><tbody>${all.map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${isTime(name) ? 'longest' : `${rate(board, name, t).toFixed(1)} a second`}</td></tr>`)}</tbody></table>`)}
   </section>`;
 }

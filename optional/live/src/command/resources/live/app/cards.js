@@ -3,10 +3,12 @@
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass, letter } from './colours.js';
-import { NEW_FOR } from './state.js';
+import { NEW_FOR, agentsAt } from './state.js';
 import { SPAN } from './plots.js';
-import { plain } from './text.js';
-import { REFUSALS } from './phrases.js';
+import { plain, seconds } from './text.js';
+import { REFUSALS, repeats } from './phrases.js';
+import { actions, goal, say } from './do.js';
+import { sensor } from './menu.js';
 
 const LINES = 3;
 /** Percepts by which the library tells of the board itself. */
@@ -51,8 +53,8 @@ function parted(belief) {
 }
 
 /** The openness of the agent, as it believes it. */
-function openness(board) {
-  for (const [belief, { gone }] of board.beliefs) {
+function openness(agent) {
+  for (const [belief, { gone }] of agent.beliefs) {
     const [, state] = /^openness\((\w+)\)/.exec(belief) ?? [];
     if (state && !gone) return state;
   }
@@ -60,8 +62,8 @@ function openness(board) {
 }
 
 /** The beliefs that are shown: of a percept that changes, only the present one. */
-function shownBeliefs(board, t) {
-  const all = [...board.beliefs].map(([belief, state]) => ({ belief, ...parted(belief), ...state }))
+function shownBeliefs(agent, t) {
+  const all = [...agent.beliefs].map(([belief, state]) => ({ belief, ...parted(belief), ...state }))
     .filter((b) => !b.hidden && b.functor !== 'openness' && !(b.gone && t - b.t > NEW_FOR));
   const held = new Set(all.filter((b) => b.sensed && !b.gone).map((b) => b.functor));
   const newest = new Map(all.filter((b) => b.sensed && b.gone).map((b) => [b.functor, b]));
@@ -72,21 +74,21 @@ const belief = (b, t) => html`<li class="belief ${b.gone ? 'gone' : t - b.t < NE
   <span class="sign">${b.gone ? '−' : t - b.t < NEW_FOR && !b.sensed ? '+' : ''}</span><code>${plain(b.term, 80)}</code>
   <small>${plain(b.from, 120)}</small></li>`;
 
-function mind(board, t) {
-  const all = shownBeliefs(board, t);
+function mind(agent, t) {
+  const all = shownBeliefs(agent, t);
   const beliefs = all.filter((b) => !OWN.has(b.functor));
   const own = all.filter((b) => OWN.has(b.functor));
   const more = beliefs.length - BELIEFS;
   return html`
-    ${board.said.length === 0 ? nothing : html`<h3>says</h3>
-    <ul class="said">${board.said.slice(-LINES).map((line) => html`<li class=${t - line.t < NEW_FOR ? 'new' : ''}>“${plain(line.text)}”</li>`)}</ul>`}
+    ${agent.said.length === 0 ? nothing : html`<h3>says</h3>
+    <ul class="said">${agent.said.slice(-LINES).map((line) => html`<li class=${t - line.t < NEW_FOR ? 'new' : ''}>“${plain(line.text)}”</li>`)}</ul>`}
     ${beliefs.length === 0 ? nothing : html`<h3>believes</h3>
     <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(b, t))}
       ${more > 0 ? html`<li><small>and ${more} more</small></li>` : nothing}</ul>`}
     ${own.length === 0 ? nothing : html`<details class="own"><summary>${own.length} about its board</summary>
     <ul class="beliefs">${repeat(own, (b) => b.belief, (b) => belief(b, t))}</ul></details>`}
-    ${board.intentions.length === 0 ? nothing : html`<h3>intends</h3>
-    <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li title=${plain(i)}><code>${plain(i.replaceAll(SOURCES, ''), 120)}</code></li>`)}</ul>`}`;
+    ${agent.intentions.length === 0 ? nothing : html`<h3>intends</h3>
+    <ul class="intentions">${agent.intentions.slice(0, 5).map((i) => html`<li title=${plain(i)}><code>${plain(i.replaceAll(SOURCES, ''), 120)}</code></li>`)}</ul>`}`;
 }
 
 /** So many are drawn, as many as the model keeps; the others are told as they are. */
@@ -103,13 +105,15 @@ export function percepts(board) {
     ${others.length === 0 ? nothing : html`<ul class="chips">${others.map((p) => html`<li><code>${plain(p, 60)}</code></li>`)}</ul>`}`;
 }
 
-const lamps = (board) => (board.pins.size === 0 ? nothing : html`<ul class="lamps">${[...board.pins].map(([pin, p]) => html`
+export const lamps = (board) => (board.pins.size === 0 ? nothing : html`<ul class="lamps">${[...board.pins].map(([pin, p]) => html`
   <li class="lamp" data-pin=${pin} data-on=${p.level ? 1 : 0}>${plain(p.name || 'pin ' + pin, 20)} <small>${p.level ? 'on' : 'off'}</small></li>`)}</ul>`);
 
-const refused = (board) => {
-  const some = [...board.counters].filter(([name, n]) => REFUSALS[name] && n > 0);
-  return some.length === 0 ? nothing : html`<p class="refused">refused so far: ${some.map(([name, n], i) =>
-    html`${i ? ', ' : ''}<span title=${name}>${n} × ${REFUSALS[name].short}</span>`)}</p>`;
+const refused = (model, board, t) => {
+  const again = repeats(model, board.name, t);
+  const some = [...board.counters].filter(([name, n]) => REFUSALS[name] && n > 0).map(([name, n]) => [name, n, REFUSALS[name].short]);
+  if (again > 0) some.push(['radioRepeats', again, 'had already']);
+  return some.length === 0 ? nothing : html`<p class="refused">refused so far: ${some.map(([name, n, why], i) =>
+    html`${i ? ', ' : ''}<span title=${name}>${n} × ${why}</span>`)}</p>`;
 };
 
 /** Output of its sketch, and warnings of the library: neither is said by its agent. */
@@ -117,23 +121,52 @@ export const log = (board) => html`
   ${board.printed.length === 0 ? nothing : html`<h3>its sketch prints</h3>
     <details class="printed"><summary><code>${plain(board.printed.at(-1).text, 80)}</code></summary>
       <ul>${board.printed.slice(0, -1).reverse().map((line) => html`<li><code>${plain(line.text)}</code></li>`)}</ul></details>`}
-  ${board.warned.length === 0 ? nothing : html`<details class="warned"><summary>${board.warned.length} ${board.warned.length === 1 ? 'warning' : 'warnings'}</summary>
-    <ul>${board.warned.map((line) => html`<li>${plain(line.text, 300)}</li>`)}</ul></details>`}`;
+  ${warnings(board)}`;
 
-export function stateOf(board, t) {
+const warnings = ({ warned }) => (warned.length === 0 ? nothing : html`<details class="warned"><summary>${warned.length} ${warned.length === 1 ? 'warning' : 'warnings'}</summary>
+  <ul>${warned.map((line) => html`<li>${plain(line.text, 300)}</li>`)}</ul></details>`);
+
+export function stateOf(board, t, speaks = false) {
   if (board.offUntil !== undefined && t < board.offUntil) return 'no power';
+  if (board.port === 'closed' && speaks) return 'its agent has not opened it';
   return PORTS[board.port] ?? plain(board.port, 20);
 }
 
-export function card(board, t, chosen, choose) {
-  const state = openness(board);
+/** What an agent of this openness can do; one that speaks is not called cut off. */
+function opennessWords(agent, state, title) {
+  return html`<p class="openness" title="openness(${state})">${plain(title, 30)} ${state === 'totallyClosed' && (agent.said.length > 0 || agent.connected) ? 'does not talk with other devices' : OPENNESS[state] ?? state}.</p>`;
+}
+
+function mindOf(app, agent, title, connected, t) {
+  const state = openness(agent);
+  return html`<div class="mind" data-agent=${agent.name}>
+    ${state ? opennessWords({ ...agent, connected }, state, title) : nothing}
+    <div>${mind(agent, t)}</div>${goal(app, agent.name)}</div>`;
+}
+
+/** The card of an agent without a board. */
+export const boardless = (app, agent, t) => html`<section class="agent hue-injector" data-agent=${agent.name}>
+  <h2>${plain(agent.name, 30)} <span class="state">without a board</span></h2>
+  ${mindOf(app, agent, agent.name, false, t)}${warnings(agent)}</section>`;
+
+/** The card of a board, with its agents. */
+export function card(app, model, state, board, t, chosen) {
+  const agents = agentsAt(state, board.name);
+  const speaks = agents.some((agent) => agent.said.length > 0);
+  const first = agents[0]?.name;
+  const sensors = board.heading === undefined && app.controls.includes('sensor') ? board.sensors.map((each) => sensor(app, board, each, 'card-')) : [];
   return html`<section class="agent ${hueClass(board)} ${chosen ? 'chosen' : ''}" data-board=${board.name} data-port=${board.port}
-      data-openness=${state ?? ''} @click=${() => choose(board.name)}>
+      data-openness=${(agents[0] && openness(agents[0])) ?? ''} @click=${(e) => e.target.closest('button, input, select, summary, label') || app.choose('board', board.name)}>
     <h2><span class="letter">${letter(board)}</span> ${plain(board.title, 30)} <code>${plain(board.address, 8)}</code>
-      <span class="state">${stateOf(board, t)}</span></h2>
-    ${state ? html`<p class="openness" title="openness(${state})">${plain(board.title, 30)} ${board.port === 'open' && state === 'totallyClosed' ? 'does not talk with other devices' : OPENNESS[state] ?? state}.</p>` : nothing}
-    <div>${mind(board, t)}</div>
-    ${board.percepts.length || board.pins.size ? html`<h3>its board</h3>${lamps(board)}${percepts(board)}` : nothing}
-    ${refused(board)}${log(board)}
+      <span class="state">${stateOf(board, t, speaks)}</span></h2>
+    ${agents.map((agent) => html`${agents.length === 1 && agent.name === board.name ? nothing : html`<h2 class="name">${plain(agent.name, 30)}</h2>`}
+      ${mindOf(app, agent, agents.length === 1 ? board.title : agent.name, board.port === 'open', t)}`)}
+    ${board.percepts.length || board.pins.size || sensors.length || board.actions.length ? html`<h3>its board</h3>${lamps(board)}${sensors}
+      ${first === undefined ? nothing : html`${actions(app, board, first)}${say(app, board, first, state)}`}
+      ${done(board)}${percepts(board)}` : nothing}
+    ${refused(model, board, t)}${log(board)}
   </section>`;
 }
+
+/** The last action that the board was asked for. */
+export const done = (board) => (!board.acted ? nothing : html`<p class="acted" aria-live="polite"><small>${seconds(board.acted.t, 1)}</small> <code>${plain(board.acted.action, 60)}</code> ${board.acted.error ? html`<b class="bad">✗ ${plain(board.acted.error)}</b>` : '✓ done'}</p>`);

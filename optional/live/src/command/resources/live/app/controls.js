@@ -4,7 +4,9 @@ import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { live } from '/lib/lit-html/directives/live.js';
 import { plain } from './text.js';
 
-export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+/** So fast a story is told that is new to its viewer. */
+export const SLOW = 0.3;
+export const RATES = [0.1, 0.3, 0.5, 1, 2, 5, 10];
 
 /** Time: back and forth, pause, speed. */
 export function player(clock, model, app) {
@@ -35,8 +37,17 @@ export const slider = (id, label, value, shown, attributes, change) => html`<lab
   <input id=${id} type="range" min="0" max=${attributes.max} step=${attributes.step} .value=${document.activeElement?.id === id ? document.activeElement.value : String(value)}
     @input=${(e) => change(Number(e.target.value))}><b>${shown}</b></label>`;
 
+/** When a story has been told: what one can do next. */
+export const afterStory = (app, state, t) => {
+  const all = [...state.behaviours.values()];
+  return all.length === 0 || all.some((b) => !(b.observedAt <= t)) ? nothing : html`
+    ${button('again', 'Again, slowly', () => app.play(SLOW), 'What you see, from the first event of an agent')}
+    ${button('start-over', 'Start over', () => app.play(1), 'The same at its own speed')}
+    ${app.controls.includes('send') ? button('now-forge', 'Now forge a message', app.nowForge) : nothing}`;
+};
+
 /** Controls of the chosen thing, of the world, and of the air. */
-export function interfere(app, state) {
+export function interfere(app, state, radio) {
   const can = (what) => app.controls.includes(what);
   const { chosen, mode } = app.ui;
   const anyOfBoard = ['reset', 'unplug', 'power-cut', 'move'].some(can);
@@ -51,13 +62,13 @@ export function interfere(app, state) {
         <option value="">choose …</option>
         ${things.map(([kind, name, title]) => html`<option value="${kind} ${name}" ?selected=${chosen?.kind === kind && chosen.name === name}>${plain(title, 24)}</option>`)}
       </select>` : nothing}
-    ${can('obstacle') || can('jam') ? html`<fieldset><legend>on the road</legend>
+    ${can('obstacle') || can('jam') && radio ? html`<fieldset><legend>put there</legend>
       ${can('obstacle') ? html`<button type="button" id="add-obstacle" aria-pressed=${mode === 'obstacle'} @click=${() => app.mode('obstacle')}>add an obstacle</button>` : nothing}
-      ${can('jam') ? html`<button type="button" id="jam" aria-pressed=${mode === 'jam'} @click=${() => app.mode('jam')}>jam here</button>` : nothing}
+      ${can('jam') && radio ? html`<button type="button" id="jam" aria-pressed=${mode === 'jam'} @click=${() => app.mode('jam')}>jam here</button>` : nothing}
       </fieldset>` : nothing}
-    ${can('light') || can('radio') ? html`<fieldset><legend>world and air</legend>
+    ${can('light') || can('radio') && radio ? html`<fieldset><legend>world and air</legend>
       ${can('light') && state.light !== undefined ? slider('light', 'light', state.light, state.light, { max: 1023, step: 1 }, (value) => app.often({ do: 'light', value })) : nothing}
-      ${can('radio') ? slider('errors', 'bit errors', Math.round(errors * 1000), (errors * 100).toFixed(1) + ' %', { max: 50, step: 1 }, (n) => app.often({ do: 'radio', bitErrorRate: n / 1000 })) : nothing}
-      ${can('radio') ? slider('range', 'range', state.radio.range, state.radio.range + ' m', { max: 150, step: 5 }, (range) => app.often({ do: 'radio', range })) : nothing}
+      ${can('radio') && radio ? slider('errors', 'bit errors', Math.round(errors * 1000), (errors * 100).toFixed(1) + ' %', { max: 50, step: 1 }, (n) => app.often({ do: 'radio', bitErrorRate: n / 1000 })) : nothing}
+      ${can('radio') && radio ? slider('range', 'range', state.radio.range, state.radio.range + ' m', { max: 150, step: 5 }, (range) => app.often({ do: 'radio', range })) : nothing}
       </fieldset>` : nothing}`;
 }

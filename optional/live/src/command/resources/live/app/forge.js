@@ -4,25 +4,16 @@
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { hueClass, letter } from './colours.js';
 import { broadcast, bytesOf, fieldsOf } from './packet.js';
-import { fate, outcome, titleOf } from './phrases.js';
+import { ALREADY, LAST, fate, genuine, outcome, titleOf, victim } from './phrases.js';
 import { seal } from './seal.js';
 
-/** So many of the last packets are looked at. */
-const LAST = 500;
 /** A packet that nobody has heard within this time, in seconds, is lost. */
 const HEARD_WITHIN = 1;
 const KEY_BYTES = 16;
-/** Pixels between a vehicle and what is said of it, and those that another takes. */
-const APART = 34;
-const TAKES = 20;
-
-/** The last sealed packet to one device that has it: what there is to forge. */
-const genuine = (packets) => packets.find((p) => p.board !== 'injector' && p.sealed && p.kind === 'unicast' && p.to.length === 1 && p.handed.length > 0);
-
 const bytesIn = (packet, name) => fieldsOf(packet).find((f) => f.name === name);
 
 /** Its content, as its addressee's host was told: an attacker may have guessed it. */
-const saidBy = (packet) => packet.handed[0].content || 'tell;help';
+const saidBy = (packet) => packet.handed[0].content || 'tell;hello';
 
 /** The command that sends a forgery of a packet; the emulator makes its CRC right. */
 const FORGERIES = {
@@ -50,7 +41,7 @@ export function forgeries(app, model, state, t) {
   };
   const attempt = (way, words, end) => html`<span class="attempt"><button type="button" id="forge-${way}" ?disabled=${!able}
     aria-describedby="forge-${way}-end" @click=${forge(way)}>${words}</button><small id="forge-${way}-end">${end}</small></span>`;
-  return html`<fieldset><legend>${packet ? `Try to forge what ${from} sent to ${titleOf(state, packet.to[0])}` : 'Try to forge: wait for a sealed packet to one vehicle'}${packet && !able ? ': the run is paused' : ''}; without the key, with a right CRC</legend>
+  return html`<fieldset><legend>${packet ? `Try to forge what ${from} sent to ${titleOf(state, packet.to[0])}` : 'Try to forge: wait for a sealed packet to one device'}${packet && !able ? ': the run is paused' : ''}; you have no key</legend>
     ${attempt('shout', `shout as ${from}`, 'heard as a shout only')}
     ${attempt('replay', 'replay the last packet', 'refused: heard before')}
     ${attempt('flip', 'change one bit', 'refused: wrong tag')}
@@ -69,18 +60,13 @@ const REASONS = {
   radioRepeats: AGAIN,
 };
 
-/** The board that a forgery was to deceive: for a shout, the one that last had a sealed packet from the same sender. */
-function victim(packets, packet) {
-  const to = packet.kind === 'broadcast' ? genuine(packets.filter((p) => p.origin === packet.origin && p.t < packet.start))?.to : packet.to;
-  return to?.length === 1 ? to[0] : undefined;
-}
-
 /** A board's reaction to a forgery, in one sentence. */
 function verdict(model, state, packet, board, t) {
   const who = titleOf(state, board);
   const heard = packet.heard.find((h) => h.board === board && h.t <= t);
   if (!heard) return t < packet.end + HEARD_WITHIN ? 'It is on the air …' : `${who} did not hear it: move the “?” nearer.`;
   const { what, counters } = outcome(model, packet, heard, t);
+  if (what === 'repeated') return `${who} ${ALREADY}. Nobody can change the packet's number without the key.`;
   const why = counters.filter((name) => REASONS[name]).map((name) => REASONS[name](packet)).join('; or ');
   if (why) return `${who} refused it: ${why}.`;
   if (what === 'taken' && !packet.sealed) return `${who} heard it as a shout only: a shout has no tag, so it proves nothing, and the agent is told that anybody can have sent it.`;
@@ -88,29 +74,14 @@ function verdict(model, state, packet, board, t) {
   return fate(model, state, packet, t, [board])[0];
 }
 
-/** The outcome of the last forgery, for the vehicle that it was for. `at` is where the road shows that. */
+/** The outcome of the last forgery, for the vehicle that it was for. */
 export function verdicts(app, model, state, t) {
   const packets = model.heardAir(t, LAST);
   const packet = model.onAir(t, 0).find((p) => p.board === 'injector') ?? packets.find((p) => p.board === 'injector');
   const board = packet && state.boards.get(victim(packets, packet));
-  if (!board || app.ui.read === packet.n) return { board: undefined, shown: nothing };
+  if (!board || app.ui.read === String(packet.n)) return { board: undefined, shown: nothing };
   const others = fate(model, state, packet, t, [...state.boards.keys()].filter((name) => name !== board.name));
   return { board, shown: html`<p class=${hueClass(board)} data-n=${packet.n}><b class="letter">${letter(board)}</b> <span role="status">${verdict(model, state, packet, board.name, t)}</span>
       <button type="button" class="link" aria-label="close" @click=${() => app.read(packet.n)}>✕</button></p>
     <details><summary>the others</summary><ul>${others.map((line) => html`<li>${line}</li>`)}</ul></details>` };
-}
-
-/** Puts a box beside the first of some spots, inside of the road, where it hides the fewest of them; it does not move under a pointer. */
-export function beside(box, spots, { clientWidth, clientHeight }) {
-  box.hidden = !spots[0];
-  if (box.hidden || box.matches(':hover')) return;
-  const [x, y] = spots[0];
-  const [wide, tall] = [box.offsetWidth, box.offsetHeight];
-  const within = (at, most) => Math.max(0, Math.min(at, most));
-  const [best] = [[x - wide / 2, y - APART - tall], [x - APART - wide, y - tall / 2], [x + APART, y - tall / 2], [x - wide / 2, y + APART]]
-    .map(([left, top]) => [within(left, clientWidth - wide), within(top, clientHeight - tall)])
-    .map(([left, top]) => ({ left, top, hides: spots.filter((s) => s && s[0] > left - TAKES && s[0] < left + wide + TAKES && s[1] > top - TAKES && s[1] < top + tall + TAKES).length }))
-    .sort((a, b) => a.hides - b.hides);
-  box.style.left = best.left + 'px';
-  box.style.top = best.top + 'px';
 }

@@ -86,7 +86,7 @@ export function hands(canvas, road, app, shown) {
 }
 
 function freshName({ obstacles }) {
-  for (let n = 1; ; n++) if (!obstacles.has('rock' + n)) return 'rock' + n;
+  for (let n = 1; ; n++) if (!obstacles.has('obstacle' + n)) return 'obstacle' + n;
 }
 
 /** Keys for time, and to let go, wherever the focus is. */
@@ -94,7 +94,7 @@ export function keys(app, shown) {
   document.addEventListener('keydown', (e) => {
     if (e.key === 'Escape') {
       app.ui.mode = '';
-      app.choose();
+      app.letGo();
     }
     if (e.ctrlKey || e.metaKey || e.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName)) return;
     const { clock, model } = shown();

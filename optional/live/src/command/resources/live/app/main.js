@@ -3,23 +3,27 @@
 import { html, nothing, render } from '/lib/lit-html/lit-html.js';
 import { sniffer, injector } from './air.js';
 import { boardPage, rate } from './board.js';
-import { card } from './cards.js';
+import { boardless, card } from './cards.js';
 import { Clock } from './clock.js';
 import { readColours } from './colours.js';
-import { beside, forgeries, verdicts } from './forge.js';
-import { interfere, player } from './controls.js';
+import { forgeries, verdicts } from './forge.js';
+import { SLOW, afterStory, interfere, player } from './controls.js';
 import { JAM, RADIUS, hands, keys } from './hands.js';
 import { menu } from './menu.js';
 import { Model } from './model.js';
+import { agentsAt } from './state.js';
 import { drawPlots } from './plots.js';
 import { Road } from './road.js';
 import * as source from './source.js';
-import { plain, seconds } from './text.js';
+import { YOU, plain, seconds } from './text.js';
 import { Timeline, behaviours } from './timeline.js';
 import { story } from './phrases.js';
 
-/** The text of the page is made anew so often, in ms; the road with each frame. */
+/** The text of the page is made anew so often, in ms, while something changes, and else so often; the road with each frame in which something moves. */
 const TEXT_EVERY = 100;
+const IDLE_TEXT_EVERY = 2000;
+/** Where nothing moves, that is noticed within so many ms: less than the clock is behind. */
+const IDLE_EVERY = 250;
 /** Something that is dragged gives a command so often, in ms. */
 const COMMAND_EVERY = 100;
 /** So long an error stays, in ms. */
@@ -64,6 +68,25 @@ const app = {
   often(body) {
     later = body;
     if (!waiting) flush();
+  },
+
+  redraw: () => drawText(),
+  /** Plays from the first event of an agent. */
+  play(speed) {
+    const { clock, model } = shown;
+    clock.leave(model.begin ?? 0, model);
+    clock.rate = speed;
+    clock.playing = true;
+  },
+  nowForge() {
+    app.follow();
+    $('forge').querySelector('button')?.focus();
+  },
+  /** Closes what is open over the road. */
+  letGo() {
+    app.choose();
+    ui.read = $('forged').querySelector('[data-n]')?.dataset.n ?? ui.read;
+    drawText();
   },
 
   choose(kind, name) {
@@ -123,7 +146,7 @@ const app = {
     app.send({ do: 'send', position: app.standing(shown.model.head), ...forgery });
   },
   read(n) {
-    ui.read = n;
+    ui.read = String(n);
     drawText();
   },
   choosePacket(n) {
@@ -180,7 +203,7 @@ function flush() {
   }, COMMAND_EVERY);
 }
 
-/** The first place of the injector: at a corner, in nobody's way. */
+/** The first place of the attacker: at a corner, in nobody's way. */
 function corner(state) {
   const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
   return places.length === 0 ? undefined : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];
@@ -207,6 +230,7 @@ const LEGEND = html`<ul aria-label="Legend">
   <li><svg width="30" height="16"><circle class="mark-ring dashed" cx="15" cy="8" r="6"></circle></svg>open lock: all can read it</li>
   <li><svg width="30" height="16"><circle class="mark-ring thin" cx="15" cy="8" r="6"></circle></svg>thin ring: “got it”</li>
   <li><b class="bad">✗</b> lost or refused</li>
+  <li><b>?</b> ${YOU}</li>
   <li><svg width="30" height="16"><path class="mark-hatch" d="M4 14 14 2M11 14 21 2M18 14 28 2"></path></svg>jammed</li></ul>`;
 
 function helpOnKeys() {
@@ -216,7 +240,7 @@ function helpOnKeys() {
 }
 
 const WHAT = {
-  run: 'Each vehicle has an agent, a board and a radio. There is no network: what they tell each other, everybody near can hear.',
+  run: 'Boards and their agents. What they tell each other by radio, everybody near can hear.',
   trace: 'A recorded run. Play it forwards and backwards; nothing here can be changed.',
   board: 'One board, without any agent: what it perceives, and what it can do.',
 };
@@ -229,10 +253,11 @@ function drawText() {
   const ofBoard = about.source === 'board';
   document.body.dataset.source = about.source;
   $('source').textContent = about.source === 'run' && model.head.speed === 0 ? 'paused' : { run: 'live', board: 'board' }[about.source] ?? 'trace';
-  $('what').textContent = WHAT[about.source] ?? '';
-  $('clock').textContent = seconds(t);
-  $('clock').dataset.t = t.toFixed(3);
-  ui.standing = app.controls.includes('send') ? app.standing(state) : state.injector;
+  $('what').textContent = state.about || (WHAT[about.source] ?? '');
+  tellTime(t);
+  const radio = [...state.boards.values()].some((b) => b.radio);
+  const sends = radio && app.controls.includes('send');
+  ui.standing = sends ? app.standing(state) : state.injector;
   const lines = story(model, state, t);
   const more = [
     state.skipped ? `${state.skipped} events were left out: too many came for this page` : '',
@@ -242,23 +267,26 @@ function drawText() {
   render(html`${lines.length === 0 ? html`<li>${plain(state.note || 'Waiting for something to happen …', 200)}</li>` : nothing}
     ${lines.map((line) => html`<li data-n=${line.n}>${line.words}</li>`)}${more.length ? html`<li class="bad" id="losses">${more.join('; ')}</li>` : nothing}`, $('story'));
   render(player(clock, model, app), $('player'));
-  render(ofBoard ? nothing : forgeries(app, model, state, t), $('forge'));
-  render(ofBoard ? nothing : interfere(app, state), $('interfere'));
+  render(afterStory(app, state, t), $('after'));
+  render(ofBoard || !sends ? nothing : forgeries(app, model, state, t), $('forge'));
+  render(ofBoard ? nothing : interfere(app, state, radio), $('interfere'));
   render(menu(app, state), $('menu'));
-  const cards = [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name)));
+  const cards = ofBoard ? [] : [...[...state.boards.values()].map((b) => card(app, model, state, b, t, ui.chosen?.name === b.name)),
+    ...agentsAt(state, undefined).map((agent) => boardless(app, agent, t))];
   const half = Math.floor(cards.length / 2);
   render(ofBoard ? boardPage(app, model, state, t)
     : [cards.slice(0, half), cards.slice(half)].map((column) => html`<div class="column">${column}</div>`), $('cards'));
   if (ofBoard) return;
-  render(html`${LEGEND}${helpOnKeys()}`, $('legend'));
+  render(html`${radio ? LEGEND : nothing}${helpOnKeys()}`, $('legend'));
   const forged = verdicts(app, model, state, t);
   render(forged.shown, $('forged'));
-  beside($('forged'), [forged.board, ...state.boards.values()].map((board) => board && road.pixels({ kind: 'board', name: board.name })), $('road'));
-  const tabs = Object.keys(TABS).filter((tab) => tab !== 'injector' || app.controls.includes('send') || state.injector);
+  $('forged').hidden = !forged.board;
+  const tabs = Object.keys(TABS).filter((tab) => tab === 'timeline' || radio && (tab !== 'injector' || sends || state.injector));
   if (!tabs.includes(ui.tab)) ui.tab = 'timeline';
+  document.body.dataset.tab = ui.tab;
   render(tabs.map((tab) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === ui.tab} aria-controls="panel"
     @click=${() => { ui.tab = tab; drawText(); }}>${TABS[tab]}</button>`), $('tabs'));
-  render(html`<div id="timeline-panel" ?hidden=${ui.tab !== 'timeline'}><div class="sides"><div id="timeline" tabindex="0" aria-label="Time line"></div><div>${behaviours(state, t, app.goTo)}
+  render(html`<div id="timeline-panel" ?hidden=${ui.tab !== 'timeline'}><div class="sides"><div id="timeline" tabindex="0" aria-label="Time line"></div><div ?hidden=${state.behaviours.size === 0 && !state.verdict}>${behaviours(state, t, app.goTo)}
       ${state.verdict ? html`<p id="verdict" class=${state.verdict.accepted ? 'good' : 'bad'}>${plain(state.verdict.text, 200)}</p>` : nothing}</div></div></div>
     ${ui.tab === 'air' ? sniffer(model, state, t, ui.packet, app.choosePacket) : nothing}
     ${ui.tab === 'injector' ? injector(app, model, state, t) : nothing}`, $('panel'));
@@ -293,27 +321,71 @@ function points(canvas, from, to) {
 }
 
 let textAt = 0;
+let drawn = {};
 let frames = 0;
 let framesAt = 0;
+let next;
 
+/** Draws what has changed since; where nothing moves, it is asked seldom, and costs next to nothing. */
 function frame(now) {
-  requestAnimationFrame(frame);
   const { model, clock, about, ended } = shown;
   clock.tick(now, model, ended);
-  if (about.source !== 'board') road.draw(model, model.stateAt(clock.t), clock.t);
+  begin(model, clock);
+  const t = clock.t;
+  const state = model.stateAt(t);
   if (ui.held && !ui.held.down && now > ui.held.until) ui.held = undefined;
-  if (now - textAt >= TEXT_EVERY) {
+  const revision = model.revisionAt(t);
+  const moves = about.source !== 'board' && road.moves(model, state, t);
+  const changed = road.changed || moves || drawn.moves || drawn.model !== model || drawn.revision !== revision;
+  if (changed && about.source !== 'board') road.draw(model, state, t);
+  if (now - textAt >= (changed || drawn.owed ? TEXT_EVERY : IDLE_TEXT_EVERY)) {
     textAt = now;
     drawText();
     placeMenu();
-    drawPlots(clock.t, points);
+    drawPlots(t, points);
+    drawn.owed = false;
+  } else {
+    drawn.owed ||= changed;
+    tellTime(t);
   }
+  drawn = { model, revision, moves, t, owed: drawn.owed };
   frames++;
   if (now - framesAt >= 1000) {
     document.documentElement.dataset.fps = Math.round((frames * 1000) / (now - framesAt));
     frames = 0;
     framesAt = now;
   }
+  next = moves || ui.held ? requestAnimationFrame(frame) : -setTimeout(() => frame(performance.now()), IDLE_EVERY);
+}
+
+/** Draws soon: somebody does something. */
+function wake(event) {
+  if (event.type === 'pointermove' && event.buttons === 0) return;
+  road.changed = true;
+  soon();
+}
+
+function soon() {
+  if (next > 0) return;
+  clearTimeout(-next);
+  next = requestAnimationFrame(frame);
+}
+
+/** A record begins where its agents do; a story that waits for its first viewer has it now. */
+function begin(model, clock) {
+  if (!clock.live && !shown.begun && model.begin !== undefined) {
+    shown.begun = true;
+    if (clock.t < model.begin) clock.t = model.begin;
+  }
+  const { waits, speed } = model.head;
+  if (!waits || app.ofFile || !app.controls.includes('speed') || (waits !== 1) === Boolean(shown.slowed)) return;
+  shown.slowed = waits !== 1 && waits;
+  if (waits !== 1 || speed === SLOW) app.send({ do: 'speed', value: waits });
+}
+
+function tellTime(t) {
+  $('clock').textContent = seconds(t);
+  $('clock').dataset.t = t.toFixed(3);
 }
 
 document.addEventListener('dragover', (e) => e.preventDefault());
@@ -324,16 +396,18 @@ document.addEventListener('drop', (e) => {
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
   readColours();
   road.recolour();
+  road.changed = true;
 });
 
 readColours();
-road = new Road($('road'), $('labels'), ui);
+road = new Road($('road'), $('labels'), ui, soon);
 render(html`<button type="button" id="fit" title="Show all (F)" @click=${() => road.fit()}>fit</button>
   <button type="button" id="nearer" aria-label="nearer" @click=${() => road.zoom(1.5)}>+</button>
   <button type="button" id="farther" aria-label="farther" @click=${() => road.zoom(1 / 1.5)}>−</button>`, $('camera'));
 hands($('road'), road, app, () => shown);
 keys(app, () => shown);
-requestAnimationFrame(frame);
+for (const type of ['pointerdown', 'pointermove', 'pointerup', 'click', 'keydown', 'input', 'change', 'wheel']) document.addEventListener(type, wake, { capture: true, passive: true });
+next = requestAnimationFrame(frame);
 try {
   run.about = await source.about();
   run.clock = new Clock(run.about.live);

@@ -13,13 +13,18 @@ const SENSORS = {
   digital: { words: 'level', most: 1, unit: '' },
 };
 
-function sensor(app, board, { type, pin, held }) {
+/** A slider for what a sensor measures; a button to be pressed for one that has but two levels. `place` tells two of it apart. */
+export function sensor(app, board, { type, pin, held }, place = '') {
+  if (!SENSORS[type]) return nothing;
   const { words, most, unit } = SENSORS[type];
-  const id = 'sensor-' + pin;
+  const id = place + 'sensor-' + (place ? board.name + '-' : '') + pin;
   const set = (value) => ({ do: 'sensor', board: board.name, pin, value });
-  return html`<p>${slider(id, `${words} at ${pin}`, held ?? most, held === undefined ? 'as it is' : held + unit, { max: most, step: 1 },
-    (value) => app.often(set(value)))}
-    ${held === undefined ? nothing : button('free-' + pin, 'let go', () => app.send(set(null)), 'Let it measure the world again')}</p>`;
+  const free = held === undefined ? nothing : button(place + 'free-' + pin, 'let go', () => app.send(set(null)), 'Let it measure the world again');
+  if (most === 1) {
+    return html`<p class="sensor">${[0, 1].map((level) => html`<button type="button" id="${id}-${level}" aria-pressed=${held === level} @click=${() => app.send(set(level))}>${pin} ${level ? 'high' : 'low'}</button>`)}${free}</p>`;
+  }
+  return html`<p class="sensor">${slider(id, `${words} at ${pin}`, held ?? most, held === undefined ? 'as it is' : held + unit, { max: most, step: 1 },
+    (value) => app.often(set(value)))}${free}</p>`;
 }
 
 export function menu(app, state) {
@@ -42,5 +47,5 @@ export function menu(app, state) {
       <label>x <input id="x" type="number" step="any" .value=${live(app.typed?.x ?? rounded(at[0]))} required></label>
       <label>y <input id="y" type="number" step="any" .value=${live(app.typed?.y ?? rounded(at[1]))} required></label>
       <button id="move">move</button></form>` : nothing}
-    ${can('sensor') ? board?.sensors.filter((each) => SENSORS[each.type]).map((each) => sensor(app, board, each)) : nothing}`;
+    ${can('sensor') ? board?.sensors.map((each) => sensor(app, board, each)) : nothing}`;
 }

@@ -26,18 +26,36 @@ function upTo(entries, t, at = (entry) => entry.t) {
   return low;
 }
 
+/** Events by which a run is known to have begun. */
+const AGENTS = new Set(['said', 'beliefs', 'intentions', 'acted']);
+/** An attack may use any of so many packets before. */
+const USED = 500;
+
 const idIn = (packet) => packet.payload.slice(24, 26) + packet.payload.slice(28, 32);
+
+/** The number of bits in which two payloads differ, 2 for all that differ in more. */
+function bitsApart(one, other) {
+  let bits = 0;
+  for (let i = 0; i < one.length && bits < 2; i++) {
+    let differing = parseInt(one[i], 16) ^ parseInt(other[i], 16);
+    for (; differing; differing &= differing - 1) bits++;
+  }
+  return Math.min(bits, 2);
+}
 
 export class Model {
   #events = [];
   /** The time of each event, but never less than that of the one before. */
   #times = [];
+  #revisions = [];
   #checkpoints = [START];
   #head = START;
   #cursor = { index: 0, state: START };
   #readings = new Map();
   #last = new Map();
   #numbered = 0;
+  /** Rises with each event that changes what can be seen: that a board was polled does not. */
+  #revision = 0;
   /** Reactions of boards to a packet that has not ended: they have it before its trailer. */
   #early = [];
 
@@ -49,6 +67,8 @@ export class Model {
   losses = [];
   /** Events that were none. */
   refused = 0;
+  /** The time of the first event of an agent. */
+  begin;
 
   get end() {
     return this.#head.t;
@@ -74,8 +94,11 @@ export class Model {
     const before = this.#head;
     this.#head = fold(before, event);
     this.#note(event, before);
+    if (Object.keys(before).some((key) => key !== 't' && before[key] !== this.#head[key])) this.#revision++;
+    if (this.begin === undefined && AGENTS.has(event.event)) this.begin = this.#head.t;
     this.#events.push(event);
     this.#times.push(this.#head.t);
+    this.#revisions.push(this.#revision);
     if (this.#events.length % CHECKPOINT === 0) this.#checkpoints.push(this.#head);
     return true;
   }
@@ -93,6 +116,11 @@ export class Model {
     for (; i < index; i++) state = fold(state, this.#events[i]);
     this.#cursor = { index, state };
     return state;
+  }
+
+  /** Another number wherever something else is to be seen than at another time, but for what moves meanwhile. */
+  revisionAt(t) {
+    return this.#revisions[upTo(this.#times, t, (time) => time) - 1] ?? -1;
   }
 
   /** The packets that are on the air at a time, and those that ended at most `after` seconds before. */
@@ -138,6 +166,7 @@ export class Model {
     const gone = Math.floor(MOST_EVENTS / 4 / CHECKPOINT) * CHECKPOINT;
     this.#events.splice(0, gone);
     this.#times.splice(0, gone);
+    this.#revisions.splice(0, gone);
     this.#checkpoints.splice(0, gone / CHECKPOINT);
     this.#cursor = { index: 0, state: this.#checkpoints[0] };
     const begin = this.#times[0];
@@ -168,7 +197,7 @@ export class Model {
         this.#reading(e, s);
         break;
       case 'said':
-        this.#mark(s, 'said', e.board, text(e.text));
+        this.#mark(s, 'said', e.board, text(e.text), { agent: text(e.agent) || text(e.board), aside: e.aside === true });
         break;
       case 'pin':
         this.#pin(e, s);
@@ -198,6 +227,7 @@ export class Model {
   }
 
   #mark(s, kind, name, words, more = {}) {
+    this.#revision++;
     this.marks.push({ t: s.t, n: this.#numbered++, kind, board: typeof name === 'string' ? name : undefined, text: words, ...more });
   }
 
@@ -222,6 +252,7 @@ export class Model {
       heard: [],
       handed: [],
     };
+    if (name === 'injector') packet.attack = this.#attack(packet);
     const boards = [...s.boards.values()];
     packet.to = packet.kind === 'acknowledgement'
       ? this.#answered(packet)
@@ -230,6 +261,15 @@ export class Model {
     packet.again = this.packets.slice(-8).some((p) => p.payload === packet.payload && p.kind !== 'acknowledgement');
     this.packets.push(packet);
     this.#mark(s, packet.kind === 'acknowledgement' ? 'ack' : 'packet', name, '', { packet });
+  }
+
+  /** What the attacker did with what was heard before: `shout`, `replay`, `flip`, `key`, or nothing that is known. */
+  #attack({ payload, kind, origin, destination }) {
+    if (kind === 'broadcast') return 'shout';
+    const genuine = this.packets.slice(-USED).filter((p) => p.board !== 'injector' && p.payload.length === payload.length);
+    if (genuine.some((p) => p.payload === payload)) return 'replay';
+    if (genuine.some((p) => bitsApart(p.payload, payload) === 1)) return 'flip';
+    return genuine.some((p) => p.sealed && p.origin === origin && p.destination === destination) ? 'key' : '';
   }
 
   /** The board for which an acknowledgement is: of whom the acknowledger last heard a unicast for itself. */
@@ -245,6 +285,7 @@ export class Model {
   }
 
   #arrived(arrival) {
+    this.#revision++;
     if (arrival.e.event === 'host-handed' ? this.#handed(arrival) : this.#heard(arrival)) return;
     this.#early.push(arrival);
     if (this.#early.length > MOST_EARLY) this.#early.shift();
@@ -308,13 +349,20 @@ export class Model {
 
   #disturbed(e, s) {
     const what = text(e.do);
-    // A dragged vehicle or slider sends many commands: only the first of a second is a row of its own.
-    const key = e.event === 'command' ? 'command ' + what : what;
-    const t = this.#last.get(key + text(e.board))?.t ?? -1;
-    if (e.event === 'command') this.#last.set(key + text(e.board), { t: s.t });
-    if (e.event === 'command' && (what === 'send' || what === 'act' || s.t - t < 1)) return;
+    const isCommand = e.event === 'command';
+    // A dragged vehicle or slider sends many commands: those of a second are one row, which tells the last.
+    const key = (isCommand ? 'command ' : '') + what + text(e.board);
+    const { t = -1, mark } = this.#last.get(key) ?? {};
+    if (isCommand) this.#last.set(key, { t: s.t, mark });
+    if (isCommand && (what === 'send' || what === 'act')) return;
+    if (isCommand && mark && s.t - t < 1) {
+      mark.event = e;
+      this.#revision++;
+      return;
+    }
     // The fault that a command made.
     if (e.event === 'fault' && s.t - (this.#last.get('command ' + what + text(e.board))?.t ?? -1) < 0.1) return;
     this.#mark(s, 'fault', e.board, what, { event: e });
+    if (isCommand) this.#last.set(key, { t: s.t, mark: this.marks.at(-1) });
   }
 }

@@ -1,6 +1,6 @@
 // Events in plain words.
 
-import { listed, plain } from './text.js';
+import { YOU, listed, plain, rounded } from './text.js';
 
 /** Why a board refuses what it hears: the counters that tell it (SPEC 4.5). */
 export const REFUSALS = {
@@ -29,20 +29,59 @@ const LEFT = {
 };
 
 export const titleOf = (state, name) =>
-  name === 'injector' ? 'The injector' : plain(state.boards.get(name)?.title ?? name ?? '', 24);
+  name === 'injector' ? YOU : plain(state.boards.get(name)?.title ?? name ?? '', 24);
 
 const titleOfAddress = (state, address) =>
   plain([...state.boards.values()].find((b) => b.address === address)?.title ?? address, 24);
 
+/** So many of the last packets are looked at. */
+export const LAST = 500;
+/** A packet that nobody has heard within this time, in seconds, is lost. */
+const HEARD_WITHIN = 1;
+
+/** The last sealed packet to one device that has it: what there is to forge. */
+export const genuine = (packets) => packets.find((p) => p.board !== 'injector' && p.sealed && p.kind === 'unicast' && p.to.length === 1 && p.handed.length > 0);
+
+/** The board that an attack was to deceive: for a shout, the one that last had a sealed packet from the same sender. */
+export function victim(packets, packet) {
+  const to = packet.kind === 'broadcast' ? genuine(packets.filter((p) => p.origin === packet.origin && p.t < packet.start))?.to : packet.to;
+  return to?.length === 1 ? to[0] : undefined;
+}
+
+const ATTACKS = {
+  __proto__: null,
+  shout: (p, who) => `You shouted “${plain(p.content ?? '', 30)}” as ${who}`,
+  replay: () => 'You replayed a packet',
+  flip: () => 'You changed one bit',
+  key: () => 'You made up a key',
+};
+
+export const ALREADY = 'had it already and repeats its answer; its agent hears nothing';
+
+/** An attack, and what has come of it at the board that it was for. */
+function attackWords(model, state, p, t) {
+  const did = (ATTACKS[p.attack] ?? (() => 'You sent a packet'))(p, titleOfAddress(state, p.origin));
+  const board = victim(model.heardAir(t, LAST), p);
+  if (board === undefined) return did + '.';
+  const who = titleOf(state, board);
+  const heard = p.heard.find((h) => h.board === board && h.t <= t);
+  if (!heard) return t < p.end + HEARD_WITHIN ? `${did} …` : `${did}: ${who} did not hear it.`;
+  const { what, counters } = outcome(model, p, heard, t);
+  const came = {
+    damaged: 'heard it damaged', untold: 'heard it …', repeated: ALREADY,
+    taken: p.sealed ? 'took it' : 'heard it, as a shout only, which proves nothing',
+    refused: 'refused it, ' + REFUSALS[counters[0]]?.short,
+    left: LEFT[counters[0]],
+  }[what] ?? 'heard it, and told of no refusal';
+  return `${did}: ${who} ${came}.`;
+}
+
 /** A packet in words for people who have never seen one. */
-function packetWords(state, p) {
+function packetWords(model, state, p, t) {
+  if (p.board === 'injector') return attackWords(model, state, p, t);
   const who = titleOf(state, p.board);
-  const claims = p.board === 'injector' ? ` in the name of ${titleOfAddress(state, p.origin)}` : '';
   if (p.kind === 'broadcast') {
-    return `${who} calls to all in range${claims}: “${plain(p.content ?? '', 40)}”. An open lock: everybody can read it, and nobody can be sure who sent it.`;
-  }
-  if (p.board === 'injector') {
-    return `The injector sends a packet${claims} to ${titleOfAddress(state, p.destination)}. Without the key, no change of it and no copy will be accepted.`;
+    return `${who} calls to all in range: “${plain(p.content ?? '', 40)}”. An open lock: everybody can read it, and nobody can be sure who sent it.`;
   }
   const again = p.again ? ', once more in case the first was lost' : '';
   if (p.kind === 'multicast') {
@@ -67,32 +106,34 @@ const FAULTS = {
   obstacle: (who, e) => (e.remove ? `The obstacle “${plain(e.name, 20)}” is taken away.` : `An obstacle stands in the way: “${plain(e.name, 20)}”.`),
   light: (who, e) => `The light of the world is now ${plain(e.value, 6)} of 1023.`,
   sensor: (who, e) => (e.value === null ? `A sensor of ${who} measures the world again.` : `A sensor of ${who} now measures ${plain(e.value, 8)}.`),
-  radio: () => 'The air is changed: how far the radio reaches, or how many bits are inverted.',
+  radio: (who, e) => (Number.isFinite(e.range) ? `Range is now ${rounded(e.range)} m.` : Number.isFinite(e.bitErrorRate) ? `${rounded(e.bitErrorRate * 100)} % of all bits are now inverted.` : 'The air is changed.'),
   speed: (who, e) => (e.value === 0 ? 'The run is paused.' : `The run goes at ${plain(e.value, 6)} times the speed of life.`),
 };
 
 /** A row of the time line as a sentence; nothing for rows that need none. */
-export function sentence(state, mark) {
+export function sentence(model, state, mark, t = state.t) {
   const who = titleOf(state, mark.board);
   switch (mark.kind) {
-    case 'packet': return packetWords(state, mark.packet);
-    case 'said': return `The agent of ${who} says: “${plain(mark.text, 90)}”`;
+    case 'packet': return packetWords(model, state, mark.packet, t);
+    case 'said': return `${mark.agent === mark.board ? 'The agent of ' + who : 'The agent ' + plain(mark.agent, 24)} says: “${plain(mark.text, 90)}”`;
     case 'fault': return (FAULTS[mark.text] ?? (() => `${who} ${plain(mark.text, 60)}.`))(who, mark.event ?? {});
     case 'heard': return `A message came: ${plain(mark.text, 120)}`;
-    case 'acted': return `The board did: ${plain(mark.text, 120)}`;
+    case 'acted': return `${who} did: ${plain(mark.text, 120)}`;
     case 'verdict':
       return mark.accepted ? 'The protocol’s model allows all that the boards did.' : plain(mark.text, 120);
     default: return undefined;
   }
 }
 
-/** The last sentences up to a time, newest first. */
+/** The last sentences up to a time, newest first; none is there twice. */
 export function story(model, state, t, most = 3) {
-  const found = model.onAir(t, 0).filter((p) => p.kind !== 'acknowledgement').slice(-most).reverse()
-    .map((packet) => ({ n: packet.n, t: packet.start, words: packetWords(state, packet) }));
+  const found = [];
+  const take = (n, at, words) => words && !found.some((line) => line.words === words) && found.push({ n, t: at, words });
+  model.onAir(t, 0).filter((p) => p.kind !== 'acknowledgement').slice(-most).reverse()
+    .forEach((packet) => take(packet.n, packet.start, packetWords(model, state, packet, t)));
   for (let i = model.marksUpTo(t) - 1; i >= 0 && found.length < most; i--) {
-    const words = sentence(state, model.marks[i]);
-    if (words) found.push({ n: model.marks[i].n, t: model.marks[i].t, words });
+    const mark = model.marks[i];
+    if (!mark.aside) take(mark.n, mark.t, sentence(model, state, mark, t));
   }
   return found;
 }
@@ -105,7 +146,7 @@ const HEARD = ['radioReceived', 'radioDamaged', 'radioMissed'];
 
 /**
  * The outcome, by a time, of a packet at a board that heard it, as its host and its counters tell: `damaged`, `taken`,
- * `untold` yet, `refused`, `left`, or `ignored`; with the `counters` that rose.
+ * `untold` yet, `refused`, `repeated` (had before), `left`, or `ignored`; with the `counters` that rose.
  */
 export function outcome(model, packet, { board, why, t: heardAt }, t) {
   if (why) return { what: 'damaged', counters: [] };
@@ -119,9 +160,14 @@ export function outcome(model, packet, { board, why, t: heardAt }, t) {
   const refusals = risen(REFUSALS);
   const left = risen(LEFT);
   const isOurs = left.length === 0 || refusals[0] === 'radioOwn' || packet.to.includes(board) || packet.kind === 'no frame';
+  if (left[0] === 'radioRepeats' && packet.kind === 'unicast' && packet.to.includes(board)) return { what: 'repeated', counters: left.slice(0, 1) };
   if (refusals.length > 0 && isOurs) return { what: 'refused', counters: refusals };
   return left.length > 0 ? { what: 'left', counters: left.slice(0, 1) } : { what: 'ignored', counters: [] };
 }
+
+/** How many packets of the attacker a board had already. */
+export const repeats = (model, board, t) => model.packets.filter((p) => p.attack === 'replay' && p.to.includes(board)).slice(-LAST)
+  .filter((p) => p.heard.some((h) => h.board === board && h.t <= t && outcome(model, p, h, t).what === 'repeated')).length;
 
 /** The fate of a packet, at a time: a sentence for each of these boards. */
 export function fate(model, state, packet, t, boards = [...state.boards.keys()]) {
@@ -135,6 +181,7 @@ export function fate(model, state, packet, t, boards = [...state.boards.keys()])
       case 'taken':
         return `${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.');
       case 'refused': return `${who} refused it: ${counters.map((name) => `${REFUSALS[name].why} (${name})`).join(', or ')}.`;
+      case 'repeated': return `${who} ${ALREADY} (${counters[0]}).`;
       case 'left': return `${who} ${LEFT[counters[0]]} (${counters[0]}).`;
       case 'untold': return `${who} heard it, and has not yet told what it did …`;
       default: return `${who} heard it, and no counter of a refusal rose.`;

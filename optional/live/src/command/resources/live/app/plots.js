@@ -7,17 +7,15 @@ const POINTS = 200;
 /** Charts that are drawn anew at one call; the others have their turn at the next ones. */
 const EACH_TURN = 3;
 
-/** Ranges of sensors, by the names of their percepts. */
-const RANGES = { __proto__: null, light: [0, 1023], proximity: [0, 400], distance: [0, 400] };
-/** A plot of other percepts spans at least this part of the value, so that noise looks small. */
+/** A plot spans at least this part of the value, so that noise looks small. */
 const LEAST_SPAN = 0.25;
 
 /** The ends of the axis: what it shows is as large as it looks. */
-export function rangeOf(name, values) {
+export function rangeOf(values) {
   const low = Math.min(...values);
   const high = Math.max(...values);
-  if (RANGES[name]) return [Math.min(RANGES[name][0], low), Math.max(RANGES[name][1], high)];
   if (values.length === 0) return [0, 1];
+  if (high - low >= LEAST_SPAN * Math.max(Math.abs(low), Math.abs(high), 4)) return [low, high];
   const span = Math.max(high - low, LEAST_SPAN * Math.max(Math.abs(low), Math.abs(high)), 1);
   const step = 10 ** Math.floor(Math.log10(span));
   const middle = (low + high) / 2;
@@ -81,7 +79,7 @@ export function drawPlots(t, points) {
     y.ticks.color = ink('soft');
     y.grid = { color: ink('line') };
     const values = data.map((point) => point.y);
-    [y.min, y.max] = canvas.dataset.counter ? [0, Math.ceil(Math.max(1, ...values))] : rangeOf(canvas.dataset.percept, values);
+    [y.min, y.max] = canvas.dataset.counter ? [0, Math.ceil(Math.max(1, ...values))] : rangeOf(values);
     chart.update('none');
   }
 }

@@ -4,7 +4,7 @@ import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { dash, hue, hueClass, ink, letter } from './colours.js';
 import { Labels } from './labels.js';
 import { REFUSALS } from './phrases.js';
-import { plain } from './text.js';
+import { YOU, plain } from './text.js';
 
 /** Pixels around all that "fit" shows: room for words. */
 const MARGIN = { side: 70, end: 50 };
@@ -24,11 +24,14 @@ const STEP = 0.05;
 const REACH = 24;
 const VEHICLE = { length: 34, width: 16 };
 const STATION = 24;
+const BOARD = { length: 32, width: 22 };
 /** Arrows are so far from the edge. */
 const EDGE = 12;
 const ARROWS = '→↘↓↙←↖↑↗';
 /** More boards than this are drawn smaller, with a letter in place of the name. */
 const CROWD = 10;
+/** Up to so many boards show their pins by name. */
+const FEW = 3;
 
 /** A lock: closed if the packet is sealed. */
 const lock = (closed) => html`<svg class="lock" width="12" height="14"><path d=${closed ? 'M3.5 7V4a2.5 2.5 0 0 1 5 0v3' : 'M3.5 7V4a2.5 2.5 0 0 1 5-.8'}></path><rect x="1" y="6.5" width="10" height="7" rx="1.5"></rect></svg>`;
@@ -45,19 +48,25 @@ export class Road {
   /** The part of the world that the camera shows, in metres: only its user changes that. */
   #frame;
   #framed;
+  /** Whether the frame is that of `fit`. */
+  #fitted = false;
+  #window;
   #view;
   #shown;
   #hatch;
   #width = 1;
   #height = 1;
 
-  /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the injector's place). */
-  constructor(canvas, layer, ui) {
+  /** `ui` has `chosen`, `mode`, `held` (what the pointer holds, and where), `standing` (the injector's place); `resized` is called when all is to be drawn anew. */
+  constructor(canvas, layer, ui, resized) {
     this.#canvas = canvas;
     this.#labels = new Labels(layer);
     this.#g = canvas.getContext('2d');
     this.#ui = ui;
-    new ResizeObserver(() => this.#measure()).observe(canvas);
+    new ResizeObserver(() => {
+      this.#measure();
+      resized();
+    }).observe(canvas);
     this.#measure();
   }
 
@@ -68,7 +77,12 @@ export class Road {
     this.#canvas.width = Math.round(this.#width * ratio);
     this.#canvas.height = Math.round(this.#height * ratio);
     this.#g.setTransform(ratio, 0, 0, ratio, 0, 0);
-    if (this.#frame) this.#look();
+    // Only a window of another size shows all again: words that take another line do not move the view.
+    const seen = innerWidth + ' ' + innerHeight;
+    if (this.#fitted && seen !== this.#window) this.fit();
+    else if (this.#frame) this.#look();
+    this.#window = seen;
+    this.changed = true;
   }
 
   /** Pixels of a place. */
@@ -111,11 +125,19 @@ export class Road {
     return [
       ...[...s.boards.values()].filter((b) => b.place).map((b) => ({ kind: 'board', name: b.name, place: b.place, title: plain(b.title, 16), board: b })),
       ...[...s.obstacles.values()].map((o) => ({ kind: 'obstacle', name: o.name, place: o.place, title: plain(o.name, 20) })),
-      ...(this.#ui.standing ? [{ kind: 'injector', name: 'injector', place: this.#ui.standing, title: 'Injector' }] : []),
+      ...(this.#ui.standing ? [{ kind: 'injector', name: 'injector', place: this.#ui.standing, title: YOU }] : []),
     ];
   }
 
+  /** Whether anything moves or fades at a time, or is held. */
+  moves(model, state, t) {
+    return this.#ui.held !== undefined || model.onAir(t, AFTERGLOW).length > 0 || model.lossesSince(t, LOSS_GLOW).length > 0
+      || state.jams.some((jam) => jam.start <= t && t < jam.until)
+      || [...state.boards.values()].some((b) => t - b.placedAt < 2 * STEP || (b.offUntil ?? 0) > t || b.counted.some((c) => c.t <= t && t - c.t < REFUSAL_GLOW + 1 && [...c.rises.keys()].some((name) => REFUSALS[name])));
+  }
+
   draw(model, state, t) {
+    this.changed = false;
     const g = this.#g;
     this.#shown = state;
     if (this.#framed !== model && (state.boards.size > 0 || !this.#frame)) {
@@ -150,7 +172,11 @@ export class Road {
 
   /** Shows all that stands on the road. */
   fit() {
-    const places = this.#things().map((thing) => thing.place);
+    this.#fitted = true;
+    const { radio } = this.#shown ?? {};
+    // Where nothing drives, the range of radios is what there is to see.
+    const reach = this.#shown && this.#ranged(this.#shown) ? radio.range : 0;
+    const places = this.#things().flatMap(({ place: [x, y], board }) => (board ? [[x - reach, y - reach], [x + reach, y + reach]] : [[x, y]]));
     const [x, y] = [0, 1].map((axis) => {
       const all = places.length ? places.map((p) => p[axis]) : [0];
       return [Math.min(...all), Math.max(...all)];
@@ -164,12 +190,19 @@ export class Road {
     this.#look();
   }
 
+  /** Whether radios' ranges are drawn. */
+  #ranged(state) {
+    const boards = [...state.boards.values()];
+    return boards.every((b) => b.heading === undefined) && boards.some((b) => b.radio);
+  }
+
   /** Shows more or less; what is under the pixel stays there. */
   zoom(factor, x = this.#width / 2, y = this.#height / 2) {
     const scale = Math.max(SCALES[0], Math.min(this.#view.scale * factor, SCALES[1]));
     const part = this.#view.scale / scale;
     const [dx, dy] = [x - this.#width / 2, y - this.#height / 2].map((d) => (d * (1 - part)) / this.#view.scale);
     const f = this.#frame;
+    this.#fitted = false;
     this.#frame = { x: f.x + dx, y: f.y - dy, wide: f.wide * part, tall: f.tall * part };
     this.#look();
   }
@@ -177,11 +210,13 @@ export class Road {
   /** Moves what is shown by so many pixels. */
   pan(dx, dy) {
     const { scale } = this.#view;
+    this.#fitted = false;
     this.#frame = { ...this.#frame, x: this.#frame.x - dx / scale, y: this.#frame.y + dy / scale };
     this.#look();
   }
 
   #look() {
+    this.changed = true;
     const { x, y, wide, tall } = this.#frame;
     const room = [this.#width - 2 * MARGIN.side, this.#height - 2 * MARGIN.end].map((pixels) => Math.max(pixels, 50));
     const scale = Math.min(room[0] / wide, room[1] / tall);
@@ -191,18 +226,14 @@ export class Road {
   #ground(state) {
     const g = this.#g;
     const { scale, top } = this.#view;
-    const lines = new Set();
-    for (const b of state.boards.values()) {
-      if (b.heading === undefined || !b.place || Math.abs(Math.sin((b.heading * Math.PI) / 180)) > 0.05) continue;
-      if (lines.size < 6) lines.add(Math.round(b.place[1] / 4) * 4);
-    }
     g.fillStyle = ink('road');
-    for (const y of lines) g.fillRect(0, (top - y) * scale - 16, this.#width, 32);
+    for (const y of state.roads) g.fillRect(0, (top - y) * scale - 16, this.#width, 32);
     g.strokeStyle = ink('paper');
     g.lineWidth = 2;
     g.setLineDash([14, 14]);
-    for (const y of lines) this.#line(0, (top - y) * scale, this.#width, (top - y) * scale);
+    for (const y of state.roads) this.#line(0, (top - y) * scale, this.#width, (top - y) * scale);
     g.setLineDash([]);
+    if (this.#ranged(state)) for (const b of state.boards.values()) if (b.radio && b.place) this.#range(b, state.radio.range);
     // A scale: ten metres.
     g.strokeStyle = g.fillStyle = ink('soft');
     g.lineWidth = 1;
@@ -212,6 +243,18 @@ export class Road {
     this.#line(x, y - 4, x, y + 4);
     this.#line(x + 10 * scale, y - 4, x + 10 * scale, y + 4);
     this.#words('10 m', x + 10 * scale + 6, y, { align: 'left', size: 11, colour: ink('soft') });
+  }
+
+  #range(board, range) {
+    const g = this.#g;
+    g.strokeStyle = hue(board);
+    g.globalAlpha = 0.5;
+    g.setLineDash([2, 6]);
+    g.beginPath();
+    g.arc(...this.#at(this.#heldPlace('board', board.name, board.place)), range * this.#view.scale, 0, 2 * Math.PI);
+    g.stroke();
+    g.setLineDash([]);
+    g.globalAlpha = 1;
   }
 
   #line(x1, y1, x2, y2) {
@@ -270,7 +313,11 @@ export class Road {
     }
     const off = board.offUntil !== undefined && t < board.offUntil;
     const trouble = off ? 'no power' : board.port === 'unplugged' ? 'unplugged' : '';
-    const lamps = '●'.repeat(Math.min(4, [...board.pins.values()].filter((pin) => pin.level).length));
+    const pins = [...board.pins.values()];
+    // Few boards have room for the names of their pins.
+    const lamps = this.#shown.boards.size <= FEW && board.heading === undefined
+      ? pins.slice(0, 6).map((pin) => (pin.level ? '● ' : '○ ') + plain(pin.name, 16)).join(' ')
+      : '●'.repeat(Math.min(4, pins.filter((pin) => pin.level).length));
     const crowded = this.#shown.boards.size > CROWD;
     const name = crowded ? '' : title;
     this.#say(key, [letter(board), name, lamps, trouble].join('|'), this.#at(place), {
@@ -390,7 +437,17 @@ export class Road {
     g.lineWidth = 1.5;
     g.setLineDash(dash(board));
     g.beginPath();
-    if (board.heading === undefined) {
+    if (board.heading === undefined && this.#shown.roads.length === 0) {
+      // A board, with its plug.
+      g.roundRect(-BOARD.length / 2, -BOARD.width / 2, BOARD.length, BOARD.width, 3);
+      g.fill();
+      g.stroke();
+      g.setLineDash([]);
+      g.fillStyle = ink('paper');
+      g.globalAlpha *= 0.75;
+      g.fillRect(-BOARD.length / 2 - 3, -5, 9, 10);
+      g.fillRect(0, -4, 10, 8);
+    } else if (board.heading === undefined) {
       // A station: a house.
       g.moveTo(-STATION / 2, STATION / 2);
       g.lineTo(-STATION / 2, -STATION / 4);
@@ -511,7 +568,7 @@ export class Road {
 
   /** A board that has just counted a packet as refused says why. */
   #refusal(board, t) {
-    const last = board.counted.findLast((c) => t - c.t < REFUSAL_GLOW && [...c.rises.keys()].some((name) => REFUSALS[name]));
+    const last = board.counted.findLast((c) => c.t <= t && t - c.t < REFUSAL_GLOW && [...c.rises.keys()].some((name) => REFUSALS[name]));
     if (!last || !board.place) return;
     const name = [...last.rises.keys()].find((n) => REFUSALS[n]);
     this.#say('refused ' + board.name, '✗ refused: ' + REFUSALS[name].short, this.#at(this.#placeOf(board, t)), { side: -90, look: 'bad' });

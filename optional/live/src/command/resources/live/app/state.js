@@ -33,6 +33,13 @@ export const START = {
   pace: 1,
   light: undefined,
   boards: new Map(),
+  agents: new Map(),
+  /** Whatever the run says of itself. */
+  about: '',
+  /** Heights of roads, in metres, which go along x. */
+  roads: [],
+  /** The speed at which a story that waits for its first viewer is to be told. */
+  waits: undefined,
   obstacles: new Map(),
   injector: undefined,
   jams: [],
@@ -53,47 +60,71 @@ const board = (name, index) => ({
   placedAt: -1,
   heading: undefined,
   port: '',
+  /** Whether the emulator tells of it. */
+  traced: false,
   offUntil: undefined,
   reset: undefined,
   online: undefined,
   firmware: '',
   radio: true,
   actions: [],
+  /** The arguments of its actions, as its agent's program writes them. */
+  uses: new Map(),
   pins: new Map(),
   sensors: [],
   percepts: [],
-  beliefs: new Map(),
-  intentions: [],
   counters: new Map(),
   counted: [],
-  said: [],
   printed: [],
   warned: [],
   acted: undefined,
 });
+
+const agent = (name) => ({ name, board: undefined, ended: undefined, beliefs: new Map(), intentions: [], said: [], warned: [] });
+
+const logged = (lines, e) => [...lines, { t: e.t, text: text(e.text) }].slice(-LINES_SAID);
+
+/** Effects of events on an agent. One that no event names has its board's name. */
+const ofAgent = {
+  __proto__: null,
+  agent: (a, e) => ({ ended: e.ended === true ? e.t : undefined }),
+  beliefs: (a, e) => {
+    const beliefs = new Map([...a.beliefs].filter(([, belief]) => !(belief.gone && e.t - belief.t > NEW_FOR)));
+    for (const gone of texts(e.remove)) if (beliefs.has(gone)) beliefs.set(gone, { t: e.t, gone: true });
+    for (const added of texts(e.add)) if (beliefs.size < MOST_BELIEFS) beliefs.set(added, { t: e.t, gone: false });
+    return { beliefs };
+  },
+  intentions: (a, e) => ({ intentions: texts(e.intentions).slice(0, 20) }),
+  said: (a, e) => ({ said: logged(a.said, e) }),
+};
 
 /** Effects of events on a board. (Without a prototype: a trace may name an event `constructor`.) */
 const ofBoard = {
   __proto__: null,
   place: (b, e) => {
     const to = place(e.position);
-    return to ? { place: to, before: b.place, placedAt: e.t, heading: Number.isFinite(e.heading) ? e.heading : b.heading } : {};
+    const stands = to && b.place && to[0] === b.place[0] && to[1] === b.place[1] && (e.heading ?? b.heading) === b.heading;
+    return to && !stands ? { place: to, before: b.place, placedAt: e.t, heading: Number.isFinite(e.heading) ? e.heading : b.heading } : {};
   },
   device: (b, e) => ({ address: text(e.address), title: text(e.title) || b.name }),
   'host-id': (b, e) => ({ address: text(e.id) }),
   board: (b, e) => ({
     online: e.online === true,
-    port: e.online === true ? 'open' : 'unplugged',
-    address: text(e.address),
-    title: text(e.address) || b.name,
-    firmware: text(e.firmware),
-    radio: e.online === true ? e.radio !== false : b.radio,
-    actions: texts(e.actions).slice(0, 100),
+    port: b.traced ? b.port : e.online === true ? 'open' : 'unplugged',
+    address: text(e.address) || b.address,
+    ...(e.online === true ? {
+      firmware: text(e.firmware),
+      radio: e.radio !== false,
+      actions: texts(e.actions).slice(0, 100),
+      uses: new Map(Object.entries(e.arguments && typeof e.arguments === 'object' ? e.arguments : {}).map(([name, use]) => [name, text(use)])),
+    } : {}),
   }),
   port: (b, e) => ({ port: text(e.state) }),
   reset: (b, e) => ({
     reset: { t: e.t, why: text(e.why) },
-    offUntil: undefined,
+    /** Whether the emulator tells of it. */
+  traced: false,
+  offUntil: undefined,
     pins: new Map([...b.pins].map(([pin, p]) => [pin, { ...p, level: 0 }])),
   }),
   fault: (b, e) => (e.do === 'power-cut' ? { offUntil: number(e.until, e.t) } : {}),
@@ -106,13 +137,6 @@ const ofBoard = {
     sensors: b.sensors.map((s) => (s.pin === e.pin ? { ...s, held: Number.isFinite(e.value) ? e.value : undefined } : s)),
   }),
   percepts: (b, e) => ({ percepts: texts(e.percepts).slice(0, 64) }),
-  beliefs: (b, e) => {
-    const beliefs = new Map([...b.beliefs].filter(([, belief]) => !(belief.gone && e.t - belief.t > NEW_FOR)));
-    for (const gone of texts(e.remove)) if (beliefs.has(gone)) beliefs.set(gone, { t: e.t, gone: true });
-    for (const added of texts(e.add)) if (beliefs.size < MOST_BELIEFS) beliefs.set(added, { t: e.t, gone: false });
-    return { beliefs };
-  },
-  intentions: (b, e) => ({ intentions: texts(e.intentions).slice(0, 20) }),
   'counters-of-board': (b, e) => {
     const counters = numbers(e.counters);
     const rises = [...counters].filter(([name, value]) => value > (b.counters.get(name) ?? 0));
@@ -121,8 +145,7 @@ const ofBoard = {
   },
   printed: (b, e) => ({ printed: [...b.printed, ...text(e.text).split(/[\r\n]+/).filter(Boolean).map((line) => ({ t: e.t, text: line }))].slice(-LINES_SAID) }),
   uart: (b, e) => ofBoard.printed(b, { ...e, text: e.line ?? e.hex }),
-  warned: (b, e) => ({ warned: [...b.warned, { t: e.t, text: text(e.text) }].slice(-LINES_SAID) }),
-  said: (b, e) => ({ said: [...b.said, { t: e.t, text: text(e.text) }].slice(-LINES_SAID) }),
+  warned: (b, e) => ({ warned: logged(b.warned, e) }),
   acted: (b, e) => ({ acted: { t: e.t, action: text(e.action), error: e.error === undefined ? '' : text(e.error) } }),
 };
 
@@ -160,6 +183,7 @@ const ofRun = {
       const known = boards.get(text(b.name)) ?? board(text(b.name), boards.size);
       boards = put(boards, known.name, {
         ...known,
+        traced: true,
         place: place(b.position) ?? [0, 0],
         heading: Number.isFinite(b.heading) ? b.heading : undefined,
         sensors: objects(b.sensors).slice(0, 16).map(({ type, pin }) => ({ type: text(type), pin: Number.isFinite(pin) ? pin : text(pin), held: undefined })),
@@ -183,6 +207,8 @@ const ofRun = {
     return { behaviours: put(s.behaviours, n, { number: n, text: text(e.text) || before?.text || '', observedAt }) };
   },
   note: (s, e) => ({ note: text(e.text) }),
+  about: (s, e) => ({ about: text(e.text), roads: (Array.isArray(e.roads) ? e.roads : []).filter(Number.isFinite).slice(0, 6) }),
+  story: (s, e) => ({ waits: Number.isFinite(e.speed) ? e.speed : undefined }),
   verdict: (s, e) => ({ verdict: { text: text(e.text), accepted: e.accepted === true } }),
   skipped: (s, e) => ({ skipped: s.skipped + number(e.count) }),
 };
@@ -195,7 +221,18 @@ export function fold(state, event) {
   // The injector has no board.
   if (typeof name === 'string' && change && (next.boards.has(name) || next.boards.size < MOST_BOARDS)) {
     const b = next.boards.get(name) ?? board(name, next.boards.size);
-    next.boards = put(next.boards, name, { ...b, ...change(b, event) });
+    const changes = change(b, event);
+    // A vehicle that tells again where it stands changes nothing.
+    if (Object.keys(changes).length > 0 || !next.boards.has(name)) next.boards = put(next.boards, name, { ...b, ...changes });
+  }
+  const mind = ofAgent[event.event] ?? (event.event === 'warned' && typeof name !== 'string' ? ofBoard.warned : undefined);
+  const who = typeof event.agent === 'string' ? event.agent : mind && name;
+  if (typeof who === 'string' && (next.agents.has(who) ? mind || name !== next.agents.get(who).board : mind && next.agents.size < MOST_BOARDS)) {
+    const a = next.agents.get(who) ?? agent(who);
+    next.agents = put(next.agents, who, { ...a, board: typeof name === 'string' ? name : a.board, ...(mind?.(a, event) ?? {}) });
   }
   return next;
 }
+
+/** The agents of a board that have not ended; without a name, those without a board. */
+export const agentsAt = (state, name) => [...state.agents.values()].filter((a) => a.board === name && a.ended === undefined);

@@ -26,3 +26,6 @@ export const rounded = (metres) => String(Math.round(metres * 100) / 100);
 export function listed(words) {
   return words.length < 2 ? words.join('') : words.slice(0, -1).join(', ') + ' and ' + words[words.length - 1];
 }
+
+/** What an attacker is called. */
+export const YOU = 'you, the attacker';

@@ -4,7 +4,7 @@
 import { html, nothing, render, svg } from '/lib/lit-html/lit-html.js';
 import { hueClass, letter } from './colours.js';
 import { isFor } from './packet.js';
-import { plain, seconds } from './text.js';
+import { YOU, plain, seconds } from './text.js';
 import { sentence } from './phrases.js';
 
 const ROW = 24;
@@ -44,13 +44,14 @@ export class Timeline {
     const boards = [...state.boards.values()];
     this.#count = model.marksUpTo(t);
     const width = Math.max(this.#box.clientWidth - 2, TIME + boards.length * LEAST_COLUMN);
-    const key = [this.#count, model.marks.length && model.marks[0].n, boards.map((b) => b.title).join(), width, this.#box.clientHeight].join('|');
+    const key = [model.revisionAt(t), this.#count, model.marks.length && model.marks[0].n, boards.map((b) => b.title).join(), width, this.#box.clientHeight].join('|');
     if (key === this.#drawn) return;
     this.#drawn = key;
     const height = HEAD + this.#count * ROW + 8;
     // The injector has half a column of its own.
     const column = (width - TIME - 10) / Math.max(1, boards.length + (state.injector ? 0.5 : 0));
-    const x = (name) => TIME + column * ((state.boards.get(name)?.index ?? boards.length - 0.1) + 0.35);
+    // Whatever has no board begins at the left.
+    const x = (name) => TIME + (name === undefined ? 7 : column * ((state.boards.get(name)?.index ?? boards.length - 0.1) + 0.35));
     if (this.#sticky) {
       if (this.#space) this.#space.style.height = height + 'px';
       this.#box.scrollTop = height;
@@ -78,17 +79,17 @@ export class Timeline {
     const time = svg`<text class="time" x=${TIME - 8} y=${y + 4}>${seconds(mark.t)}</text>`;
     const hue = mark.board === undefined ? '' : hueClass(state.boards.get(mark.board));
     return svg`<g class="row ${mark.kind} ${hue}" data-t=${mark.t}><rect class="hit" x="0" y=${y - ROW / 2} width=${width} height=${ROW}></rect>
-      <title>${sentence(state, mark) ?? plain(mark.text, 80)}</title>${time}${this.#content(mark, y, x, width, state, boards)}</g>`;
+      <title>${sentence(model, state, mark) ?? plain(mark.text, 80)}</title>${time}${this.#content(model, mark, y, x, width, state, boards)}</g>`;
   }
 
-  #content(mark, y, x, width, state, boards) {
+  #content(model, mark, y, x, width, state, boards) {
     switch (mark.kind) {
-      case 'said': return this.#boxed('“' + plain(mark.text, 70) + '”', x(mark.board), y, width);
+      case 'said': return this.#boxed((mark.agent === mark.board ? '' : plain(mark.agent, 20) + ': ') + '“' + plain(mark.text, 70) + '”', x(mark.board), y, width);
       case 'pin': case 'acted': case 'heard': return this.#boxed(plain(mark.text, 60), x(mark.board), y, width);
       case 'packet': case 'ack': return this.#arrows(mark, y, x, width, state, boards);
       case 'behaviour': return svg`<text class="done" x=${TIME} y=${y + 4}>✓ ${CIRCLED(mark.number)} ${fitting(mark.text, width - 40)}</text>`;
       case 'verdict': return svg`<text class=${mark.accepted ? 'done' : 'bad'} x=${TIME} y=${y + 4}>${fitting(mark.text, width)}</text>`;
-      default: return svg`<line class="cut" x1=${TIME} x2=${width} y1=${y} y2=${y}></line>${this.#boxed(sentence(state, mark) ?? plain(mark.text), mark.board && state.boards.has(mark.board) ? x(mark.board) : TIME + 20, y, width)}`;
+      default: return svg`<line class="cut" x1=${TIME} x2=${width} y1=${y} y2=${y}></line>${this.#boxed(sentence(model, state, mark) ?? plain(mark.text), mark.board && state.boards.has(mark.board) ? x(mark.board) : TIME + 20, y, width)}`;
     }
   }
 
@@ -107,17 +108,20 @@ export class Timeline {
     const from = p.board;
     const to = p.to.length > 0 ? p.to : boards.filter((b) => b.name !== from && isFor(p.destination, b.address)).map((b) => b.name);
     const lost = (name) => p.heard.some((h) => h.board === name && h.why);
+    const heard = (name) => p.heard.some((h) => h.board === name);
     const ends = to.filter((name) => state.boards.has(name));
     const x0 = x(from);
     const right = ends.map(x).filter((end) => end > x0);
     const near = right.length ? Math.min(...right) : ends.length ? Math.max(...ends.map(x)) : x0 + 60;
     const words = mark.kind === 'ack' ? 'got it'
       : plain(p.destination, 4) + (p.sealed ? ' sealed' : ' ' + plain(p.content ?? p.kind, 30));
-    const label = (from === 'injector' ? 'injector: ' : '') + words;
+    const label = (from === 'injector' ? YOU + ': ' : '') + words;
     const middle = Math.min((x0 + near) / 2, width - (label.length * LETTER) / 2);
     return svg`${ends.map((name) => {
       const end = x(name);
       const way = end > x0 ? -1 : 1;
+      // To those that it has not reached it fades.
+      if (!heard(name)) return svg`<line class="arrow unheard" x1=${x0} x2=${x0 - way * Math.min(40, Math.abs(end - x0) / 2)} y1=${y + 4} y2=${y + 4}></line>`;
       return svg`<line class="arrow ${p.sealed || mark.kind === 'ack' ? '' : 'plain'}" x1=${x0} x2=${end + way * 7} y1=${y + 4} y2=${y + 4}></line>
         <path class="tip" d="M${end},${y + 4} l${way * 9},-4 v8 z"></path>
         ${lost(name) ? svg`<text class="lost" x=${end + way * 14} y=${y + 9}>✗</text>` : nothing}`;
