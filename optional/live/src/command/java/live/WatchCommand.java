@@ -62,12 +62,20 @@ public final class WatchCommand implements CommandPlugin {
         check(port == null == (trace != null) || agents != null && port == null,
                 "watch takes either --port PORT, for a board, or --trace FILE");
         check(agents == null || trace == null || isRun(), "--agents needs --trace - or no trace");
+        check(agents == null || canBeMade(agents),
+                "--agents takes a new socket in a folder that is there, not " + agents);
         check(control == null || isRun(), "--control needs --trace -: only a run that goes on takes commands");
         check(control == null || !Files.isDirectory(control) && !Files.isRegularFile(control),
                 "--control takes the emulator's control socket, not " + control);
         check(httpPort >= 0 && httpPort <= LAST_PORT, "--http-port takes 0 to " + LAST_PORT + ", not " + httpPort);
         UntilInterrupted.run(this::watch);
         return 0;
+    }
+
+    /** An earlier socket of that name is replaced, no file. */
+    private static boolean canBeMade(Path socket) {
+        return !Files.isDirectory(socket) && !Files.isRegularFile(socket)
+                && Files.isDirectory(socket.toAbsolutePath().getParent());
     }
 
     private void check(boolean right, String otherwise) {

@@ -144,7 +144,7 @@ class ObservedMasTest {
 
     @Test
     void agent_madeLater_isObservedUnderItsNameToItsEnd() throws Exception {
-        run("!go. +!go <- .create_agent(helper, \"" + folder + "/helper.asl\"); .wait({+over}); .kill_agent(helper).",
+        run("!go. +!go <- .create_agent(helper, \"" + folder + "/helper.asl\"). +over <- .kill_agent(helper).",
                 Map.of("helper.asl", "help."));
 
         awaitLine("\"agent\":\"helper\",\"event\":\"beliefs\",\"add\":[\"help[source(self)]\"");
