@@ -355,6 +355,9 @@ final class Scenario implements AutoCloseable {
         while (!viewed && System.nanoTime() < end) {
             takeHappening(TimeUnit.MILLISECONDS.toNanos(50));
         }
+        if (!viewed) {
+            timeline.note("nobody looks at the page yet: the story begins");
+        }
         tell("story", "begun", true);
     }
 

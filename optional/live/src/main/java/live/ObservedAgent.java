@@ -41,7 +41,7 @@ final class ObservedAgent extends AgArch {
     private final String name;
     private final transient Consumer<String> out;
     private final transient Optional<ObservedBoard> board;
-    private List<String> percepts = List.of();
+    private transient List<String> percepts = List.of();
     private transient Set<String> beliefs = Set.of();
     private transient List<String> intentions = List.of();
     private long lastLook = System.nanoTime() - LEAST_NANOS;

@@ -84,8 +84,11 @@ class LivePageTest {
         try (LiveRun run = LiveRun.highway(folder, "--live="); Page page = Page.open(run.address())) {
             awaitEvent(run, command("speed").and(event -> event.real("value") == 0.3));
             page.await("section.agent[data-board='bus']:not([data-openness=''])");
-            assertTrue(run.events(is("said", "police")).get(0).seconds() > run.events(command("speed")).get(0)
-                    .seconds(), "the story waits for its viewer");
+            double begins = run.events(event -> event.is("story") && event.has("begun")).get(0).seconds();
+            assertTrue(run.events(is("said", "police")).get(0).seconds() >= begins, "it waits");
+            // On a busy machine the page may be there too late for it.
+            assertTrue(run.events(command("speed")).get(0).seconds() <= begins
+                    || run.said().contains("nobody looks at the page yet"), run::said);
             assertEquals(0, run.end(), run::said);
         }
     }

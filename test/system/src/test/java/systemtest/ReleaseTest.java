@@ -162,7 +162,7 @@ class ReleaseTest {
                 .collect(Collectors.toCollection(TreeSet::new));
         try (Stream<Path> lib = Files.list(Release.unpack(folder).resolve("lib"))) {
             // Our own are no components of it.
-            lib.map(jar -> jar.getFileName().toString()).filter(name -> !name.matches("(javino|key-agreement)-.*"))
+            lib.map(jar -> jar.getFileName().toString()).filter(name -> !name.matches("(javino|key-agreement|live)-.*"))
                     .forEach(name -> assertTrue(jars.contains(name), () -> name + " is not in " + jars));
         }
         assertTrue(bill.getComponents().stream().anyMatch(component -> component.getName().equals("libsimavr-dev")));
