@@ -3,6 +3,8 @@ Feature: an agent knows how open its MAS is, by the radio of its board
   @verify
   Scenario: the board goes and comes: the agent goes through all transitions of figure 1
     Given a robot with Vehicle, by the agent wanderer
+    When 20 s pass
+    Then the agent robot still believes openness(open)
     When robot's board is unplugged
     Then within 4 min the agent robot no longer believes openness(totallyClosed)
     When robot's board is plugged in

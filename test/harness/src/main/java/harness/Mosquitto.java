@@ -1,6 +1,7 @@
 package harness;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -8,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -17,6 +19,8 @@ import java.util.concurrent.TimeUnit;
 public final class Mosquitto implements AutoCloseable {
 
     public static final String OWNER = "owner";
+    private static final int FIRST_PORT = 20_000;
+    private static final int LAST_PORT = 30_000;
     /** The password of all users. */
     public static final String PASSWORD = "together";
     /** The topics that a user named as its cell may write and read (docs/mqtt.md). */
@@ -71,10 +75,15 @@ public final class Mosquitto implements AutoCloseable {
         return broker;
     }
 
-    /** A port of this computer that nobody uses. */
+    /** A port of this computer that nobody uses; below those that systems give to whoever asks for any meanwhile. */
     public static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
+        while (true) {
+            int port = ThreadLocalRandom.current().nextInt(FIRST_PORT, LAST_PORT);
+            try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+                return socket.getLocalPort();
+            } catch (BindException taken) {
+                // Another one, then.
+            }
         }
     }
 
