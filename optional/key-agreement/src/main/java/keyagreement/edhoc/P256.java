@@ -31,6 +31,7 @@ public final class P256 {
     /** The number of bytes of a compressed point. */
     public static final int POINT_LENGTH = 33;
 
+    private static final int SIGNATURE_LENGTH = 2 * COORDINATE_LENGTH;
     private static final String ECDSA = "SHA256withECDSAinP1363Format";
     private static final ECParameterSpec CURVE = curve();
     private static final BigInteger P = ((ECFieldFp) CURVE.getCurve().getField()).getP();
@@ -216,8 +217,11 @@ public final class P256 {
         });
     }
 
-    /** Whether a signature is that of this key. */
+    /** Whether a signature is that of this key. The JDK would take r and s of fewer bytes as well. */
     public static boolean verify(ECPublicKey key, Bytes text, Bytes signed) {
+        if (signed.length() != SIGNATURE_LENGTH) {
+            return false;
+        }
         return compute(() -> {
             Signature signature = Signature.getInstance(ECDSA);
             signature.initVerify(key);
@@ -225,7 +229,7 @@ public final class P256 {
             try {
                 return signature.verify(signed.toArray());
             } catch (SignatureException e) {
-                // Out of range, or of another length.
+                // Out of range.
                 return false;
             }
         });
