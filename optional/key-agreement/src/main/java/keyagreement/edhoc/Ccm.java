@@ -10,13 +10,21 @@ import javino.protocol.Bytes;
 /**
  * AES-CCM (RFC 3610, NIST SP 800-38C), from the JDK's AES in CBC and CTR, as the JDK has no CCM.
  *
- * @param key       16 bytes.
+ * @param key       16 bytes; 24 or 32 work, too.
  * @param nonce     7…13 bytes; never twice with a key.
  * @param tagLength 4, 6, 8, …, 16 bytes.
  */
 record Ccm(Bytes key, Bytes nonce, int tagLength) {
 
     private static final int BLOCK = 16;
+
+    /** @throws IllegalArgumentException if RFC 3610 knows no such nonce or tag. */
+    Ccm {
+        if (nonce.length() < 7 || nonce.length() > 13 || tagLength < 4 || tagLength > BLOCK || tagLength % 2 != 0) {
+            throw new IllegalArgumentException(
+                    "AES-CCM has no nonce of " + nonce.length() + " and tag of " + tagLength + " bytes");
+        }
+    }
 
     /** @param text fewer than 65536 bytes. @param associated fewer than 65280 bytes. @return the tag is at its end. */
     Bytes seal(Bytes text, Bytes associated) {

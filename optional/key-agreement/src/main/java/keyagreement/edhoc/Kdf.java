@@ -20,14 +20,25 @@ public final class Kdf {
         return Bytes.join(parts).sha256();
     }
 
-    /** EDHOC_Extract. */
+    /** EDHOC_Extract. @param salt one without a byte is {@link #HASH_LENGTH} zeros (RFC 5869 section 2.2). */
     static Bytes extract(Bytes salt, Bytes secret) {
-        return hmac(salt, secret);
+        return hmac(salt.length() == 0 ? Bytes.copyOf(new byte[HASH_LENGTH]) : salt, secret);
     }
 
     /** EDHOC_KDF. @param length the number of bytes to derive. */
     static Bytes derive(Bytes key, int label, Bytes context, int length) {
-        Bytes info = Bytes.join(Cbor.integer(label), Cbor.bytes(context), Cbor.integer(length));
+        return expand(key, Bytes.join(Cbor.integer(label), Cbor.bytes(context), Cbor.integer(length)), length);
+    }
+
+    /**
+     * HKDF-Expand (RFC 5869 section 2.3).
+     *
+     * @throws IllegalArgumentException if more than 255 hashes are needed.
+     */
+    static Bytes expand(Bytes key, Bytes info, int length) {
+        if (length > 255 * HASH_LENGTH) {
+            throw new IllegalArgumentException("HKDF derives no " + length + " bytes");
+        }
         ByteArrayOutputStream derived = new ByteArrayOutputStream();
         Bytes last = Bytes.EMPTY;
         for (int i = 1; derived.size() < length; i++) {
@@ -37,7 +48,8 @@ public final class Kdf {
         return Bytes.copyOf(derived.toByteArray()).slice(0, length);
     }
 
-    private static Bytes hmac(Bytes key, Bytes text) {
+    /** HMAC with SHA-256 (RFC 2104): 32 bytes. @param key at least a byte. */
+    static Bytes hmac(Bytes key, Bytes text) {
         try {
             Mac mac = Mac.getInstance("HmacSHA256");
             mac.init(new SecretKeySpec(key.toArray(), "HmacSHA256"));
