@@ -1,6 +1,7 @@
 // The results of the assembly: the same vectors that the portable code and the Java library are held to.
 #include "../firmware/support/Reference.h"
 #include "../firmware/support/Vectors.h"
+#include "../firmware/support/Wycheproof.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,12 @@ TEST(Vectors, cmac_of_nist) {
     const Outcome outcome = perform(Mailbox::COMPUTE_CMAC, vector.bytes("key"), {}, vector.bytes("message"));
     EXPECT_EQ(vector.text("tag"), toHex(outcome.bytes(16))) << vector.toString();
   }
+}
+
+TEST(Wycheproof, cmac) {
+  EXPECT_EQ("", wronglyJudgedCmacs("`Cmac` on an emulated Mega", [](const Bytes &key, const Bytes &message) {
+    return perform(Mailbox::COMPUTE_CMAC, key, {}, message).bytes(16);
+  }));
 }
 
 TEST(Vectors, derived_keys) {

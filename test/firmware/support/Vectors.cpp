@@ -32,6 +32,16 @@ std::vector<Bytes> Vector::bytesList(const char *field) const {
   return all;
 }
 
+std::vector<Vector> Vector::vectors(const char *field) const {
+  json_t *array = get(field);
+  if (!json_is_array(array) || json_array_size(array) == 0) throw std::runtime_error(std::string("no vectors in ") + field);
+  std::vector<Vector> all;
+  size_t index;
+  json_t *object;
+  json_array_foreach(array, index, object) all.push_back(Vector(object));
+  return all;
+}
+
 std::string Vector::toString() const {
   char *dump = json_dumps(object_, JSON_COMPACT);
   const std::string text = dump;
@@ -60,14 +70,4 @@ json_t *load(const std::string &file) {
 
 }  // namespace
 
-std::vector<Vector> vectors(const std::string &file, const char *list) {
-  json_t *array = json_object_get(load(file), list);
-  if (!json_is_array(array) || json_array_size(array) == 0) {
-    throw std::runtime_error(file + ": no vectors in " + list);
-  }
-  std::vector<Vector> all;
-  size_t index;
-  json_t *object;
-  json_array_foreach(array, index, object) all.push_back(Vector(object));
-  return all;
-}
+std::vector<Vector> vectors(const std::string &file, const char *list) { return Vector(load(file)).vectors(list); }

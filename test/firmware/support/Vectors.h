@@ -17,6 +17,7 @@ class Vector {
   Bytes bytes(const char *field) const { return fromHex(text(field)); }
   long number(const char *field) const;
   std::vector<Bytes> bytesList(const char *field) const;
+  std::vector<Vector> vectors(const char *field) const;
 
   /// The whole entry, for messages.
   std::string toString() const;
