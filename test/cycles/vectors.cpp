@@ -49,8 +49,8 @@ TEST(Vectors, cmac_of_nist) {
 
 TEST(Wycheproof, cmac) {
   EXPECT_EQ("", wronglyJudgedCmacs("`Cmac` on an emulated Mega", [](const Bytes &key, const Bytes &message) {
-    return perform(Mailbox::COMPUTE_CMAC, key, {}, message).bytes(16);
-  }));
+              return perform(Mailbox::COMPUTE_CMAC, key, {}, message).bytes(16);
+            }));
 }
 
 TEST(Vectors, derived_keys) {

@@ -34,7 +34,8 @@ std::vector<Bytes> Vector::bytesList(const char *field) const {
 
 std::vector<Vector> Vector::vectors(const char *field) const {
   json_t *array = get(field);
-  if (!json_is_array(array) || json_array_size(array) == 0) throw std::runtime_error(std::string("no vectors in ") + field);
+  if (!json_is_array(array) || json_array_size(array) == 0)
+    throw std::runtime_error(std::string("no vectors in ") + field);
   std::vector<Vector> all;
   size_t index;
   json_t *object;

@@ -17,14 +17,15 @@ void leaveRow(const std::string &part, int cases, int run, int right) {
   std::string name = part;
   for (char &c : name) c = c == ' ' || c == '`' ? '-' : c;
   std::ofstream row("verdict/" + name + ".row");
-  row << "| " << SOURCE << " | 0.7.0 | " << part << " | " << cases << " | " << run << " | " << right << " | " << run - right << " | "
-      << cases - run << " not run, as our keys have 16 bytes |\n";
+  row << "| " << SOURCE << " | 0.7.0 | " << part << " | " << cases << " | " << run << " | " << right << " | "
+      << run - right << " | " << cases - run << " not run, as our keys have 16 bytes |\n";
   if (!row.flush()) throw std::runtime_error("no row can be written");
 }
 
 }  // namespace
 
-std::string wronglyJudgedCmacs(const std::string &part, const std::function<Bytes(const Bytes &key, const Bytes &message)> &cmac) {
+std::string wronglyJudgedCmacs(const std::string &part,
+                               const std::function<Bytes(const Bytes &key, const Bytes &message)> &cmac) {
   int cases = 0;
   int run = 0;
   int right = 0;

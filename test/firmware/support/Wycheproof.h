@@ -9,4 +9,5 @@
 /// @param part what of ours is judged
 /// @param cmac gives the tag of 16 bytes
 /// @return the ids of those that ended otherwise than their authors say
-std::string wronglyJudgedCmacs(const std::string &part, const std::function<Bytes(const Bytes &key, const Bytes &message)> &cmac);
+std::string wronglyJudgedCmacs(const std::string &part,
+                               const std::function<Bytes(const Bytes &key, const Bytes &message)> &cmac);
