@@ -28,7 +28,7 @@ class StandardsTest {
      * 2, and had a kid be a number: runs of method 3 are computed from its hashes and with its ID_CRED.
      */
     @Test
-    void edhocOfItsWorkingGroup() throws HandshakeException {
+    void handshake_isAsTheWorkingGroupSays() throws HandshakeException {
         JsonObject all = Others.read("edhoc/vectors-p256.json").getAsJsonObject();
         try (Judge judge = new Judge("lake-wg/edhoc", "test-vectors-15, P-256", "`KeySchedule`, `Responder`")) {
             for (Map.Entry<String, JsonElement> vector : all.entrySet()) {
@@ -87,7 +87,7 @@ class StandardsTest {
 
     /** What ours can read it reads, and refuses the rest. */
     @Test
-    void cborOfRfc8949() {
+    void cbor_isAsTheStandardSays() {
         JsonArray all = Others.read("cbor/appendix_a.json").getAsJsonArray();
         try (Judge judge = new Judge("RFC 8949 appendix A", "cbor/test-vectors of 2014", "`CborReader`")) {
             for (JsonElement element : all) {

@@ -72,7 +72,7 @@ class WycheproofTest {
     }
 
     @Test
-    void ccm() {
+    void ccm_isAsWycheproofSays() {
         judge("aes_ccm", "`Ccm`", (group, test) -> {
             Ccm ccm = new Ccm(bytes(test, "key"), bytes(test, "iv"), group.get("tagSize").getAsInt() / 8);
             Bytes sealed = Bytes.join(bytes(test, "ct"), bytes(test, "tag"));
@@ -84,31 +84,31 @@ class WycheproofTest {
     }
 
     @Test
-    void hmac() {
+    void hmac_isAsWycheproofSays() {
         judge("hmac_sha256", "`Kdf`", (group, test) -> Kdf.hmac(bytes(test, "key"), bytes(test, "msg"))
                 .slice(0, group.get("tagSize").getAsInt() / 8).equals(bytes(test, "tag")));
     }
 
     @Test
-    void hkdf() {
+    void hkdf_isAsWycheproofSays() {
         judge("hkdf_sha256", "`Kdf`", (group, test) -> Kdf.expand(Kdf.extract(bytes(test, "salt"), bytes(test, "ikm")),
                 bytes(test, "info"), test.get("size").getAsInt()).equals(bytes(test, "okm")));
     }
 
     @Test
-    void ecdsa() {
+    void ecdsa_isAsWycheproofSays() {
         judge("ecdsa_secp256r1_sha256_p1363", "`P256`, signatures of lists", (group, test) -> P256.verify(
                 P256.decompress(compressed(bytes(group.getAsJsonObject("publicKey"), "uncompressed"))),
                 bytes(test, "msg"), bytes(test, "sig")));
     }
 
     @Test
-    void ecdhWithPoints() {
+    void ecdhWithPoints_isAsWycheproofSays() {
         judge("ecdh_secp256r1_ecpoint", "`P256`", (group, test) -> agrees(test, asked(bytes(test, "public"))));
     }
 
     @Test
-    void ecdhInAsn1() {
+    void ecdhInAsn1_isAsWycheproofSays() {
         Bytes head = Bytes.ofHex("3059301306072a8648ce3d020106082a8648ce3d030107034200");
         judge("ecdh_secp256r1", "`P256`", (group, test) -> {
             Bytes key = bytes(test, "public");
