@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -19,17 +20,23 @@ public final class Page {
     private static final List<String> TOP = List.of("<!-- verdict: made by gradle verdict -->", "# Verdict", "",
             "`gradle verdict` runs cases that others wrote, writes this page, and fails if a number falls. What is to "
                     + "be refused is right if it is refused. `test/verdict/vectors/SOURCES.txt` says where the cases "
-                    + "are from.",
+                    + "are from; suites need `-Pothers=FOLDER`, or stay as they are.",
             "");
 
     private Page() {
     }
 
-    /** @param files the page, and the folders of rows. */
+    /** @param files the page, sources whose rows stay as they are if none is new, a line each, and folders of rows. */
     public static void main(String[] files) throws IOException {
         Path page = Path.of(files[0]);
+        Set<String> kept = files[1].lines().collect(Collectors.toSet());
         List<String> earlier = Files.exists(page) ? Files.readAllLines(page) : List.of();
-        List<String> now = rows(Stream.of(files).skip(1).map(Path::of).collect(Collectors.toList()));
+        List<String> now = rows(Stream.of(files).skip(2).map(Path::of).collect(Collectors.toList()));
+        kept(earlier, now, kept).forEach(row -> {
+            System.out.println("not run now, as on the page: " + row.name());
+            now.add(row.toString());
+        });
+        Collections.sort(now);
         List<String> worse = worse(earlier, now);
         now.forEach(System.out::println);
         if (!worse.isEmpty()) {
@@ -49,7 +56,6 @@ public final class Page {
                 }
             }
         }
-        Collections.sort(rows);
         return rows;
     }
 
@@ -62,6 +68,13 @@ public final class Page {
         List<Row> all = parsed(rows);
         return all.stream().mapToInt(Row::run).sum() + " cases were run, of "
                 + all.stream().mapToInt(Row::cases).sum() + ".";
+    }
+
+    /** Rows of these sources that are on the page, and not new. */
+    static List<Row> kept(List<String> earlier, List<String> now, Set<String> sources) {
+        Set<String> names = parsed(now).stream().map(Row::name).collect(Collectors.toSet());
+        return parsed(earlier).stream().filter(row -> sources.contains(row.source()) && !names.contains(row.name()))
+                .collect(Collectors.toList());
     }
 
     /** What has fallen, and what is missing. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,5 +42,13 @@ class PageTest {
     void row_thatIsMissing_isTold() {
         assertEquals(List.of("Wycheproof aes_ccm, `Ccm`: was not run"), Page.worse(lines(row(10, 8, 8)), List.of()));
         assertEquals(List.of(), Page.worse(List.of(), lines(row(10, 8, 8))));
+    }
+
+    @Test
+    void row_ofASourceThatIsNotRun_isKept() {
+        List<String> earlier = lines(row(10, 8, 8));
+        assertEquals(List.of(row(10, 8, 8)), Page.kept(earlier, List.of(), Set.of("Wycheproof aes_ccm")));
+        assertEquals(List.of(), Page.kept(earlier, List.of(), Set.of("Jason's own tests")));
+        assertEquals(List.of(), Page.kept(earlier, lines(row(9, 8, 8)), Set.of("Wycheproof aes_ccm")));
     }
 }
