@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.IOException;
@@ -48,6 +49,15 @@ class ReleaseTest {
         }
     }
 
+    /** What Maven Central asks of a POM. */
+    @Test
+    void pom_hasWhatMavenCentralAsksFor() throws Exception {
+        String pom = Files.readString(Release.file("javino-board-", "\\.pom"));
+        for (String element : List.of("name", "description", "url", "licenses", "developers", "scm")) {
+            assertTrue(pom.contains("\n  <" + element + ">"), element + " in " + pom);
+        }
+    }
+
     /** So that what is built and compiled without a warning here, all examples for all boards, is so there. */
     @Test
     void arduinoLibrary_installed_hasTheFilesThatAreBuiltHere() throws Exception {
@@ -68,6 +78,10 @@ class ReleaseTest {
         assertEquals("JavinoBDI", json.get("name").getAsString());
         assertTrue(Files.readAllLines(library.resolve("library.properties"))
                 .contains("version=" + json.get("version").getAsString()));
+        for (JsonElement example : json.getAsJsonArray("examples")) {
+            String name = example.getAsJsonObject().get("name").getAsString();
+            assertTrue(Files.exists(library.resolve("examples/" + name + "/" + name + ".ino")), name);
+        }
     }
 
     private static Set<String> files(Path folder) throws IOException {
