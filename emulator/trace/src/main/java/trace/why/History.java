@@ -161,9 +161,11 @@ final class History {
         return found;
     }
 
-    /** The n-th of some events and the n-th of others are the same. */
-    static Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
+    /** The n-th of some events and the n-th of others are the same: from the end, if the log lacks its beginning. */
+    Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
+        boolean whole = all().noneMatch(each -> each.is(RunLog.LEFT_OUT));
         int at = its.indexOf(event);
+        at += whole || at < 0 ? 0 : others.size() - its.size();
         return at >= 0 && at < others.size() ? Optional.of(others.get(at)) : Optional.empty();
     }
 
