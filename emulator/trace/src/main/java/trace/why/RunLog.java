@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
@@ -25,21 +26,24 @@ import trace.TraceReader;
 /** The run's log, {@code build/run.jsonl}: the boards' trace and the last lines of the agents, in the order of time. */
 public final class RunLog {
 
-    /** Of the agents' lines; older ones are left out, but for the plans and settings at the beginning. */
-    public static final int MOST_LINES = 10_000;
+    /** Lines are left out by so many, so that a busy agent does not wait for that. */
+    private static final int PORTION = 1000;
+    /** The agents' last lines; older ones are left out, but for plans and settings among the first {@link #PORTION}. */
+    public static final int KEPT_LINES = 10 * PORTION;
     /** Counts the lines that were left out; it stands before the others. */
     static final String LEFT_OUT = "left-out";
     private static final String CLOCK = "clock";
     private static final Pattern KEPT = Pattern.compile("\"event\":\"agent-(plan|settings|believes)\"");
-    private static final int MOST_KEPT = 1000;
     private static final double MICROS = 1e6;
     /** Of an event, in s. */
     private static final double NEARBY = 5;
 
     private final double begin;
-    private final Deque<Supplier<String>> lines = new ArrayDeque<>();
-    private final List<String> kept = new ArrayList<>();
-    private int looked;
+    /** The last {@link #KEPT_LINES}, and those that came since. */
+    private final Deque<List<Supplier<String>>> portions = new ArrayDeque<>(List.of(new ArrayList<>(PORTION)));
+    private List<Supplier<String>> newest = portions.getLast();
+    /** Of the first portion, once that is left out. */
+    private List<String> kept = List.of();
     private int leftOut;
 
     /**
@@ -62,22 +66,19 @@ public final class RunLog {
 
     /** Takes a line of an agent, whose text is made when the log is read. */
     public synchronized void add(Supplier<String> line) {
-        lines.add(line);
-        if (lines.size() > MOST_LINES) {
-            Supplier<String> oldest = lines.remove();
-            leftOut++;
-            if (looked < MOST_KEPT) {
-                looked++;
-                keep(text(oldest));
+        if (newest.size() == PORTION) {
+            if (portions.size() * PORTION > KEPT_LINES) {
+                List<Supplier<String>> oldest = portions.remove();
+                if (leftOut == 0) {
+                    kept = oldest.stream().map(RunLog::text).filter(text -> KEPT.matcher(text).find()).toList();
+                    leftOut = -kept.size();
+                }
+                leftOut += PORTION;
             }
+            newest = new ArrayList<>(PORTION);
+            portions.add(newest);
         }
-    }
-
-    private void keep(String line) {
-        if (KEPT.matcher(line).find()) {
-            kept.add(line);
-            leftOut--;
-        }
+        newest.add(line);
     }
 
     /** Empty if its agent goes on meanwhile, and changes what it is made of. */
@@ -91,9 +92,10 @@ public final class RunLog {
 
     /** Makes the texts of all lines until now, while the agents can. */
     public synchronized void settle() {
-        List<String> texts = lines.stream().map(RunLog::text).toList();
-        lines.clear();
-        texts.forEach(text -> lines.add(() -> text));
+        portions.forEach(portion -> portion.replaceAll(line -> {
+            String text = text(line);
+            return () -> text;
+        }));
     }
 
     /**
@@ -126,11 +128,11 @@ public final class RunLog {
     /** The agents' lines, in the boards' time. */
     private List<TraceEvent> agents(NavigableMap<Double, Double> clocks) {
         List<TraceEvent> all = new ArrayList<>();
-        List<String> texts = lines.stream().map(RunLog::text).filter(text -> !text.isEmpty()).toList();
-        Stream.concat(kept.stream(), texts.stream()).map(text -> TraceEvent.parse(0, text))
+        List<String> texts = portions.stream().flatMap(List::stream).map(RunLog::text).toList();
+        Stream.concat(kept.stream(), texts.stream().filter(text -> !text.isEmpty())).map(text -> TraceEvent.parse(0, text))
                 .map(event -> event.with("t", Math.round(seconds(event.seconds(), clocks) * MICROS) / MICROS))
                 .forEach(all::add);
-        int gone = leftOut + lines.size() - texts.size();
+        int gone = leftOut + Collections.frequency(texts, "");
         if (gone > 0 && all.size() > kept.size()) {
             all.add(kept.size(), TraceEvent.parse(0, "{\"t\":%s,\"event\":\"%s\",\"lines\":%d}"
                     .formatted(all.get(kept.size()).seconds(), LEFT_OUT, gone)));

@@ -62,16 +62,15 @@ class RunLogTest {
     @Test
     void write_moreLinesThanAreKept_countsThoseThatAreGone() throws Exception {
         add(1000, "plan\"}");
-        add(1001, "event\"}");
+        for (int i = 0; i < RunLog.KEPT_LINES + 1000; i++) {
+            add(1002, "event\"}");
+        }
         log.add(() -> {
             throw new IllegalStateException("its agent goes on meanwhile");
         });
-        for (int i = 0; i < RunLog.MOST_LINES; i++) {
-            add(1002, "event\"}");
-        }
         List<String> lines = written();
-        assertEquals(List.of("{\"t\":0.0,\"event\":\"agent-plan\"}", "{\"t\":2.0,\"event\":\"left-out\",\"lines\":2}",
+        assertEquals(List.of("{\"t\":0.0,\"event\":\"agent-plan\"}", "{\"t\":2.0,\"event\":\"left-out\",\"lines\":1000}",
                 "{\"t\":2.0,\"event\":\"agent-event\"}"), lines.subList(0, 3));
-        assertEquals(RunLog.MOST_LINES + 2, lines.size());
+        assertEquals(RunLog.KEPT_LINES + 3, lines.size());
     }
 }
