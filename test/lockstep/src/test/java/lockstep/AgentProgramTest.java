@@ -97,7 +97,7 @@ class AgentProgramTest {
         Files.writeString(folder.resolve("two.asl"), """
                 n(0). n(1). n(2). !start.
                 wide(X) :- n(X) & X > 0.
-                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; .wait(200); !!outer; !never; +end.
+                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; !!outer; .wait(200); !never; +end.
                 -!never[error(E)] <- .print("failed ", E).
                 +!count(N) : N > 0 & n(X) & .print("asked ", X) & X > 1
                     <- .print(N, X); .random(R); .print(R); !count(N-1).
@@ -151,7 +151,7 @@ class AgentProgramTest {
         assertTrue(alone.stream().filter(line -> line.startsWith("asked ")).count() > 8, alone.toString());
         assertTrue(alone.stream().anyMatch(line -> line.contains("\"event\":\"host-nothing\"")), alone.toString());
         for (String part : List.of("\"part\":\"N > 0\",\"values\":[\"N = 0\"]", "\"part\":\"Y > 7\",\"values\":[\"Y = ",
-                "\"step\":\"!never\"", "\"event\":\"agent-settings\"", "\"part\":\"Y > X+7\",\"values\":[\"X = 1, Y = ")) {
+                "\"step\":\"!never\"", "\"event\":\"agent-settings\"", "\"part\":\"Y > (X+7)\",\"values\":[\"X = 1, Y = ")) {
             assertTrue(lines.stream().anyMatch(line -> line.contains(part)), part + String.join("\n", lines));
         }
     }
