@@ -82,15 +82,15 @@ public final class RecordedRun {
         }
     }
 
-    private static void show(EmulatorControl emulator) {
+    private void show(EmulatorControl emulator) {
         try {
-            emulator.perform(RunLog.clock(seconds()));
+            log.show(RecordedRun::seconds, emulator);
         } catch (IOException ended) {
             // The last clock tells of the rest.
         }
     }
 
-    private static void showAlways(EmulatorControl emulator) {
+    private void showAlways(EmulatorControl emulator) {
         while (true) {
             Time.REAL.pause(NANOS_FROM_CLOCK_TO_CLOCK);
             show(emulator);

@@ -76,10 +76,10 @@ final class History {
         return last(of(agent, "agent-settings"));
     }
 
-    /** The board at an agent's port; empty without one. A single board is it in any case, as a real one is. */
+    /** The board at an agent's port; empty without one. A real board, of which no trace tells, has its port's name. */
     String boardOf(String agent) {
         String port = settings(agent).map(each -> each.text("port")).orElse("");
-        return port.isEmpty() ? "" : boards().stream().filter(each -> each.has("port")
+        return port.isEmpty() || boards().isEmpty() ? port : boards().stream().filter(each -> each.has("port")
                 && (port.endsWith(each.get("port").getAsString()) || each.get("port").getAsString().endsWith(port)))
                 .map(each -> each.get("name").getAsString()).findFirst().orElse("");
     }

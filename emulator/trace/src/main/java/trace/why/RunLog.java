@@ -2,6 +2,7 @@ package trace.why;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -10,15 +11,18 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Queue;
 import java.util.TreeMap;
+import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import trace.EmulatorControl;
 import trace.MalformedEventException;
 import trace.TraceEvent;
 import trace.TraceReader;
@@ -45,6 +49,8 @@ public final class RunLog {
     /** Of the first portion, once that is left out. */
     private List<String> kept = List.of();
     private int leftOut;
+    /** What the clock showed, by the marks in the trace. */
+    private final Map<String, Double> clocks = new HashMap<>();
 
     /**
      * A log without lines.
@@ -56,12 +62,20 @@ public final class RunLog {
     }
 
     /**
-     * The command by which an emulator writes into its trace what an agents' clock shows, in s: so their times can be
-     * told in the boards' time, also if that pauses or is slow.
+     * Has an emulator write into its trace that an agents' clock is read now: so their times can be told in the boards'
+     * time, also if that pauses or is slow.
+     *
+     * @param clock in s.
+     * @throws IOException if there is no emulator, or it has ended.
      */
-    public static Map<String, ?> clock(double shows) {
-        return Map.of("do", "transition", "machine", CLOCK, "host", "agents", "peer", "", "id", "", "state",
-                String.format(Locale.ROOT, "%.6f", shows));
+    public void show(DoubleSupplier clock, EmulatorControl emulator) throws IOException {
+        String mark = String.format(Locale.ROOT, "%.6f", clock.getAsDouble());
+        emulator.perform(Map.of("do", "transition", "machine", CLOCK, "host", "agents", "peer", "", "id", "", "state",
+                mark));
+        double answered = clock.getAsDouble();
+        synchronized (this) {
+            clocks.put(mark, answered);
+        }
     }
 
     /** Takes a line of an agent, whose text is made when the log is read. */
@@ -126,11 +140,11 @@ public final class RunLog {
     }
 
     /** The agents' lines, in the boards' time. */
-    private List<TraceEvent> agents(NavigableMap<Double, Double> clocks) {
+    private List<TraceEvent> agents(NavigableMap<Double, Double> told) {
         List<TraceEvent> all = new ArrayList<>();
         List<String> texts = portions.stream().flatMap(List::stream).map(RunLog::text).toList();
         Stream.concat(kept.stream(), texts.stream().filter(text -> !text.isEmpty())).map(text -> TraceEvent.parse(0, text))
-                .map(event -> event.with("t", Math.round(seconds(event.seconds(), clocks) * MICROS) / MICROS))
+                .map(event -> event.with("t", Math.round(seconds(event.seconds(), told) * MICROS) / MICROS))
                 .forEach(all::add);
         int gone = leftOut + Collections.frequency(texts, "");
         if (gone > 0 && all.size() > kept.size()) {
@@ -145,31 +159,31 @@ public final class RunLog {
      * The boards' time by what the agents' clock shows: not earlier than it was, as nobody believes what a board has yet
      * to tell. A busy emulator lags behind for moments, so the least lag nearby counts.
      */
-    private double seconds(double shown, NavigableMap<Double, Double> clocks) {
-        if (clocks.isEmpty()) {
+    private double seconds(double shown, NavigableMap<Double, Double> told) {
+        if (told.isEmpty()) {
             return shown - begin;
         }
-        Map.Entry<Double, Double> before = clocks.floorEntry(shown);
-        Map.Entry<Double, Double> after = clocks.ceilingEntry(shown);
-        double ahead = clocks.subMap(shown - NEARBY, true, shown + NEARBY, true).entrySet().stream()
+        Map.Entry<Double, Double> before = told.floorEntry(shown);
+        Map.Entry<Double, Double> after = told.ceilingEntry(shown);
+        double ahead = told.subMap(shown - NEARBY, true, shown + NEARBY, true).entrySet().stream()
                 .mapToDouble(each -> each.getKey() - each.getValue()).min()
-                .orElseGet(() -> clocks.lastKey() - clocks.lastEntry().getValue());
+                .orElseGet(() -> told.lastKey() - told.lastEntry().getValue());
         double earliest = before == null ? 0 : before.getValue();
         return Math.max(earliest, after == null ? shown - ahead : Math.min(shown - ahead, after.getValue()));
     }
 
-    private static NavigableMap<Double, Double> clocks(Path trace) throws IOException {
-        NavigableMap<Double, Double> clocks = new TreeMap<>();
-        try (Stream<String> all = Files.lines(trace)) {
+    private NavigableMap<Double, Double> clocks(Path trace) throws IOException {
+        NavigableMap<Double, Double> found = new TreeMap<>();
+        try (Stream<String> all = Files.lines(trace, StandardCharsets.ISO_8859_1)) {
             all.filter(line -> line.contains("\"machine\":\"" + CLOCK + "\"")).forEach(line -> {
                 try {
                     TraceEvent event = TraceEvent.parse(0, line);
-                    clocks.put(event.real("state"), event.seconds());
+                    found.put(clocks.getOrDefault(event.text("state"), event.real("state")), event.seconds());
                 } catch (MalformedEventException cutOff) {
                     // The clocks before it will do.
                 }
             });
         }
-        return clocks;
+        return found;
     }
 }

@@ -261,7 +261,8 @@ public final class Why {
             at--;
         }
         if (at < 0) {
-            cause(board.isEmpty() ? "it perceived that without a board" : board + "'s architecture perceived it");
+            cause(board.isEmpty() ? "it perceived that without a board" : history.boards().isEmpty()
+                    ? "the board at " + board + " told it" : board + "'s architecture perceived it");
             return;
         }
         TraceEvent reading = readings.get(at);
@@ -299,7 +300,8 @@ public final class Why {
             case "power-cut" -> board + "'s board lost its power";
             case "open", "plugged" -> board + "'s board is at its port";
             default -> board + "'s board tells it no longer";
-        }).orElse("nothing of its board is in the log"));
+        }).orElse(history.boards().isEmpty() ? "the board at " + board + " tells it no longer"
+                : "nothing of its board is in the log"));
     }
 
     private void message(TraceEvent message) {

@@ -323,8 +323,8 @@ final class WhyNot {
         } else if (!settings.get().text("percepts").equals("open")) {
             why.cause(agent + " has not opened its percepts: its plans need .percepts(open)");
         } else {
-            why.cause("nobody has told " + asked.term() + "; " + board + "'s board tells "
-                    + (told.isEmpty() ? "nothing" : String.join(", ", told)));
+            why.cause("nobody has told " + asked.term() + (history.boards().isEmpty() ? "" : "; " + board
+                    + "'s board tells " + (told.isEmpty() ? "nothing" : String.join(", ", told))));
         }
     }
 

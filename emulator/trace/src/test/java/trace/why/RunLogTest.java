@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,9 +24,13 @@ class RunLogTest {
         log.add(() -> "{\"t\":" + t + ",\"event\":\"agent-" + more);
     }
 
-    private static String clock(String t, String own) {
-        return "{\"t\":" + t + ",\"event\":\"transition\",\"machine\":\"clock\",\"host\":\"agents\",\"state\":\"" + own
-                + "\"}";
+    /** A line of the trace, told when the clock shows a little less; its answer comes when it shows that. */
+    private String clock(String t, String own) throws IOException {
+        Queue<Double> shows = new ArrayDeque<>(List.of(Double.parseDouble(own) - 0.25, Double.parseDouble(own)));
+        List<String> told = new ArrayList<>();
+        log.show(shows::remove, command -> told.add(command.get("state").toString()));
+        return "{\"t\":" + t + ",\"event\":\"transition\",\"machine\":\"clock\",\"host\":\"agents\",\"state\":\""
+                + told.get(0) + "\"}";
     }
 
     /** The log by that trace, without what the emulator tells of clocks. */
