@@ -300,6 +300,7 @@ public class Diffuser extends AgArch {
         Recorder one = recorder.orElseGet(() -> new Recorder(getTS(), time));
         one.begin(lines);
         record(Optional.of(one));
+        one.watch();
         recordSettings();
     }
 

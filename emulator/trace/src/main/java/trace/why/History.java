@@ -165,7 +165,10 @@ final class History {
     Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
         boolean whole = all().noneMatch(each -> each.is(RunLog.LEFT_OUT));
         int at = its.indexOf(event);
-        at += whole || at < 0 ? 0 : others.size() - its.size();
+        if (at < 0) {
+            return Optional.empty();
+        }
+        at += whole ? 0 : others.size() - its.size();
         return at >= 0 && at < others.size() ? Optional.of(others.get(at)) : Optional.empty();
     }
 
