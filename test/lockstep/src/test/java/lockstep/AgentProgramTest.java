@@ -151,7 +151,8 @@ class AgentProgramTest {
         assertTrue(alone.stream().filter(line -> line.startsWith("asked ")).count() > 8, alone.toString());
         assertTrue(alone.stream().anyMatch(line -> line.contains("\"event\":\"host-nothing\"")), alone.toString());
         for (String part : List.of("\"part\":\"N > 0\",\"values\":[\"N = 0\"]", "\"part\":\"Y > 7\",\"values\":[\"Y = ",
-                "\"step\":\"!never\"", "\"event\":\"agent-settings\"", "\"part\":\"Y > (X+7)\",\"values\":[\"X = 1, Y = ")) {
+                "\"step\":\"!never\"", "\"event\":\"agent-settings\"",
+                "\"part\":\"Y > (X+7)\",\"values\":[\"X = 1, Y = ")) {
             assertTrue(lines.stream().anyMatch(line -> line.contains(part)), part + String.join("\n", lines));
         }
     }

@@ -127,8 +127,10 @@ class NewProjectTest {
             assertTrue(shown.stream().anyMatch(each -> each.is(event, "robot")), event);
         }
         String answer = why(onUno, "lampOn");
-        assertTrue(answer.contains("robot asks its board for lampOn") && answer.contains("first cause: !start is a goal")
-                || answer.contains("first cause: the board at ports/robot told it"), answer);
+        assertTrue(
+                answer.contains("robot asks its board for lampOn") && answer.contains("first cause: !start is a goal")
+                        || answer.contains("first cause: the board at ports/robot told it"),
+                answer);
     }
 
     @Test
@@ -359,7 +361,8 @@ class NewProjectTest {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, kind).waitFor());
         assertEquals(0,
-                byDaemon("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Precord", "-Pjacamo=repository",
+                byDaemon("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Precord",
+                        "-Pjacamo=repository",
                         "-Pfeature=a.feature:3", "-Pseed=2", "-Pport=/dev/ttyACM0")
                         .directory(project.toFile()).inheritIO().start().waitFor());
     }

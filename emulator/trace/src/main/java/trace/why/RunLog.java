@@ -143,7 +143,8 @@ public final class RunLog {
     private List<TraceEvent> agents(NavigableMap<Double, Double> told) {
         List<TraceEvent> all = new ArrayList<>();
         List<String> texts = portions.stream().flatMap(List::stream).map(RunLog::text).toList();
-        Stream.concat(kept.stream(), texts.stream().filter(text -> !text.isEmpty())).map(text -> TraceEvent.parse(0, text))
+        Stream.concat(kept.stream(), texts.stream().filter(text -> !text.isEmpty()))
+                .map(text -> TraceEvent.parse(0, text))
                 .map(event -> event.with("t", Math.round(seconds(event.seconds(), told) * MICROS) / MICROS))
                 .forEach(all::add);
         int gone = leftOut + Collections.frequency(texts, "");

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 class RunLogTest {
 
-    private static final String PERCEPTS = "{\"t\":%s,\"board\":\"a\",\"event\":\"percepts\",\"percepts\":[\"light(%d)\"]}";
+    private static final String PERCEPTS =
+            "{\"t\":%s,\"board\":\"a\",\"event\":\"percepts\",\"percepts\":[\"light(%d)\"]}";
 
     @TempDir
     private Path folder;
@@ -37,7 +38,8 @@ class RunLogTest {
     private List<String> written(String... trace) throws IOException {
         Path file = Files.write(folder.resolve("trace.jsonl"), List.of(trace));
         log.write(file, folder.resolve("run.jsonl"));
-        return Files.readAllLines(folder.resolve("run.jsonl")).stream().filter(line -> !line.contains("clock")).toList();
+        return Files.readAllLines(folder.resolve("run.jsonl")).stream().filter(line -> !line.contains("clock"))
+                .toList();
     }
 
     @Test
@@ -76,8 +78,10 @@ class RunLogTest {
             throw new IllegalStateException("its agent goes on meanwhile");
         });
         List<String> lines = written();
-        assertEquals(List.of("{\"t\":0.0,\"event\":\"agent-plan\"}", "{\"t\":2.0,\"event\":\"left-out\",\"lines\":1000}",
-                "{\"t\":2.0,\"event\":\"agent-event\"}"), lines.subList(0, 3));
+        assertEquals(
+                List.of("{\"t\":0.0,\"event\":\"agent-plan\"}", "{\"t\":2.0,\"event\":\"left-out\",\"lines\":1000}",
+                        "{\"t\":2.0,\"event\":\"agent-event\"}"),
+                lines.subList(0, 3));
         assertEquals(RunLog.KEPT_LINES + 3, lines.size());
     }
 }
