@@ -80,8 +80,9 @@ final class History {
     String boardOf(String agent) {
         String port = settings(agent).map(each -> each.text("port")).orElse("");
         return port.isEmpty() || boards().isEmpty() ? port : boards().stream().filter(each -> each.has("port")
-                && (port.endsWith(each.get("port").getAsString()) || each.get("port").getAsString().endsWith(port)))
-                .map(each -> each.get("name").getAsString()).findFirst().orElse("");
+                && ("/" + port).endsWith("/" + each.get("port").getAsString()))
+                .max(Comparator.comparingInt(each -> each.get("port").getAsString().length()))
+                .map(each -> each.get("name").getAsString()).orElse("");
     }
 
     /** The agents whose board that is. */

@@ -20,6 +20,19 @@ class HistoryTest {
     }
 
     @Test
+    void boardOf_isThatAtTheAgentsPort() {
+        History history = new History(List.of(
+                event(0, "scenario",
+                        ",\"boards\":[{\"name\":\"one\",\"port\":\"a/usb\"},{\"name\":\"two\",\"port\":\"b/usb\"},"
+                                + "{\"name\":\"three\",\"port\":\"bot\"},{\"name\":\"four\",\"port\":\"robot\"}]"),
+                event(0, "agent-settings", ",\"agent\":\"A\",\"port\":\"/tmp/b/usb\""),
+                event(0, "agent-settings", ",\"agent\":\"B\",\"port\":\"ports/robot\"")));
+
+        assertEquals("two", history.boardOf("A"));
+        assertEquals("four", history.boardOf("B"));
+    }
+
+    @Test
     void same_ofALogWithoutItsBeginning_countsFromTheEnd() {
         List<TraceEvent> boards = actions("host-action", 1.1, 2.1, 3.1);
         List<TraceEvent> all = actions("agent-action", 1, 2, 3);
