@@ -33,10 +33,23 @@ static json_t *watches(const board_config *board) {
   return list;
 }
 
-// The port's name; its folder differs from run to run.
-static const char *name_of(const char *port) {
-  const char *slash = strrchr(port, '/');
-  return slash ? slash + 1 : port;
+static bool ends_in(const char *port, const char *name) {
+  size_t length = strlen(port), end = strlen(name);
+  return length == end ? strcmp(port, name) == 0
+                       : length > end && port[length - end - 1] == '/' && strcmp(port + length - end, name) == 0;
+}
+
+// The port's name, with as much of its folder as distinguishes it: that of the run differs from run to run.
+static const char *name_of(const char *port, const scenario *s) {
+  const char *name = port + strlen(port);
+  size_t same = 2;
+  while (same > 1 && name > port) {
+    for (name--; name > port && name[-1] != '/'; name--)
+      ;
+    same = 0;
+    for (size_t i = 0; i < s->board_count; i++) same += s->boards[i].port && ends_in(s->boards[i].port, name);
+  }
+  return name;
 }
 
 static json_t *boards(const scenario *s) {
@@ -45,7 +58,7 @@ static json_t *boards(const scenario *s) {
     const board_config *board = &s->boards[i];
     json_t *object = json_pack("{sssssososo}", "name", board->name, "model", board->model->name, "position",
                                position(board->x_m, board->y_m), "sensors", sensors(board), "watch", watches(board));
-    if (board->port) json_object_set_new(object, "port", json_string(name_of(board->port)));
+    if (board->port) json_object_set_new(object, "port", json_string(name_of(board->port, s)));
     if (board->clock_error_ppm) json_object_set_new(object, "clockError", json_integer(board->clock_error_ppm));
     if (board->vehicle.radius_m > 0) {
       json_object_set_new(object, "heading", json_real(board->vehicle.heading_deg));

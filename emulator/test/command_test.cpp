@@ -63,6 +63,18 @@ TEST(Command, runs_for_the_duration_and_traces_to_standard_output) {
   EXPECT_NE(outcome.out.find(R"({"t":0.100000,"board":"a","event":"counters")"), std::string::npos);
 }
 
+TEST(Command, the_trace_names_a_port_by_what_distinguishes_it) {
+  Scratch scratch;
+  std::string json = R"({"boards":[)";
+  for (const char *port : {"1/usb", "2/usb", "3/other"})
+    json += (json.back() == '[' ? "" : ",") + std::string(R"({"firmware":")" PROGRAMS_DIR R"(/blink.elf","name":")") +
+            port[0] + R"(","port":")" + port + "\"}";
+  scratch.write("s.json", json + "]}");
+  Outcome outcome = run(scratch, {"s.json", "--duration", "0.01", "--speed", "max", "--trace", "-"});
+  for (const char *port : {"1/usb", "2/usb", "other"})
+    EXPECT_NE(outcome.out.find(std::string(R"("port":")") + port + "\""), std::string::npos) << port << outcome.err;
+}
+
 TEST(Command, mistakes_are_one_line_and_status_2) {
   Scratch scratch;
   write_scenario(scratch, "blink", R"(,"prot":"x")");

@@ -292,25 +292,29 @@ public class Diffuser extends AgArch {
 
     /**
      * Has all that the agent decides told from now on, as {@link Recorder} does; without it the agent does nothing for
-     * that. Before the agent's first cycle, or on its own thread.
+     * that. Several can be told. Before the agent's first cycle, or on its own thread.
      *
      * @param lines takes each line of JSON as {@link Recorder} gives it; its time {@code t} is {@link #time()}'s, in s.
      */
     public void record(Consumer<Supplier<String>> lines) {
-        record(Optional.of(new Recorder(getTS(), time, lines)));
+        Recorder one = recorder.orElseGet(() -> new Recorder(getTS(), time));
+        one.begin(lines);
+        record(Optional.of(one));
+        one.watch();
+        recordSettings();
     }
 
     /** Ends what {@link #record} has begun. On the agent's own thread. */
-    public void endRecord() {
-        record(Optional.empty());
+    public void endRecord(Consumer<Supplier<String>> lines) {
+        if (recorder.isPresent() && recorder.get().end(lines)) {
+            record(Optional.empty());
+        }
     }
 
     private void record(Optional<Recorder> by) {
-        recorder.ifPresent(Recorder::end);
         recorder = by;
         inbox.record(by);
         outbox.record(by);
-        recordSettings();
     }
 
     private void recordSettings() {

@@ -1,14 +1,18 @@
 package diffuser.mind;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.IdentityHashMap;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
@@ -46,6 +50,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     private static final long serialVersionUID = 1L;
     private static final double NANOS = 1e9;
     private static final double MICROS = 1e6;
+    private static final int LEAST_TO_FORGET = 1000;
     private static final String INTENTION = "intention";
     /** Jason's mark of what it keeps itself among an agent's beliefs. */
     private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
@@ -53,13 +58,19 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
 
     private final transient TransitionSystem ts;
     private final transient Time time;
-    private final transient Consumer<Supplier<String>> lines;
+    private final transient List<Consumer<Supplier<String>>> listeners = new CopyOnWriteArrayList<>();
     private transient Circumstance watched;
-    private transient Iterable<?> library;
-    /** The numbers of events that wait. */
-    private final transient Map<Event, Integer> numbers = new IdentityHashMap<>();
+    /** The library's own list of its plans. */
+    private transient List<?> library;
+    /** Events that wait, in their order. */
+    private final transient Deque<Added> waiting = new ArrayDeque<>();
     /** The library's plans, which are recorded. */
     private final transient List<Plan> plans = new ArrayList<>();
+    /** With more of them it is looked which were dropped. */
+    private int mostWaiting = LEAST_TO_FORGET;
+    /** When the first line of this cycle was told; one reading of the clock does for all of them. */
+    private long cycle;
+    private boolean inCycle;
     private int events;
     private int requests;
     /** The event for which plans are being asked, and what they have answered. */
@@ -70,27 +81,113 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     private transient Intention kept;
     private boolean passing;
 
+    public Recorder(TransitionSystem ts, Time time) {
+        this.ts = ts;
+        this.time = time;
+    }
+
     /**
+     * Tells one more. On the agent's thread, or before its first cycle.
+     *
      * @param lines takes each line, on the agent's thread or the board's. It may make the text of it later, while the
      *              agent is not in a cycle.
      */
-    public Recorder(TransitionSystem ts, Time time, Consumer<Supplier<String>> lines) {
-        this.ts = ts;
-        this.time = time;
-        this.lines = lines;
+    public void begin(Consumer<Supplier<String>> lines) {
+        if (watched != null) {
+            introduce(lines);
+        }
+        listeners.add(lines);
     }
 
-    /** Tells a line, whose texts are made where it is read: an agent does not wait for them. */
-    private void tell(String event, Consumer<Map<String, Object>> fields) {
-        long at = time.nanos();
-        lines.accept(() -> {
+    /** A line, whose texts are made where it is read: an agent does not wait for them. */
+    private abstract class Line implements Supplier<String> {
+
+        private final long at;
+        private final String event;
+
+        Line(String event, long at) {
+            this.event = event;
+            this.at = at;
+        }
+
+        abstract void put(Map<String, Object> line);
+
+        @Override
+        public final String get() {
             Map<String, Object> line = new LinkedHashMap<>();
             line.put("t", Math.round(at / NANOS * MICROS) / MICROS);
             line.put("event", "agent-" + event);
             line.put("agent", ts.getAgArch().getAgName());
-            fields.accept(line);
+            put(line);
             return JsonLine.of(line);
-        });
+        }
+    }
+
+    /** An event that was added. */
+    private final class Added extends Line {
+
+        private final Event of;
+        private final int number;
+        private final Trigger trigger;
+        private final String origin;
+        private final Place place;
+
+        /** @param origin where it is from, if that is no plan; @param place of the intention that made it, or null. */
+        Added(Event of, Trigger trigger, String origin, Place place) {
+            super("event", now());
+            this.of = of;
+            this.trigger = trigger;
+            this.origin = origin;
+            this.place = place;
+            number = ++events;
+        }
+
+        @Override
+        void put(Map<String, Object> line) {
+            line.put("number", number);
+            line.put("trigger", trigger.toString());
+            if (!origin.isEmpty()) {
+                line.put("origin", origin);
+            } else if (place != null) {
+                place.putInto(line);
+            }
+        }
+    }
+
+    /** A line of a kind that is rare, whose parts are put by a function. */
+    private final class Other extends Line {
+
+        private final Consumer<Map<String, Object>> fields;
+
+        Other(String event, long at, Consumer<Map<String, Object>> fields) {
+            super(event, at);
+            this.fields = fields;
+        }
+
+        @Override
+        void put(Map<String, Object> line) {
+            fields.accept(line);
+        }
+    }
+
+    /** The time of this cycle. */
+    private long now() {
+        if (!inCycle) {
+            inCycle = true;
+            cycle = time.nanos();
+        }
+        return cycle;
+    }
+
+    private void tell(Line line) {
+        for (Consumer<Supplier<String>> each : listeners) {
+            each.accept(line);
+        }
+    }
+
+    /** On the agent's thread. */
+    private void tell(String event, Consumer<Map<String, Object>> fields) {
+        tell(new Other(event, now(), fields));
     }
 
     /** Looks at what is new: in each cycle, before an event is selected, as the agent may get other plans and minds. */
@@ -99,25 +196,30 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             boolean first = watched == null;
             watched = ts.getC();
             watched.addEventListener(this);
+            library = (List<?>) Plans.call(Plans.library(ts.getAg()), "getPlans");
             if (first) {
-                for (Literal belief : ts.getAg().getBB()) {
-                    if (!belief.hasAnnot(HIDDEN)) {
-                        String text = belief.toString();
-                        tell("believes", line -> line.put("belief", text));
-                    }
-                }
+                listeners.forEach(this::introduce);
             }
             watched.getEvents().forEach(each -> added(each, first ? "program" : ""));
-            library = (Iterable<?>) Plans.library(ts.getAg());
         }
-        int known = 0;
-        for (Object plan : library) {
-            if (known == plans.size() || plans.get(known) != plan) {
-                recordAll();
-                return;
+        int size = library.size();
+        // Plans are added at one of the ends.
+        boolean same = size == plans.size() && (size == 0
+                || library.get(0) == plans.get(0) && library.get(size - 1) == plans.get(size - 1));
+        if (!same) {
+            recordAll();
+        }
+    }
+
+    /** Tells what there was before. */
+    private void introduce(Consumer<Supplier<String>> to) {
+        for (Literal belief : ts.getAg().getBB()) {
+            if (!belief.hasAnnot(HIDDEN)) {
+                String text = belief.toString();
+                to.accept(new Other("believes", now(), line -> line.put("belief", text)));
             }
-            known++;
         }
+        plans.forEach(plan -> tell(plan, List.of(to)));
     }
 
     private void recordAll() {
@@ -129,28 +231,36 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             plans.add(plan);
             if (!before.contains(plan)) {
                 record(plan);
+                tell(plan, listeners);
             }
         }
     }
 
     private void record(Plan plan) {
         RecordedContext.record(plan, this);
+        Plans.within(plan).forEach(this::record);
+    }
+
+    private void tell(Plan plan, List<Consumer<Supplier<String>>> to) {
         if (!String.valueOf(plan.getSrcInfo()).contains(JASONS_PLANS)) {
-            tell("plan", line -> {
+            Line told = new Other("plan", now(), line -> {
                 name(line, plan);
                 line.put("trigger", plan.getTrigger().toString());
                 line.put("body", String.valueOf(plan.getBody()));
             });
+            to.forEach(each -> each.accept(told));
         }
-        Plans.within(plan).forEach(this::record);
+        Plans.within(plan).forEach(each -> tell(each, to));
     }
 
-    /** Leaves the agent as it was. */
-    public void end() {
-        if (watched != null) {
+    /** Tells one no more. @return whether that was the last one; then the agent is as it was. */
+    public boolean end(Consumer<Supplier<String>> lines) {
+        listeners.remove(lines);
+        if (listeners.isEmpty() && watched != null) {
             watched.removeEventListener(this);
             Plans.of(ts.getAg()).forEach(Recorder::restore);
         }
+        return listeners.isEmpty();
     }
 
     private static void restore(Plan plan) {
@@ -195,8 +305,6 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     private void added(Event event, String origin) {
         // A belief's annotations change with it.
         Trigger trigger = event.getTrigger().isGoal() ? event.getTrigger() : event.getTrigger().clone();
-        int number = ++events;
-        numbers.put(event, number);
         Intention from = event.getIntention();
         boolean internal = from != null && from != Intention.EmptyInt;
         if (internal) {
@@ -204,16 +312,9 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         }
         Intention by = internal ? from : isBy(ts.getC().getSelectedIntention(), trigger)
                 ? ts.getC().getSelectedIntention() : null;
-        Place place = by == null || !origin.isEmpty() ? null : Place.of(by);
-        tell("event", line -> {
-            line.put("number", number);
-            line.put("trigger", trigger.toString());
-            if (!origin.isEmpty()) {
-                line.put("origin", origin);
-            } else if (place != null) {
-                place.putInto(line);
-            }
-        });
+        Added added = new Added(event, trigger, origin, by == null || !origin.isEmpty() ? null : Place.of(by));
+        waiting.add(added);
+        tell(added);
     }
 
     /** Whether the step that an intention does now has made that event. */
@@ -244,26 +345,53 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     /** Tells the event for which plans were asked, if none of them applies. */
     private void tellChoice() {
         if (selected != null && selected != chosen) {
-            choice(selected, null, 0);
+            tell(new Choice(selected, null, 0));
         }
         selected = null;
         answers.clear();
     }
 
-    /** @param plan the one that was chosen, for that intention; null if none was. */
-    private void choice(Event event, Plan plan, int intention) {
-        Integer number = numbers.remove(event);
-        Trigger trigger = event.getTrigger();
-        List<RecordedContext.Answer> asked = event == selected ? List.copyOf(answers) : List.of();
-        tell("choice", line -> {
-            line.put("number", number == null ? 0 : number);
+    /** Which plan was chosen for an event. */
+    private final class Choice extends Line {
+
+        private final int number;
+        private final Trigger trigger;
+        private final List<RecordedContext.Answer> asked;
+        private final Plan plan;
+        private final int intention;
+
+        /** @param plan the one that was chosen, for that intention; null if none was. */
+        Choice(Event event, Plan plan, int intention) {
+            super("choice", now());
+            number = number(event);
+            trigger = event.getTrigger();
+            asked = event == selected ? List.copyOf(answers) : List.of();
+            this.plan = plan;
+            this.intention = intention;
+        }
+
+        @Override
+        void put(Map<String, Object> line) {
+            line.put("number", number);
             line.put("trigger", trigger.toString());
             line.put("asked", asked.stream().map(Recorder::fields).toList());
             if (plan != null) {
                 name(line, plan);
                 line.put(INTENTION, intention);
             }
-        });
+        }
+    }
+
+    /** The number of an event that waits no more; 0 if it is not known. Mostly it is the first. */
+    private int number(Event event) {
+        for (Iterator<Added> each = waiting.iterator(); each.hasNext();) {
+            Added added = each.next();
+            if (added.of == event) {
+                each.remove();
+                return added.number;
+            }
+        }
+        return 0;
     }
 
     private static Map<String, Object> fields(RecordedContext.Answer answer) {
@@ -294,7 +422,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             if (event != selected) {
                 tellChoice();
             }
-            choice(event, option.getPlan(), intention.getId());
+            tell(new Choice(event, option.getPlan(), intention.getId()));
             chosen = event;
         }
     }
@@ -337,9 +465,25 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             tell(done.isFinished() ? "ended" : "stopped", Place.of(done)::putInto);
         }
         kept = null;
+        forget();
         chosen = null;
+        inCycle = false;
+    }
+
+    /** Forgets events that wait no more. The agent's queue has them in their order, but for an atomic one. */
+    private void forget() {
         if (!ts.getC().hasEvent()) {
-            numbers.clear();
+            waiting.clear();
+        }
+        Event first = waiting.isEmpty() ? null : ts.getC().getEvents().peek();
+        while (!waiting.isEmpty() && waiting.peek().of != first && !waiting.peek().of.isAtomic()) {
+            waiting.remove();
+        }
+        if (waiting.size() > mostWaiting) {
+            Set<Event> still = Collections.newSetFromMap(new IdentityHashMap<>());
+            still.addAll(ts.getC().getEvents());
+            waiting.removeIf(each -> !still.contains(each.of));
+            mostWaiting = LEAST_TO_FORGET + 2 * waiting.size();
         }
     }
 
@@ -377,11 +521,11 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     private void performed(int request, Throwable thrown) {
-        tell("performed", line -> {
+        tell(new Other("performed", time.nanos(), line -> {
             line.put("request", request);
             line.put("error", thrown == null ? "" : Failure.of(thrown).error());
             line.put("message", thrown == null ? "" : Failure.of(thrown).message());
-        });
+        }));
     }
 
     /** A message that the board is asked to send. */
@@ -403,7 +547,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
      * @param row the gate's row that decided; empty if none did.
      */
     void message(ReceivedMessage message, String how, String why, String row) {
-        tell("message", line -> {
+        tell(new Other("message", time.nanos(), line -> {
             line.put("from", message.from().toString());
             line.put("to", message.to().toString());
             line.put("id", String.format("%06x", message.id()));
@@ -411,6 +555,6 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             line.put("how", how);
             line.put("why", why);
             line.put("row", row);
-        });
+        }));
     }
 }

@@ -28,7 +28,7 @@ final class Account implements AgentProgram.Observer {
     private final Map<String, String> payloads = new TreeMap<>();
     /** What came after the last when begins here. */
     private int mark;
-    private final RunLog log = new RunLog();
+    private final RunLog log = new RunLog(0);
     private long whenNanos;
 
     /** @param clock tells the time of the run. */

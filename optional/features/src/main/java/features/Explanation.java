@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import trace.TraceReader;
 import trace.why.Why;
 
 /** The text of a failure: what it is, when, what was seen in its place, and how this run is made again. */
@@ -57,7 +58,7 @@ final class Explanation {
     private void answer(Expectations.Question why) {
         try {
             text.append("  why:\n");
-            new Why(run.log()).answer(why.what(), why.agent())
+            new Why(TraceReader.all(run.log())).answer(why.what(), why.agent())
                     .forEach(line -> text.append("    ").append(line).append('\n'));
         } catch (IOException | IllegalArgumentException none) {
             text.append("    ").append(none.getMessage()).append('\n');

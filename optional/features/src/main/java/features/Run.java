@@ -1,7 +1,6 @@
 package features;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Collection;
@@ -11,8 +10,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import lockstep.AgentProgram;
-import trace.MalformedEventException;
-import trace.TraceEvent;
 
 /**
  * The run of one scenario: its boards and agents. The first step that is not of the boards' and agents' choice
@@ -323,18 +320,11 @@ class Run implements AutoCloseable {
         }
     }
 
-    /** What has happened on boards and in agents until now. */
-    List<TraceEvent> log() throws IOException {
-        return account.log().merged(folder.resolve("trace.jsonl"));
-    }
-
-    /** Writes run.jsonl, of which {@code javino why} asks. */
-    private void writeLog() {
-        try {
-            Files.write(folder.resolve("run.jsonl"), log().stream().map(TraceEvent::line).toList());
-        } catch (IOException | MalformedEventException failed) {
-            throw new StepFailure("there is no run.jsonl: " + failed.getMessage());
-        }
+    /** The file of what has happened on boards and in agents until now, of which {@code javino why} asks. */
+    Path log() throws IOException {
+        Path file = folder.resolve("run.jsonl");
+        account.log().write(folder.resolve("trace.jsonl"), file);
+        return file;
     }
 
     private void end() {
@@ -354,7 +344,11 @@ class Run implements AutoCloseable {
                     throw again;
                 }
             }
-            writeLog();
+            try {
+                log();
+            } catch (IOException failed) {
+                throw new StepFailure("there is no run.jsonl: " + failed.getMessage());
+            }
         }
     }
 }

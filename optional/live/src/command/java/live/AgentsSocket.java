@@ -19,6 +19,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import javino.JavinoException;
+import javino.link.Time;
 
 /**
  * The socket at which agents' programs ({@code live.ObservedMas}) tell of their agents, and take what the page has them
@@ -57,21 +58,15 @@ final class AgentsSocket implements AutoCloseable {
             Files.setPosixFilePermissions(socket, PosixFilePermissions.fromString("rw-------"));
         }
         AgentsSocket agents = new AgentsSocket(socket, server, events);
-        start("agents", agents::accept);
+        Time.REAL.thread("agents", agents::accept).start();
         return agents;
-    }
-
-    private static void start(String name, Runnable work) {
-        Thread thread = new Thread(work, name);
-        thread.setDaemon(true);
-        thread.start();
     }
 
     private void accept() {
         try {
             while (true) {
                 SocketChannel program = server.accept();
-                start("agents' events", () -> read(new LineChannel(program)));
+                Time.REAL.thread("agents' events", () -> read(new LineChannel(program))).start();
             }
         } catch (IOException closed) {
             return;

@@ -1,5 +1,6 @@
 package live;
 
+import diffuser.gate.Plans;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.Literal;
@@ -25,7 +26,7 @@ final class ActionUses {
     /** The arguments of each of these actions that the program uses, as it writes them, such as {@code Speed,2}. */
     static Map<String, String> of(TransitionSystem ts, List<String> actions) {
         ActionUses found = new ActionUses(actions);
-        for (Plan plan : ts.getAg().getPL()) {
+        for (Plan plan : Plans.of(ts.getAg())) {
             found.visit(plan.getBody());
         }
         return found.uses;

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import javino.JavinoException;
+import javino.link.Time;
 
 /**
  * The agents' end of their connection to the page's server: events go there, one a line, and commands come. The agents
@@ -40,15 +41,9 @@ final class PageLink implements AutoCloseable {
     static PageLink connect(Path socket, Function<JsonObject, CompletableFuture<?>> perform) throws IOException {
         SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket));
         PageLink link = new PageLink(new LineChannel(channel), perform);
-        start("events for the page", link::write);
-        start("commands of the page", link::read);
+        Time.REAL.thread("events for the page", link::write).start();
+        Time.REAL.thread("commands of the page", link::read).start();
         return link;
-    }
-
-    private static void start(String name, Runnable work) {
-        Thread thread = new Thread(work, name);
-        thread.setDaemon(true);
-        thread.start();
     }
 
     /** Tells an event, or counts it as left out. */

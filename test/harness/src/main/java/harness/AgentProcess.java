@@ -147,7 +147,8 @@ public final class AgentProcess implements AutoCloseable {
         return run(Platform.USUAL, name, folder, options, line -> {});
     }
 
-    private static AgentProcess run(Platform platform, String name, Path folder, List<String> options,
+    /** The same with options of Java. */
+    public static AgentProcess run(Platform platform, String name, Path folder, List<String> options,
             Consumer<String> listener) throws IOException {
         if (Simulation.here() instanceof Simulation simulation && platform.equals(Platform.USUAL)) {
             return new AgentProcess(simulation, folder.resolve(name + ".mas2j"), options, listener);

@@ -16,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
@@ -33,13 +34,17 @@ class AgentProgramTest {
     @TempDir
     private Path folder;
 
-    private Simulation start(long seed) throws IOException {
+    private Simulation start(long seed, Consumer<String> trace) throws IOException {
         Path scenario = Files.writeString(folder.resolve("scenario.json"), """
                 {"boards": [{"name": "board", "firmware": "%s", "port": "ports/board"}]}
                 """.formatted(ROOT.resolve("javino-firmware/build/station/Station.ino.elf")));
         return Simulation.start(List.of(ROOT.resolve("emulator/build/javino-emulator").toString(),
                 scenario.toString(), "--directory", folder.toString()), List.of("ports/board"), seed,
-                Simulation.JITTER);
+                Simulation.JITTER, folder.resolve("trace.jsonl"), trace);
+    }
+
+    private Simulation start(long seed) throws IOException {
+        return start(seed, line -> {});
     }
 
     private AgentProgram program(Simulation simulation, String name, String plans, List<String> printed)
@@ -92,12 +97,13 @@ class AgentProgramTest {
         Files.writeString(folder.resolve("two.asl"), """
                 n(0). n(1). n(2). !start.
                 wide(X) :- n(X) & X > 0.
-                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; .wait(200); !never; +end.
+                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; !!outer; .wait(200); !never; +end.
                 -!never[error(E)] <- .print("failed ", E).
                 +!count(N) : N > 0 & n(X) & .print("asked ", X) & X > 1
                     <- .print(N, X); .random(R); .print(R); !count(N-1).
                 +!count(N) : not N > 0 & .findall(X, wide(X), L) <- .print(L).
                 +!count(N) : n(N) <- .print("else ", N); !count(N-1).
+                +!outer <- !within(1); .act(blink). { +!within(X) : n(Y) & Y > X + 7 <- .print(Y). }
                 @l +!plans : n(X) & X > 1 | wide(9) <- .add_plan({+!late : n(Y) & Y > 7 <- .print(Y)}, x);
                     .add_plan({+!late : n(Y) & Y > 7 <- .print(Y)}, y); .add_plan({+!late : n(1) <- .print(late)}, x);
                     .relevant_plans({+!late}, P); .print(P); .relevant_plans({+!count(_)}, Q); .print(Q);
@@ -108,7 +114,7 @@ class AgentProgramTest {
         Path mas = Files.writeString(folder.resolve("two.mas2j"),
                 "MAS two { agents: two agentArchClass diffuser.Diffuser; }");
         List<String> done = new ArrayList<>();
-        try (Simulation simulation = start(3)) {
+        try (Simulation simulation = start(3, done::add)) {
             AgentProgram program = AgentProgram.observe(simulation, mas, new AgentProgram.Observer() {
                 @Override
                 public void printed(String agent, String line) {
@@ -143,8 +149,10 @@ class AgentProgramTest {
         assertEquals(List.of(), lines);
         assertEquals(String.join("\n", alone), String.join("\n", done(true, lines)));
         assertTrue(alone.stream().filter(line -> line.startsWith("asked ")).count() > 8, alone.toString());
+        assertTrue(alone.stream().anyMatch(line -> line.contains("\"event\":\"host-nothing\"")), alone.toString());
         for (String part : List.of("\"part\":\"N > 0\",\"values\":[\"N = 0\"]", "\"part\":\"Y > 7\",\"values\":[\"Y = ",
-                "\"step\":\"!never\"", "\"event\":\"agent-settings\"")) {
+                "\"step\":\"!never\"", "\"event\":\"agent-settings\"",
+                "\"part\":\"Y > (X+7)\",\"values\":[\"X = 1, Y = ")) {
             assertTrue(lines.stream().anyMatch(line -> line.contains(part)), part + String.join("\n", lines));
         }
     }

@@ -1,16 +1,21 @@
 package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.AgentProcess;
 import harness.Emulator;
 import harness.Platform;
 import harness.MovingAgents;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javino.protocol.Address;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceReader;
+import trace.why.Why;
 
 /** An agent that moves by emulated radio from Jason 3.2 to 3.3 and back: it does there what it does at home. */
 @Tag("verify")
@@ -74,6 +79,33 @@ class JasonVersionsTest {
 
         assertEquals(atHome, said("out", true, Platform.USUAL, newer));
         assertEquals(atHome, said("in", true, newer, Platform.USUAL));
+    }
+
+    /** Jason 3.3 has its libraries of plans in other classes. */
+    @Test
+    void recordedRun_ofTheOtherJason_saysWhy() throws Exception {
+        Platform newer = NewerJava.withNewerJason();
+        Files.writeString(folder.resolve("robot.mas2j"),
+                "MAS robot { agents: robot agentArchClass diffuser.Diffuser; }");
+        Files.writeString(folder.resolve("robot.asl"), """
+                n(0). n(1). !start.
+                +!start <- .port("ports/robot"); !shine(1).
+                +!shine(N) : n(M) & M > N <- .print(never).
+                +!shine(N) : n(N) <- .act(headlightsOn); .print(shines). { +!within : N > 1 <- .print(never). }
+                """);
+        Path log = folder.resolve("run.jsonl");
+        try (Emulator emulator = new Emulator.Scenario().board("robot", "Vehicle").start(folder);
+                AgentProcess agent = AgentProcess.run(newer, "robot", folder, List.of("-Djavino.record=" + log),
+                        line -> {})) {
+            emulator.await("the agent's opening of the port", event -> event.is("port", "robot"));
+            agent.await("[robot] shines");
+        }
+        List<String> answer = new Why(TraceReader.all(log)).answer("headlightsOn", "");
+        for (String part : List.of("robot asks its board for headlightsOn",
+                "not (robot.asl:3): M > N is false with M = 0, N = 1; M = 1, N = 1",
+                "first cause: !start is a goal of the program")) {
+            assertTrue(answer.stream().anyMatch(line -> line.contains(part)), String.join("\n", answer));
+        }
     }
 
     private List<String> said(String name, boolean travelling, Platform home, Platform away) throws Exception {

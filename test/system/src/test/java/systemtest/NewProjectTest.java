@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -98,6 +99,38 @@ class NewProjectTest {
             }
         }
         awaitGone(onMega.resolve("ports/robot"));
+        assertTrue(why(onMega, "lamp(on)").contains("robot's board tells light("), why(onMega, "lamp(on)"));
+    }
+
+    /** What the terminal answers by the log of the run that ends now. */
+    private static String why(Path project, String what) throws Exception {
+        awaitThere(project.resolve("build/run.jsonl"), () -> "no log of the run");
+        ProcessBuilder why = new ProcessBuilder(home.resolve("bin/javino").toString(), "why", "build/run.jsonl", what)
+                .directory(project.toFile()).redirectErrorStream(true);
+        why.environment().put("JAVA_HOME", JAVA_HOME);
+        return new String(why.start().getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    }
+
+    /** Of a board behind a port one knows what its agent knows. */
+    @Test
+    void agent_withARealBoard_isWatchedAndAnswers() throws Exception {
+        assertTrue(gradleSays(onUno, "sketch").startsWith("0\n"));
+        try (AgentProcess board = board(onUno)) {
+            awaitThere(onUno.resolve("ports/robot"), () -> String.join("\n", board.lines()));
+            try (AgentProcess gradle = AgentProcess.start(gradle("agent", "-Plive", "-Pheadless")
+                    .directory(onUno.toFile()))) {
+                gradle.await("[robot] my lamp is off", 2);
+            }
+        }
+        List<TraceEvent> shown = TraceReader.all(onUno.resolve("build/trace.jsonl"));
+        for (String event : List.of("board", "percepts", "acted", "said")) {
+            assertTrue(shown.stream().anyMatch(each -> each.is(event, "robot")), event);
+        }
+        String answer = why(onUno, "lampOn");
+        assertTrue(
+                answer.contains("robot asks its board for lampOn") && answer.contains("first cause: !start is a goal")
+                        || answer.contains("first cause: the board at ports/robot told it"),
+                answer);
     }
 
     @Test
@@ -225,7 +258,7 @@ class NewProjectTest {
         try (AgentProcess emulator = AgentProcess.start(new ProcessBuilder(
                 home.resolve("bin/javino-emulator").toString(), "board.json", "--control", "control", "--trace", "-")
                 .directory(desk.toFile()))) {
-            awaitThere(port, emulator);
+            awaitThere(port, () -> String.join("\n", emulator.lines()));
             Process test = byDaemon("test", "-Pport=" + port).directory(onMega.toFile()).redirectErrorStream(true)
                     .redirectOutput(said.toFile()).start();
             try (PrintWriter person = new PrintWriter(test.outputWriter(), true)) {
@@ -283,10 +316,10 @@ class NewProjectTest {
         }
     }
 
-    private static void awaitThere(Path port, AgentProcess emulator) throws InterruptedException {
+    private static void awaitThere(Path file, Supplier<String> otherwise) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (!Files.exists(port)) {
-            assertTrue(System.nanoTime() < end, () -> String.join("\n", emulator.lines()));
+        while (!Files.exists(file)) {
+            assertTrue(System.nanoTime() < end, otherwise);
             Thread.sleep(50);
         }
     }
@@ -328,7 +361,8 @@ class NewProjectTest {
         Path project = folder.resolve("my-robot");
         assertEquals(0, newProject(project, kind).waitFor());
         assertEquals(0,
-                byDaemon("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Pjacamo=repository",
+                byDaemon("--dry-run", "--offline", "tasks", "sketch", "-Pagent=robot", "-Plive=", "-Precord",
+                        "-Pjacamo=repository",
                         "-Pfeature=a.feature:3", "-Pseed=2", "-Pport=/dev/ttyACM0")
                         .directory(project.toFile()).inheritIO().start().waitFor());
     }
@@ -375,6 +409,23 @@ class NewProjectTest {
         assertTrue(times.size() == 2 && times.get(0) >= times.get(1) + 12, said);   // three times as long
         assertTrue(Pattern.compile("(?m)^  robot believes: .*\\btold\\b").matcher(said).find(), said);
         awaitGone(project.resolve("ports/robot"));
+    }
+
+    @Test
+    void run_ofJaCaMo_isWatchedAndAnswers() throws Exception {
+        JaCaMo.platform("jacamo");
+        Path project = projectOfJaCaMo();
+        try (AgentProcess gradle = AgentProcess.start(gradle("-Pjacamo=" + System.getProperty(
+                "javino.jacamoRepository"), "run", "-Plive", "-Pheadless").directory(project.toFile()))) {
+            gradle.await("[teller] the night has 2 entries");
+        }
+        awaitGone(project.resolve("ports/robot"));
+        List<TraceEvent> shown = TraceReader.all(project.resolve("build/trace.jsonl"));
+        for (String agent : List.of("robot", "teller")) {
+            assertTrue(shown.stream().anyMatch(each -> each.is("beliefs") && each.text("agent").equals(agent)), agent);
+        }
+        String answer = why(project, "lamp(on)");
+        assertTrue(answer.contains("robot's board tells light("), answer);
     }
 
     @Test

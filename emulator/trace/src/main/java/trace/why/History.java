@@ -76,12 +76,13 @@ final class History {
         return last(of(agent, "agent-settings"));
     }
 
-    /** The board at an agent's port; empty without one. A single board is it in any case, as a real one is. */
+    /** The board at an agent's port; empty without one. A real board, of which no trace tells, has its port's name. */
     String boardOf(String agent) {
         String port = settings(agent).map(each -> each.text("port")).orElse("");
-        return port.isEmpty() ? "" : boards().stream().filter(each -> each.has("port")
-                && (port.endsWith(each.get("port").getAsString()) || each.get("port").getAsString().endsWith(port)))
-                .map(each -> each.get("name").getAsString()).findFirst().orElse("");
+        return port.isEmpty() || boards().isEmpty() ? port : boards().stream().filter(each -> each.has("port")
+                && ("/" + port).endsWith("/" + each.get("port").getAsString()))
+                .max(Comparator.comparingInt(each -> each.get("port").getAsString().length()))
+                .map(each -> each.get("name").getAsString()).orElse("");
     }
 
     /** The agents whose board that is. */
@@ -161,9 +162,14 @@ final class History {
         return found;
     }
 
-    /** The n-th of some events and the n-th of others are the same. */
-    static Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
+    /** The n-th of some events and the n-th of others are the same: from the end, if the log lacks its beginning. */
+    Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
+        boolean whole = all().noneMatch(each -> each.is(RunLog.LEFT_OUT));
         int at = its.indexOf(event);
+        if (at < 0) {
+            return Optional.empty();
+        }
+        at += whole ? 0 : others.size() - its.size();
         return at >= 0 && at < others.size() ? Optional.of(others.get(at)) : Optional.empty();
     }
 

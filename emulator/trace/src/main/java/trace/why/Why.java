@@ -172,7 +172,7 @@ public final class Why {
         link(action.get(), pin.seconds() <= action.get().real("replied") ? "because of " + what
                 + ", within which the pin changed" : "after " + what + ": loop() changed the pin later");
         for (String agent : history.agentsOf(board)) {
-            Optional<TraceEvent> asked = History.same(action.get(), history.onBoard(board, "host-action")
+            Optional<TraceEvent> asked = history.same(action.get(), history.onBoard(board, "host-action")
                     .filter(each -> each.text("action").equals(what)).toList(), history.reached(agent, what));
             if (asked.isPresent()) {
                 action(asked.get());
@@ -261,7 +261,8 @@ public final class Why {
             at--;
         }
         if (at < 0) {
-            cause(board.isEmpty() ? "it perceived that without a board" : board + "'s architecture perceived it");
+            cause(board.isEmpty() ? "it perceived that without a board" : history.boards().isEmpty()
+                    ? "the board at " + board + " told it" : board + "'s architecture perceived it");
             return;
         }
         TraceEvent reading = readings.get(at);
@@ -299,7 +300,8 @@ public final class Why {
             case "power-cut" -> board + "'s board lost its power";
             case "open", "plugged" -> board + "'s board is at its port";
             default -> board + "'s board tells it no longer";
-        }).orElse("nothing of its board is in the log"));
+        }).orElse(history.boards().isEmpty() ? "the board at " + board + " tells it no longer"
+                : "nothing of its board is in the log"));
     }
 
     private void message(TraceEvent message) {
@@ -335,7 +337,7 @@ public final class Why {
             for (String agent : history.agentsOf(board)) {
                 Stream<TraceEvent> same = history.of(agent, "agent-sends").filter(each -> each.text("content")
                         .equals(content));
-                Optional<TraceEvent> sends = History.same(asked, history.onBoard(board, "host-transmit")
+                Optional<TraceEvent> sends = history.same(asked, history.onBoard(board, "host-transmit")
                         .filter(each -> each.textOrEmpty("content").equals(content)).toList(), same.toList());
                 if (sends.isPresent()) {
                     link(sends.get(), agent + " sends " + content);

@@ -176,7 +176,7 @@ final class WhyNot {
             return;
         }
         why.link(end.get(), end.get().text("message"));
-        Optional<TraceEvent> reply = History.same(action, history.reached(agent, what),
+        Optional<TraceEvent> reply = history.same(action, history.reached(agent, what),
                 history.onBoard(board, "host-action").filter(each -> each.text("action").equals(what)).toList());
         boolean refused = reply.filter(each -> each.text("done").equals("false")).isPresent();
         why.cause((refused ? board + "'s board refused " + what : what + " failed") + ": " + end.get().text("error"));
@@ -323,8 +323,8 @@ final class WhyNot {
         } else if (!settings.get().text("percepts").equals("open")) {
             why.cause(agent + " has not opened its percepts: its plans need .percepts(open)");
         } else {
-            why.cause("nobody has told " + asked.term() + "; " + board + "'s board tells "
-                    + (told.isEmpty() ? "nothing" : String.join(", ", told)));
+            why.cause("nobody has told " + asked.term() + (history.boards().isEmpty() ? "" : "; " + board
+                    + "'s board tells " + (told.isEmpty() ? "nothing" : String.join(", ", told))));
         }
     }
 
