@@ -17,12 +17,15 @@ import trace.TraceEvent;
 /** The events of a run, and which of them belong together. */
 final class History {
 
+    /** What agents print, in a run that is tested and on the live page. */
+    static final Set<String> PRINTS = Set.of("agent-prints", "said", "warned");
     private static final int HANDED_NUMBERS = 256;
 
     private final List<TraceEvent> events;
 
     History(List<TraceEvent> events) {
-        this.events = events;
+        Ordinals ordinals = new Ordinals();
+        this.events = events.stream().map(ordinals::number).toList();
     }
 
     Stream<TraceEvent> all() {
@@ -61,9 +64,11 @@ final class History {
 
     /** The boards' descriptions, by the scenario. */
     List<JsonObject> boards() {
-        return all().filter(each -> each.is("scenario")).findFirst()
-                .map(each -> elements(each.json("boards")).map(JsonElement::getAsJsonObject).toList())
-                .orElse(List.of());
+        return all().filter(each -> each.is("scenario")).findFirst().map(History::boards).orElse(List.of());
+    }
+
+    static List<JsonObject> boards(TraceEvent scenario) {
+        return elements(scenario.json("boards")).map(JsonElement::getAsJsonObject).toList();
     }
 
     static Stream<JsonElement> elements(JsonElement array) {
@@ -76,12 +81,17 @@ final class History {
         return last(of(agent, "agent-settings"));
     }
 
-    /** The board at an agent's port; empty without one. A single board is it in any case, as a real one is. */
+    /** The board at an agent's port; a real one has its port's name. Empty without a port. */
     String boardOf(String agent) {
-        String port = settings(agent).map(each -> each.text("port")).orElse("");
-        return port.isEmpty() ? "" : boards().stream().filter(each -> each.has("port")
-                && (port.endsWith(each.get("port").getAsString()) || each.get("port").getAsString().endsWith(port)))
-                .map(each -> each.get("name").getAsString()).findFirst().orElse("");
+        return board(settings(agent).map(each -> each.text("port")).orElse(""), boards());
+    }
+
+    /** The board at a port, whose last name the trace tells. */
+    static String board(String port, List<JsonObject> boards) {
+        String last = port.substring(Math.max(port.lastIndexOf('/'), port.lastIndexOf('\\')) + 1);
+        return last.isEmpty() ? "" : boards.stream().filter(each -> each.has("port")
+                && each.get("port").getAsString().replaceFirst(".*/", "").equals(last))
+                .map(each -> each.get("name").getAsString()).findFirst().orElse(last);
     }
 
     /** The agents whose board that is. */
@@ -144,27 +154,17 @@ final class History {
 
     /** The packet by which a message came that a board has handed over, by the messages that it has queued. */
     Optional<TraceEvent> packet(TraceEvent handed) {
-        int queued = 0;
-        Optional<TraceEvent> found = Optional.empty();
-        for (TraceEvent each : events) {
-            if (each == handed) {
-                break;
-            }
-            if (each.is("reset", handed.board())) {
-                queued = 0;
-            } else if (each.is("point", handed.board()) && each.text("name").equals("QUEUED")
-                    && queued++ % HANDED_NUMBERS == handed.number("number") && each.has("packet")) {
-                        found = all().filter(sent -> sent.is("rf-tx") && sent.number("packet") == each.number("packet"))
-                                .findFirst();
-                    }
-        }
-        return found;
+        return last(all().takeWhile(each -> each != handed).filter(each -> each.is("point", handed.board())
+                && each.text("name").equals("QUEUED") && each.has("packet")
+                && each.number(Ordinals.NTH) % HANDED_NUMBERS == handed.number("number")))
+                .flatMap(queued -> all().filter(sent -> sent.is("rf-tx")
+                        && sent.number("packet") == queued.number("packet")).findFirst());
     }
 
-    /** The n-th of some events and the n-th of others are the same. */
-    static Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
-        int at = its.indexOf(event);
-        return at >= 0 && at < others.size() ? Optional.of(others.get(at)) : Optional.empty();
+    /** The one of others that is the same request, as agent and board have counted. */
+    static Optional<TraceEvent> same(TraceEvent event, Stream<TraceEvent> others) {
+        return others.filter(each -> event.has(Ordinals.NTH) && each.has(Ordinals.NTH)
+                && each.number(Ordinals.NTH) == event.number(Ordinals.NTH)).findFirst();
     }
 
     /** What a board has done with a packet: what was damaged, received and counted. */
@@ -180,11 +180,15 @@ final class History {
     }
 
     /** Actions of an agent that may have reached its board, in their order. */
-    List<TraceEvent> reached(String agent, String action) {
+    Stream<TraceEvent> reached(String agent, String action) {
         return of(agent, "agent-action").filter(each -> each.text("action").equals(action))
-                .filter(each -> !outcome(each).map(end -> Set.of("port_off", "queue_full", "too_long")
-                        .contains(end.text("error"))).orElse(false))
-                .toList();
+                .filter(each -> outcome(each).filter(Ordinals::isUnreached).isEmpty());
+    }
+
+    /** The last line with all of these fields. */
+    Optional<TraceEvent> like(JsonObject fields) {
+        return last(all().filter(each -> fields.entrySet().stream()
+                .allMatch(field -> each.json(field.getKey()).equals(field.getValue()))));
     }
 
     static List<Map.Entry<String, JsonObject>> asked(TraceEvent choice) {
