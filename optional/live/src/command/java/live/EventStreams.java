@@ -4,7 +4,7 @@ import io.javalin.http.Context;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.Semaphore;
+import java.util.function.IntConsumer;
 
 /**
  * Sends the hub's events to pages, each on the thread of its request: a page that does not read stops nobody else.
@@ -18,11 +18,24 @@ final class EventStreams implements AutoCloseable {
     private static final int BATCHES_OF_SILENCE = 200;
 
     private final Hub hub;
-    private final Semaphore pages = new Semaphore(MOST_PAGES);
+    private final IntConsumer watched;
+    private int pages;
     private volatile boolean closed;
 
-    EventStreams(Hub hub) {
+    /** @param watched is told how many pages there are, when that changes. */
+    EventStreams(Hub hub, IntConsumer watched) {
         this.hub = hub;
+        this.watched = watched;
+    }
+
+    /** One page more or less: whether there was room for it. */
+    private synchronized boolean changed(int by) {
+        if (pages + by > MOST_PAGES) {
+            return false;
+        }
+        pages += by;
+        watched.accept(pages);
+        return true;
     }
 
     /**
@@ -32,7 +45,7 @@ final class EventStreams implements AutoCloseable {
      * @return whether there was room for one more page.
      */
     boolean serve(Context request, long place) throws InterruptedException, IOException {
-        if (!pages.tryAcquire()) {
+        if (!changed(1)) {
             return false;
         }
         try {
@@ -42,7 +55,7 @@ final class EventStreams implements AutoCloseable {
             // The page is gone.
             return true;
         } finally {
-            pages.release();
+            changed(-1);
         }
         return true;
     }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.google.gson.JsonObject;
 import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -14,7 +15,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
 import javino.JavinoException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -28,6 +31,7 @@ class RunSourceTest {
 
     private final Hub hub = new Hub();
     private final StringWriter warnings = new StringWriter();
+    private final BlockingQueue<JsonObject> commands = new LinkedBlockingQueue<>();
 
     private RunSource follow(String lines, Optional<ControlSocket> control) throws InterruptedException {
         RunSource source = RunSource.follow(new ByteArrayInputStream(lines.getBytes(StandardCharsets.UTF_8)), hub,
@@ -58,10 +62,15 @@ class RunSourceTest {
     }
 
     /** An agent's program at the socket, which performs all but goals. */
-    private static PageLink program(Path socket) throws Exception {
-        return PageLink.connect(socket, command -> command.get("do").getAsString().equals("goal")
-                ? CompletableFuture.failedFuture(new IllegalArgumentException("no goal")) : CompletableFuture
-                        .completedFuture(null));
+    private PageLink program(Path socket) throws Exception {
+        PageLink link = PageLink.connect(socket, command -> {
+            commands.add(command);
+            return command.get("do").getAsString().equals("goal")
+                    ? CompletableFuture.failedFuture(new IllegalArgumentException("no goal"))
+                    : CompletableFuture.completedFuture(null);
+        });
+        link.read();
+        return link;
     }
 
     private String event(String part) throws InterruptedException {

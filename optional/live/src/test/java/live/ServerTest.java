@@ -101,7 +101,7 @@ class ServerTest extends ServerFixture {
 
     @Test
     void about_sayWhatTheSourceIs() throws IOException {
-        assertEquals("{\"source\":\"run\",\"live\":true,\"controls\":[\"reset\",\"plug\"]}",
+        assertEquals("{\"source\":\"run\",\"live\":true,\"controls\":[\"reset\",\"plug\"],\"why\":false}",
                 body(ask("GET /about?token=" + token())));
     }
 
