@@ -18,6 +18,7 @@ import * as source from './source.js';
 import { YOU, plain, seconds } from './text.js';
 import { Timeline, behaviours } from './timeline.js';
 import { story } from './phrases.js';
+import { answer, box } from './why.js';
 
 /** The text of the page is made anew so often, in ms, while something changes, and else so often; the road with each frame in which something moves. */
 const TEXT_EVERY = 100;
@@ -85,8 +86,37 @@ const app = {
   /** Closes what is open over the road. */
   letGo() {
     app.choose();
+    ui.why = undefined;
     ui.read = $('forged').querySelector('[data-n]')?.dataset.n ?? ui.read;
     drawText();
+  },
+
+  get canAsk() {
+    return shown.about.why === true;
+  },
+  /** Whether another moment than the present is shown. */
+  get past() {
+    return !shown.clock.following;
+  },
+  /** Has the server answer a question, and shows it. */
+  async ask(question, title) {
+    const why = { title };
+    ui.why = why;
+    drawText();
+    const { answer: lines, error } = await source.post('/why', question);
+    if (ui.why !== why) return;
+    ui.why = lines ? { title, lines } : { title, error: error ?? 'The server refused the question' };
+    drawText();
+    $('why').scrollIntoView({ block: 'nearest' });
+  },
+  closeWhy() {
+    ui.why = undefined;
+    drawText();
+  },
+  /** A row of the time line: the page goes there, and tells why. */
+  pick(mark) {
+    app.goTo(mark.t);
+    if (mark.line && app.canAsk) app.ask({ line: mark.line }, whatOf(mark));
   },
 
   choose(kind, name) {
@@ -190,6 +220,8 @@ const app = {
   },
 };
 
+const whatOf = ({ kind, text, packet }) => (kind === 'packet' ? `this packet to ${packet.destination}` : kind === 'ack' ? 'this answer' : text);
+
 let later;
 let waiting = false;
 function flush() {
@@ -290,7 +322,11 @@ function drawText() {
       ${state.verdict ? html`<p id="verdict" class=${state.verdict.accepted ? 'good' : 'bad'}>${plain(state.verdict.text, 200)}</p>` : nothing}</div></div></div>
     ${ui.tab === 'air' ? sniffer(model, state, t, ui.packet, app.choosePacket) : nothing}
     ${ui.tab === 'injector' ? injector(app, model, state, t) : nothing}`, $('panel'));
-  timeline ??= new Timeline($('timeline'), app.goTo);
+  render(box(app, state, t), $('asking'));
+  render(ui.why ? answer(app, ui.why) : nothing, $('why'));
+  $('why').hidden = !ui.why;
+  document.body.dataset.why = ui.why ? 1 : 0;
+  timeline ??= new Timeline($('timeline'), app.pick);
   if (ui.tab === 'timeline') timeline.draw(model, state, t);
 }
 
