@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import trace.BoundedLines;
+import trace.TraceEvent;
 
 @Timeout(120)
 class RunSourceTest {
@@ -115,6 +116,30 @@ class RunSourceTest {
         event("\"agent\":\"one\",\"ended\":true");
         source.close();
         assertEquals(hub.after(0, 1000, false).events(), Files.readAllLines(record));
+        assertEquals("{\"do\":\"record\",\"on\":true}", commands.take().toString());
+    }
+
+    @Test
+    void decisions_areWantedWhileSomebodyWatches_andKeptForQuestions(@TempDir Path folder) throws Exception {
+        String decided = "\"event\":\"agent-event\",\"agent\":\"one\",\"number\":1,\"trigger\":\"+!go\"";
+        try (RunSource source = follow("{\"t\":1.5,\"event\":\"note\"}\n", Optional.empty())
+                .withAgents(folder.resolve("live")); PageLink agents = program(folder.resolve("live"))) {
+            assertEquals("{\"do\":\"record\",\"on\":false}", commands.take().toString());
+            source.watched(1);
+            assertEquals("{\"do\":\"record\",\"on\":true}", commands.take().toString());
+            agents.tell("{\"t\":77," + decided + "}");
+            agents.tell("{\"event\":\"agent\",\"agent\":\"one\"}");
+            event("\"one\"");
+            assertFalse(hub.after(0, 1000, false).events().toString().contains("agent-event"), "pages do not need it");
+            assertEquals(List.of("{\"t\":1.5," + decided + "}"),
+                    source.log().orElseThrow().events().stream().map(TraceEvent::line).toList());
+            source.watched(2);
+            source.watched(0);
+            agents.tell("{\"event\":\"agent\",\"agent\":\"one\",\"ended\":true}");
+            event("ended");
+            assertEquals(List.of(), source.log().orElseThrow().events());
+            assertTrue(commands.isEmpty(), "a page that is loaded again needs it");
+        }
     }
 
     @Test

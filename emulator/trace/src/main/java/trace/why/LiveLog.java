@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import trace.MalformedEventException;
 import trace.TraceEvent;
 
 /**
@@ -40,11 +41,20 @@ public final class LiveLog {
     private final Ordinals ordinals = new Ordinals();
 
     /**
-     * Takes a line.
+     * Takes a line; one that lacks what its kind has is left out.
      *
      * @param nanos when it came.
      */
     public synchronized void add(TraceEvent event, long nanos) {
+        try {
+            take(event, nanos);
+        } catch (MalformedEventException | IllegalStateException none) {
+            // Nobody can ask of it.
+            return;
+        }
+    }
+
+    private void take(TraceEvent event, long nanos) {
         boolean ofAgent = event.name().startsWith("agent-") || History.PRINTS.contains(event.name());
         if (!ofAgent && !OF_TRACE.contains(event.name())
                 && !(event.is("point") && POINTS.contains(event.text("name")))) {

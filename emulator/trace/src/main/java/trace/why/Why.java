@@ -255,7 +255,7 @@ public final class Why {
             }
         }
         cause(history.agentsOf(board).isEmpty() ? board + "'s host asked for " + what + "; the log tells of no agent there"
-                : "another host than the agents asked for " + what);
+                : "no agent of the log asked for " + what + ": another host did, or it was before the recording");
     }
 
     private void action(TraceEvent asked) {
