@@ -20,11 +20,16 @@ import { Timeline, behaviours } from './timeline.js';
 import { story } from './phrases.js';
 import { answer, box } from './why.js';
 
-/** The text of the page is made anew so often, in ms, while something changes, and else so often; the road with each frame in which something moves. */
+/** The text of the page is made anew so often, in ms, while something moves; the road then with each frame. */
 const TEXT_EVERY = 100;
+/** Text and road so often, where something changes and nothing moves, as a lamp that blinks. */
+const STILL_EVERY = 500;
+/** And so often plots, and all where nothing has moved and nobody has touched anything for so long. */
+const REST_EVERY = 1000;
+const REST_AFTER = 10_000;
 const IDLE_TEXT_EVERY = 2000;
 /** Where nothing moves, that is noticed within so many ms: less than the clock is behind. */
-const IDLE_EVERY = 250;
+const IDLE_EVERY = 400;
 /** Something that is dragged gives a command so often, in ms. */
 const COMMAND_EVERY = 100;
 /** So long an error stays, in ms. */
@@ -357,6 +362,8 @@ function points(canvas, from, to) {
 }
 
 let textAt = 0;
+let plotsAt = 0;
+let stirred = 0;
 let drawn = {};
 let frames = 0;
 let framesAt = 0;
@@ -372,19 +379,25 @@ function frame(now) {
   if (ui.held && !ui.held.down && now > ui.held.until) ui.held = undefined;
   const revision = model.revisionAt(t);
   const moves = about.source !== 'board' && road.moves(model, state, t);
-  const changed = road.changed || moves || drawn.moves || drawn.model !== model || drawn.revision !== revision;
-  if (changed && about.source !== 'board') road.draw(model, state, t);
-  if (now - textAt >= (changed || drawn.owed ? TEXT_EVERY : IDLE_TEXT_EVERY)) {
+  const urgent = road.changed || moves || drawn.moves || drawn.model !== model;
+  const changed = urgent || drawn.revision !== revision;
+  if (urgent) stirred = now;
+  const every = now - stirred < REST_AFTER ? STILL_EVERY : REST_EVERY;
+  if (about.source !== 'board' && (urgent || (changed && now - textAt >= every))) road.draw(model, state, t);
+  drawn.urgent ||= urgent;
+  if (now - textAt >= (drawn.urgent ? TEXT_EVERY : changed ? every : IDLE_TEXT_EVERY)) {
     textAt = now;
     drawText();
     placeMenu();
-    drawPlots(t, points);
-    drawn.owed = false;
-  } else {
-    drawn.owed ||= changed;
+    if (urgent || now - plotsAt >= REST_EVERY) {
+      plotsAt = now;
+      drawPlots(t, points);
+    }
+    drawn = { model, revision };
+  } else if (urgent) {
     tellTime(t);
   }
-  drawn = { model, revision, moves, t, owed: drawn.owed };
+  drawn.moves = moves;
   frames++;
   if (now - framesAt >= 1000) {
     document.documentElement.dataset.fps = Math.round((frames * 1000) / (now - framesAt));
@@ -420,7 +433,7 @@ function begin(model, clock) {
 }
 
 function tellTime(t) {
-  $('clock').textContent = seconds(t);
+  $('clock').firstChild.data = seconds(t);
   $('clock').dataset.t = t.toFixed(3);
 }
 
