@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -112,7 +111,7 @@ public class Diffuser extends AgArch {
     private final transient Object ending = new Object();
     private transient boolean ended;
     private transient volatile Consumer<String> printed = text -> {};
-    private transient BiConsumer<String, CompletableFuture<Void>> performed = (action, outcome) -> {};
+    private transient ActionListener performed = (action, request, outcome) -> {};
     private transient Optional<Recorder> recorder = Optional.empty();
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
@@ -285,8 +284,15 @@ public class Diffuser extends AgArch {
         printed = listener;
     }
 
+    /** Is told each action that the board is asked for. */
+    public interface ActionListener {
+
+        /** @param request its number in the lines of {@link #record}; 0 if nothing is recorded. */
+        void asked(String action, int request, CompletableFuture<Void> outcome);
+    }
+
     /** Says who is told each action that the board is asked for, with the future that {@link #perform} gives. */
-    public void onPerformed(BiConsumer<String, CompletableFuture<Void>> listener) {
+    public void onPerformed(ActionListener listener) {
         performed = listener;
     }
 
@@ -369,8 +375,8 @@ public class Diffuser extends AgArch {
         Device board = requireDevice();
         try {
             CompletableFuture<Void> outcome = board.act(action);
-            performed.accept(action, outcome);
-            recorder.ifPresent(each -> each.asks(action, outcome));
+            int request = recorder.map(each -> each.asks(action, outcome)).orElse(0);
+            performed.asked(action, request, outcome);
             return outcome;
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();

@@ -200,7 +200,8 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             if (first) {
                 listeners.forEach(this::introduce);
             }
-            watched.getEvents().forEach(each -> added(each, first ? "program" : ""));
+            String origin = !first ? "" : ts.getAgArch().getCycleNumber() <= 1 ? "program" : "before";
+            watched.getEvents().forEach(each -> added(each, origin));
         }
         int size = library.size();
         // Plans are added at one of the ends.
@@ -500,10 +501,11 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         });
     }
 
-    /** An action that the board is asked for. */
-    public void asks(String action, CompletableFuture<Void> outcome) {
+    /** An action that the board is asked for; the number of the request. */
+    public int asks(String action, CompletableFuture<Void> outcome) {
         int request = request("action", "action", action);
         outcome.whenComplete((done, thrown) -> performed(request, thrown));
+        return request;
     }
 
     private int request(String event, String field, String value) {

@@ -22,6 +22,10 @@ final class Options {
 
     /** The emulator's control socket. */
     private static final String CONTROL = "build/control";
+    /** The socket at which agents tell the page of themselves. */
+    static final Path LIVE = Path.of("build", "live");
+    /** All that the page shows, and what agents decide: {@code javino watch --trace}, {@code javino why}. */
+    static final Path RUN = Path.of("build", "run.jsonl");
     /** Certificates and secrets of all devices: on real computers each has its own. */
     static final Path IDENTITIES = Path.of("build", "identities");
 
@@ -200,7 +204,8 @@ final class Options {
 
     /** {@code javino watch}: the page, which takes the events from its standard input. */
     List<String> watchCommand() {
-        List<String> command = javino("watch", "--trace", "-", "--control", CONTROL);
+        List<String> command = javino("watch", "--trace", "-", "--control", CONTROL, "--agents", "" + LIVE,
+                "--record", "" + RUN);
         if (headless != null) {
             command.add("--no-browser");
         }

@@ -70,7 +70,7 @@ final class Scenario implements AutoCloseable {
     /** The part of its own speed at which a first viewer can follow the story. */
     private static final double TOLD_AT = 0.3;
     /** Words with which agents begin, and which tell nothing of the story. */
-    private static final Pattern ASIDE = Pattern.compile("I am a Diffuser agent|Ready|My board at .* is on");
+    private static final List<String> ASIDE = List.of("I am a Diffuser agent", "Ready");
     private static final Pattern SAID = Pattern.compile("\\[(\\w+)] (.*)");
 
     private static final Path PICTURE = Path.of("build", "highway.svg");
@@ -94,6 +94,7 @@ final class Scenario implements AutoCloseable {
     private EventLog log;
     /** The lines about the page: its address is the last one. */
     private final List<String> page = new ArrayList<>();
+    private boolean pageEnded;
     private boolean introduced;
     private WatchedRun watched;
     private boolean followed;
@@ -208,9 +209,13 @@ final class Scenario implements AutoCloseable {
 
     /** Starts the page's server; where that ends, the run goes on. */
     private void startPage() throws IOException {
+        Files.deleteIfExists(Options.LIVE);
         // Its address has a token, which belongs to the user only: it is shown, and not recorded.
         log.show(launch(options.watchCommand(), this::readPage,
-                status -> warn("the page has ended with status " + status + "; the run goes on")));
+                status -> {
+                    pageEnded = true;
+                    warn("the page has ended with status " + status + "; the run goes on");
+                }));
     }
 
     private void readPage(String line) {
@@ -260,7 +265,9 @@ final class Scenario implements AutoCloseable {
     /** Says who takes part, and what is to be observed; the page knows nothing of highways. */
     private void introduce() {
         tell("about", "text", "Each vehicle has an agent, a board and a radio. There is no network: what they tell"
-                + " each other, everybody near can hear.", "roads", List.of(0));
+                + " each other, everybody near can hear.", "roads", List.of(0), "aside", Stream.concat(ASIDE.stream(),
+                        Arrays.stream(Device.values()).map(device -> "My board at ports/" + device.id() + " is on"))
+                        .toList());
         for (Device device : Device.values()) {
             tell("device", "board", device.id(), "address", device.address, "title", device.title(), "colour",
                     device.hue);
@@ -332,6 +339,9 @@ final class Scenario implements AutoCloseable {
         agentsStarted = true;
         note("five agents, each in a Java virtual machine of its own");
         showPage();
+        if (options.live()) {
+            waitFor("the page", () -> pageEnded || Files.exists(Options.LIVE));
+        }
         awaitViewer();
         for (Device device : Device.values()) {
             if (device != Device.BUS) {
@@ -394,18 +404,14 @@ final class Scenario implements AutoCloseable {
     }
 
     private void startAgent(Device device) throws IOException {
-        start(device.id(), options.agentCommand(device), line -> {
-            if (!options.live() || !log.observed(seconds, device, line)) {
-                see(printed(device, line));
-            }
-        });
+        start(device.id(), options.agentCommand(device), line -> see(printed(device, line)));
     }
 
-    /** A line that Jason marks with an agent's name is the agent's, but for warnings of {@code live.ObservedMas}. */
+    /** A line that Jason marks with an agent's name is the agent's. */
     private Observation printed(Device device, String line) {
         Matcher said = SAID.matcher(line);
         if (!said.matches()) {
-            return new Observation(seconds, Kind.WARNS, device.address, "", EventLog.warning(device, line));
+            return new Observation(seconds, Kind.WARNS, device.address, "", line);
         }
         watched.printed(said.group(1), said.group(2));
         // Another agent of that MAS has its name before what it says.
@@ -456,16 +462,16 @@ final class Scenario implements AutoCloseable {
                 case SAYS -> {
                     Matcher another = SAID.matcher(seen.text());
                     boolean isAnother = another.matches();
-                    tell("said", "board", device.id(), "agent", isAnother ? another.group(1) : device.id(),
-                            "text", isAnother ? another.group(2) : seen.text(),
-                            "aside", ASIDE.matcher(seen.text()).matches());
+                    log.note(seconds, "said", "board", device.id(), "agent",
+                            isAnother ? another.group(1) : device.id(), "text",
+                            isAnother ? another.group(2) : seen.text());
                     if (seen.text().equals("Ready")) {
                         ready.add(device);
                     } else if (seen.text().matches("My board at .* is on")) {
                         connected.add(device);
                     }
                 }
-                case WARNS -> tell("warned", "board", device.id(), "text", seen.text());
+                case WARNS -> log.note(seconds, "warned", "board", device.id(), "text", seen.text());
                 default -> {
                     // The trace has it.
                 }

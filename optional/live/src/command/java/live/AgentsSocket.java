@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
@@ -38,6 +39,8 @@ final class AgentsSocket implements AutoCloseable {
     private final Map<String, String> boards = new ConcurrentHashMap<>();
     private final Map<Long, CompletableFuture<String>> answers = new ConcurrentHashMap<>();
     private final AtomicLong asked = new AtomicLong();
+    private final Set<LineChannel> connected = ConcurrentHashMap.newKeySet();
+    private boolean records;
 
     private AgentsSocket(Path socket, ServerSocketChannel server, Consumer<JsonObject> events) {
         this.socket = socket;
@@ -48,9 +51,10 @@ final class AgentsSocket implements AutoCloseable {
     /**
      * Begins to listen; an earlier socket of this name is replaced.
      *
-     * @param events takes each event, which names its agent, if it is one agent's, and its board, if that is known.
+     * @param records whether agents are to tell what they decide, too.
+     * @param events  takes each event, which names its agent, if it is one agent's, and its board, if that is known.
      */
-    static AgentsSocket listen(Path socket, Consumer<JsonObject> events) throws IOException {
+    static AgentsSocket listen(Path socket, boolean records, Consumer<JsonObject> events) throws IOException {
         Files.deleteIfExists(socket);
         ServerSocketChannel server = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
         server.bind(UnixDomainSocketAddress.of(socket));
@@ -58,6 +62,7 @@ final class AgentsSocket implements AutoCloseable {
             Files.setPosixFilePermissions(socket, PosixFilePermissions.fromString("rw-------"));
         }
         AgentsSocket agents = new AgentsSocket(socket, server, events);
+        agents.records = records;
         Time.REAL.thread("agents", agents::accept).start();
         return agents;
     }
@@ -73,14 +78,40 @@ final class AgentsSocket implements AutoCloseable {
         }
     }
 
+    /** Says whether agents are to tell what they decide, from now on. @param before what is done if they did not. */
+    synchronized void record(boolean on, Runnable before) {
+        if (on != records) {
+            before.run();
+            records = on;
+            for (LineChannel program : connected) {
+                try {
+                    program.send(wish());
+                } catch (IOException ended) {
+                    connected.remove(program);
+                }
+            }
+        }
+    }
+
+    private String wish() {
+        return Events.json("do", "record", "on", records);
+    }
+
+    private synchronized void greet(LineChannel program) throws IOException {
+        connected.add(program);
+        program.send(wish());
+    }
+
     private void read(LineChannel program) {
         try (program) {
+            greet(program);
             for (String line = program.next(); line != null; line = program.next()) {
                 take(program, Events.object(line));
             }
         } catch (IOException | JavinoException ended) {
             // So have its agents, which is told below.
         }
+        connected.remove(program);
         programs.entrySet().removeIf(each -> {
             if (each.getValue() == program) {
                 events.accept(ended(each.getKey()));
@@ -113,7 +144,7 @@ final class AgentsSocket implements AutoCloseable {
                 programs.put(agent, program);
             }
             if (event.has("port")) {
-                boards.put(agent, board(event.get("port").getAsString()));
+                boards.compute(agent, (of, before) -> board(event.get("port").getAsString()));
             }
             if (boards.containsKey(agent)) {
                 event.addProperty("board", boards.get(agent));
@@ -122,9 +153,10 @@ final class AgentsSocket implements AutoCloseable {
         events.accept(event);
     }
 
-    /** A board without a trace has its port's name. */
+    /** A board without a trace has its port's name; null without a port. */
     private static String board(String port) {
-        return port.substring(Math.max(port.lastIndexOf('/'), port.lastIndexOf('\\')) + 1);
+        String name = port.substring(Math.max(port.lastIndexOf('/'), port.lastIndexOf('\\')) + 1);
+        return name.isEmpty() ? null : name;
     }
 
     /**

@@ -4,7 +4,9 @@ import io.javalin.http.Context;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.Semaphore;
+import java.util.List;
+import java.util.function.IntConsumer;
+import java.util.regex.Pattern;
 
 /**
  * Sends the hub's events to pages, each on the thread of its request: a page that does not read stops nobody else.
@@ -17,12 +19,29 @@ final class EventStreams implements AutoCloseable {
     /** A page that is gone is noticed when something is sent to it: so something is. */
     private static final int BATCHES_OF_SILENCE = 200;
 
+    /** Frequent events that a page does not show: each would wake it. */
+    private static final Pattern UNSEEN =
+            Pattern.compile("\"event\":\"(point|eeprom|transition|host-(nothing|taking|taken|relay|outcome))\"");
+
     private final Hub hub;
-    private final Semaphore pages = new Semaphore(MOST_PAGES);
+    private final IntConsumer watched;
+    private int pages;
     private volatile boolean closed;
 
-    EventStreams(Hub hub) {
+    /** @param watched is told how many pages there are, when that changes. */
+    EventStreams(Hub hub, IntConsumer watched) {
         this.hub = hub;
+        this.watched = watched;
+    }
+
+    /** One page more or less: whether there was room for it. */
+    private synchronized boolean changed(int by) {
+        if (pages + by > MOST_PAGES) {
+            return false;
+        }
+        pages += by;
+        watched.accept(pages);
+        return true;
     }
 
     /**
@@ -32,7 +51,7 @@ final class EventStreams implements AutoCloseable {
      * @return whether there was room for one more page.
      */
     boolean serve(Context request, long place) throws InterruptedException, IOException {
-        if (!pages.tryAcquire()) {
+        if (!changed(1)) {
             return false;
         }
         try {
@@ -42,7 +61,7 @@ final class EventStreams implements AutoCloseable {
             // The page is gone.
             return true;
         } finally {
-            pages.release();
+            changed(-1);
         }
         return true;
     }
@@ -53,8 +72,9 @@ final class EventStreams implements AutoCloseable {
         boolean upToDate = false;
         for (int silent = 0; !closed; silent++) {
             Hub.Batch batch = hub.after(place, MOST_EVENTS_A_BATCH, upToDate);
-            if (batch.next() != place) {
-                write(out, message(batch));
+            List<String> seen = batch.events().stream().filter(event -> !UNSEEN.matcher(event).find()).toList();
+            if (!seen.isEmpty() || batch.skipped() > 0) {
+                write(out, message(batch, seen));
                 silent = 0;
             } else if (silent == BATCHES_OF_SILENCE) {
                 write(out, ":\n\n");
@@ -69,11 +89,11 @@ final class EventStreams implements AutoCloseable {
         }
     }
 
-    private static String message(Hub.Batch batch) {
+    private static String message(Hub.Batch batch, List<String> events) {
         String skipped = batch.skipped() == 0 ? ""
                 : Events.json("event", "skipped", "count", batch.skipped())
-                        + (batch.events().isEmpty() ? "" : ",");
-        return "id: " + batch.next() + "\ndata: [" + skipped + String.join(",", batch.events()) + "]\n\n";
+                        + (events.isEmpty() ? "" : ",");
+        return "id: " + batch.next() + "\ndata: [" + skipped + String.join(",", events) + "]\n\n";
     }
 
     private static void write(OutputStream out, String text) throws IOException {

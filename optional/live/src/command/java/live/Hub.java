@@ -31,6 +31,7 @@ final class Hub {
     private long next;
     private long characters;
     private PrintStream record = new PrintStream(OutputStream.nullOutputStream());
+    private boolean recorded;
 
     /**
      * Events for a page.
@@ -50,6 +51,17 @@ final class Hub {
     /** Writes each event from now on to a file, too, which the page can play later. */
     synchronized void record(Path file) throws IOException {
         record = new PrintStream(Files.newOutputStream(file), true, StandardCharsets.UTF_8);
+        recorded = true;
+    }
+
+    /** Whether there is such a file. */
+    synchronized boolean isRecorded() {
+        return recorded;
+    }
+
+    /** Writes a line to the file only. */
+    synchronized void note(String line) {
+        record.println(line);
     }
 
     /** @param kept how many events are kept beside the first ones. */

@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import javino.JavinoException;
 import trace.TraceEvent;
 import trace.TraceReader;
+import trace.why.LiveLog;
 
 /**
  * A run that goes on: its events come as lines of a stream, and from agents at a socket; commands go to the emulator's
@@ -27,8 +28,11 @@ final class RunSource implements Source {
     private static final List<String> CONTROLS = List.of("reset", "unplug", "plug", "power-cut", "jam", "move",
             "obstacle", "light", "sensor", "radio", "speed", "send");
     private static final double MILLIS_A_SECOND = 1000;
+    /** Agents tell what they decide so long after the last page was closed: a page that is loaded again needs it. */
+    private static final long NANOS_OF_RECORD = TimeUnit.MINUTES.toNanos(1);
 
     private final Hub hub;
+    private final LiveLog log = new LiveLog();
     private final Optional<ControlSocket> control;
     private final PrintWriter warnings;
     private final long start = System.nanoTime();
@@ -40,6 +44,8 @@ final class RunSource implements Source {
     private double seconds;
     /** The emulated boards, by their ports' names. */
     private final Map<String, String> boards = new ConcurrentHashMap<>();
+    private int pages;
+    private long leftAt;
 
     private RunSource(Hub hub, Optional<ControlSocket> control, PrintWriter warnings) {
         this.hub = hub;
@@ -68,8 +74,23 @@ final class RunSource implements Source {
 
     /** Takes what agents tell at a socket, too. */
     RunSource withAgents(Path socket) throws IOException {
-        agents = Optional.of(AgentsSocket.listen(socket, this::told));
+        agents = Optional.of(AgentsSocket.listen(socket, hub.isRecorded(), this::told));
         return this;
+    }
+
+    @Override
+    public void watched(int now) {
+        synchronized (this) {
+            pages = now;
+            leftAt = System.nanoTime();
+        }
+        if (now > 0) {
+            record(true);
+        }
+    }
+
+    private void record(boolean on) {
+        agents.ifPresent(each -> each.record(on, () -> log.forget(agent -> true)));
     }
 
     private void read(InputStream in) {
@@ -97,7 +118,13 @@ final class RunSource implements Source {
                 }
             }
         }
+        log.add(event, System.nanoTime());
         hub.add(event.line());
+    }
+
+    @Override
+    public Optional<Log> log() {
+        return Optional.of(log::events);
     }
 
     /** An agent's event gets its time, and the name that the trace has for its board. */
@@ -111,11 +138,31 @@ final class RunSource implements Source {
         JsonObject timed = new JsonObject();
         timed.addProperty("t", traced ? seconds
                 : TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start) / MILLIS_A_SECOND);
+        event.remove("t");  // of the agent's clock
         event.entrySet().forEach(each -> timed.add(each.getKey(), each.getValue()));
         if (emulated) {
             timed.addProperty("board", boards.get(port));
         }
+        String name = timed.get("event").getAsString();
+        if (name.startsWith("agent-")) {
+            decided(timed);
+            return;
+        }
+        if (timed.has("text")) {
+            log.add(TraceEvent.parse(0, timed.toString()), System.nanoTime());
+        } else if (timed.has("ended")) {
+            log.forget(timed.get("agent").getAsString()::equals);
+        }
         hub.add(timed.toString());
+    }
+
+    /** A line for questions, and for the file of the run; pages do not need it. */
+    private void decided(JsonObject line) {
+        log.add(TraceEvent.parse(0, line.toString()), System.nanoTime());
+        hub.note(line.toString());
+        if (pages == 0 && !hub.isRecorded() && System.nanoTime() - leftAt > NANOS_OF_RECORD) {
+            record(false);
+        }
     }
 
     @Override

@@ -1,6 +1,7 @@
 package live;
 
 import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
 import io.javalin.Javalin;
 import io.javalin.config.JavalinConfig;
 import io.javalin.http.Context;
@@ -15,6 +16,8 @@ import java.util.Map;
 import java.util.Optional;
 import javino.JavinoException;
 import live.PageFiles.PageFile;
+import trace.TraceEvent;
+import trace.why.Why;
 
 /**
  * Serves the page, its events and its commands to the browsers of this computer. Attempts of others by one of these
@@ -39,7 +42,7 @@ final class Server implements AutoCloseable {
 
     private Server(Hub hub, Source source) {
         this.source = source;
-        streams = new EventStreams(hub);
+        streams = new EventStreams(hub, source::watched);
         javalin = Javalin.create(this::configure);
     }
 
@@ -89,6 +92,7 @@ final class Server implements AutoCloseable {
         config.routes.get("/about", this::about);
         config.routes.get("/events", this::events);
         config.routes.post("/command", this::command);
+        config.routes.post("/why", this::why);
         config.routes.exception(Refusal.class, (e, request) -> request.status(e.status).result(e.getMessage()));
         config.routes.exception(HttpResponseException.class, (e, request) -> request.status(e.getStatus())
                 .result("there is no " + request.method() + " of this path"));
@@ -143,7 +147,8 @@ final class Server implements AutoCloseable {
     private void about(Context request) throws Refusal {
         checkToken(request.queryParam("token"));
         json(request, 200,
-                "source", source.kind(), "live", source.isLive(), "controls", source.controls());
+                "source", source.kind(), "live", source.isLive(), "controls", source.controls(), "why",
+                source.log().isPresent());
     }
 
     private void events(Context request) throws Refusal, IOException, InterruptedException {
@@ -167,18 +172,41 @@ final class Server implements AutoCloseable {
         }
     }
 
-    private void command(Context request) throws Refusal {
+    /** Does something with the object that a page has sent. */
+    private interface Work {
+        Object with(JsonObject body) throws JavinoException, IOException;
+    }
+
+    private void answer(Context request, String name, Work work) throws Refusal {
         checkToken(request.header(TOKEN_HEADER));
         byte[] body = body(request);
         try {
             if (body.length > MOST_COMMAND_BYTES) {
                 throw new JavinoException("a command has at most " + MOST_COMMAND_BYTES + " bytes");
             }
-            source.command(known(Events.object(new String(body, StandardCharsets.UTF_8))));
-            json(request, 200, "ok", true);
-        } catch (JavinoException e) {
+            json(request, 200, name, work.with(Events.object(new String(body, StandardCharsets.UTF_8))));
+        } catch (JavinoException | IOException | IllegalArgumentException e) {
             json(request, 400, "error", e.getMessage());
         }
+    }
+
+    private void command(Context request) throws Refusal {
+        answer(request, "ok", body -> {
+            source.command(known(body));
+            return true;
+        });
+    }
+
+    /** Answers by {@link Why}: {@code line} has the fields of one that is asked of; or {@code what}, {@code agent}. */
+    private void why(Context request) throws Refusal {
+        answer(request, "answer", body -> {
+            List<TraceEvent> events = source.log()
+                    .orElseThrow(() -> new JavinoException("nothing can be asked here: there is no log")).events();
+            Why why = body.get("until") instanceof JsonPrimitive until && until.isNumber()
+                    ? new Why(events, until.getAsDouble()) : new Why(events);
+            return body.get("line") instanceof JsonObject line ? why.of(line)
+                    : why.answer(Events.text(body, "what"), body.has("agent") ? Events.text(body, "agent") : "");
+        });
     }
 
     private JsonObject known(JsonObject command) throws JavinoException {

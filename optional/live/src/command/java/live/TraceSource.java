@@ -4,6 +4,7 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import javino.JavinoException;
 import trace.MalformedEventException;
 import trace.TraceReader;
@@ -11,7 +12,10 @@ import trace.TraceReader;
 /** A trace file, which the page plays. */
 final class TraceSource implements Source {
 
-    private TraceSource() {
+    private final Path file;
+
+    private TraceSource(Path file) {
+        this.file = file;
     }
 
     /**
@@ -21,12 +25,17 @@ final class TraceSource implements Source {
      */
     static TraceSource read(Path file, Hub hub) throws IOException, JavinoException {
         try {
-            TraceReader.read(file, event -> hub.add(event.line()));
+            TraceReader.read(file, event -> {
+                // Pages do not need what agents decided: the server answers questions.
+                if (!event.name().startsWith("agent-")) {
+                    hub.add(event.line());
+                }
+            });
         } catch (MalformedEventException e) {
             throw new JavinoException(file + ":" + e.number()
                     + ": this is no event; name the trace of a run, such as build/trace.jsonl", e);
         }
-        return new TraceSource();
+        return new TraceSource(file);
     }
 
     @Override
@@ -47,6 +56,12 @@ final class TraceSource implements Source {
     @Override
     public void command(JsonObject command) throws JavinoException {
         throw new JavinoException("a trace takes no commands");
+    }
+
+    /** {@inheritDoc} The file is read again: it may be longer than what the memory has room for. */
+    @Override
+    public Optional<Log> log() {
+        return Optional.of(() -> TraceReader.all(file));
     }
 
     @Override

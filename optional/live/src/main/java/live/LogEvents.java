@@ -22,11 +22,9 @@ final class LogEvents extends Handler {
     private static final String PRINTING = "jason.stdlib.";
 
     private final Consumer<String> out;
-    private final boolean withWords;
 
-    private LogEvents(Consumer<String> out, boolean withWords) {
+    private LogEvents(Consumer<String> out) {
         this.out = out;
-        this.withWords = withWords;
         setFormatter(new Formatter() {
             @Override
             public String format(LogRecord line) {
@@ -36,18 +34,9 @@ final class LogEvents extends Handler {
         setLevel(Level.INFO);
     }
 
-    /** Tells warnings from now on; other logs no longer have them. */
-    static void instead(Consumer<String> out) {
-        Logger root = Logger.getLogger("");
-        for (Handler other : root.getHandlers()) {
-            other.setFilter(line -> line.getLevel().intValue() < Level.WARNING.intValue());
-        }
-        root.addHandler(new LogEvents(out, false));
-    }
-
     /** Tells words and warnings from now on, as other logs do. */
     static void beside(Consumer<String> out) {
-        Logger.getLogger("").addHandler(new LogEvents(out, true));
+        Logger.getLogger("").addHandler(new LogEvents(out));
     }
 
     @Override
@@ -61,7 +50,7 @@ final class LogEvents extends Handler {
         if (line.getLevel().intValue() >= Level.WARNING.intValue()) {
             out.accept(log.matches() ? Events.json("event", "warned", "agent", log.group(1), "text", text)
                     : Events.json("event", "warned", "text", text));
-        } else if (withWords && log.matches() && source.startsWith(PRINTING)) {
+        } else if (log.matches() && source.startsWith(PRINTING)) {
             out.accept(Events.json("event", "said", "agent", log.group(1), "text", text));
         }
     }

@@ -9,7 +9,9 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.PlanBody;
 import jason.asSyntax.Term;
 import jason.bb.BeliefBase;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -19,15 +21,20 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
- * Tells what an agent believes and intends, when that has changed. All is done on the agent's own thread, between two
- * cycles, at most ten times a second: otherwise a cycle costs a look at the clock.
+ * Tells what an agent believes and intends, when that has changed, and while somebody watches also what it decides. All
+ * is done on the agent's own thread, between two cycles, beliefs at most ten times a second: otherwise a cycle costs a
+ * look at the clock. Jason makes one for each agent, by {@link ObservedMas}.
  */
-final class ObservedAgent extends AgArch {
+public final class ObservedAgent extends AgArch {
 
     private static final long serialVersionUID = 1L;
     private static final long LEAST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+    /** What an agent decides that has little to do is told as soon as this. */
+    private static final long SOON_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
+    private static final int FEW_LINES = 40;
     /** Limits to the beliefs and intentions that are told; an agent can have any number of them. */
     static final int MOST_BELIEFS = 500;
     private static final int MOST_INTENTIONS = 20;
@@ -38,21 +45,40 @@ final class ObservedAgent extends AgArch {
     /** Jason's mark of what it keeps itself among an agent's beliefs. */
     private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
 
-    private final String name;
-    private final transient Consumer<String> out;
-    private final transient Optional<ObservedBoard> board;
+    /** Of the lines of one look: those of a busy agent take no more of its time. */
+    static final int MOST_LINES = 400;
+
+    private final transient ObservedMas mas = ObservedMas.current();
+    private transient String name;
+    private transient Consumer<String> out;
+    /** Null before the first cycle: other architectures may be made later. */
+    private transient Optional<Diffuser> diffuser;
+    private transient volatile Optional<ObservedBoard> board = Optional.empty();
+    /** What was decided since the last look; texts are made between two cycles. */
+    private final transient Deque<Supplier<String>> lines = new ArrayDeque<>();
+    private boolean recorded;
+    private volatile boolean cycles;
+    /** So many lines were forgotten. */
+    private long forgotten;
     private transient List<String> percepts = List.of();
     private transient Set<String> beliefs = Set.of();
     private transient List<String> intentions = List.of();
     private long lastLook = System.nanoTime() - LEAST_NANOS;
+    private long lastLines = lastLook;
     /** Whether there was a cycle since the last look. */
     private boolean unseen;
 
-    /** @param diffuser the architecture by which it has a board, if it has. */
-    ObservedAgent(String name, Optional<Diffuser> diffuser, Consumer<String> out) {
-        this.name = name;
-        this.out = out;
-        board = diffuser.map(of -> new ObservedBoard(of, this::tell));
+    @Override
+    public void init() {
+        name = getAgName();
+        out = mas.out();
+        mas.begun(this);
+    }
+
+    @Override
+    public void stop() {
+        super.stop();
+        mas.ended(this);
     }
 
     /** Asks its board for the counters. For any thread. */
@@ -61,9 +87,61 @@ final class ObservedAgent extends AgArch {
     }
 
     @Override
+    public void reasoningCycleStarting() {
+        if (diffuser == null) {
+            diffuser = Diffuser.find(getTS().getAgArch());
+            board = diffuser.map(of -> new ObservedBoard(of, this::tell));
+        }
+        if (recorded != mas.records()) {
+            recorded = mas.records();
+            if (recorded) {
+                diffuser.ifPresent(each -> each.record(this::add));
+            } else {
+                diffuser.ifPresent(Diffuser::endRecord);
+            }
+        }
+        cycles = true;
+        super.reasoningCycleStarting();
+    }
+
+    private void add(Supplier<String> line) {
+        if (!cycles) {
+            // While it sleeps nobody else would tell what has become of an action.
+            getTS().getAgArch().wakeUpSense();
+        }
+        synchronized (lines) {
+            lines.add(line);
+            // Its plans are more than that, and come in its first cycle.
+            if (lines.size() > MOST_LINES && getTS().getAgArch().getCycleNumber() > 1) {
+                lines.remove();
+                forgotten++;
+            }
+        }
+    }
+
+    private void tellLines() {
+        List<Supplier<String>> all;
+        synchronized (lines) {
+            all = List.copyOf(lines);
+            lines.clear();
+            if (forgotten > 0) {
+                tell("event", "skipped", "count", forgotten);
+                forgotten = 0;
+            }
+        }
+        all.forEach(each -> out.accept(each.get()));
+    }
+
+    @Override
     public void reasoningCycleFinished() {
         super.reasoningCycleFinished();
+        cycles = false;
         unseen = true;
+        long since = System.nanoTime() - lastLines;
+        if (since >= LEAST_NANOS || since >= SOON_NANOS && lines.size() < FEW_LINES) {
+            lastLines += since;
+            tellLines();
+        }
         if (System.nanoTime() - lastLook >= LEAST_NANOS) {
             look();
         }
@@ -82,6 +160,7 @@ final class ObservedAgent extends AgArch {
     private void look() {
         lastLook = System.nanoTime();
         unseen = false;
+        tellLines();
         board.ifPresent(ObservedBoard::look);
         tellBeliefs();
         tellIntentions();

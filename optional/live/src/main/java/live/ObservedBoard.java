@@ -25,11 +25,11 @@ final class ObservedBoard {
         this.agent = agent;
         this.out = out;
         agent.onPrinted(text -> tell("event", "printed", "text", Events.shortened(text)));
-        agent.onPerformed((action, outcome) -> outcome.whenComplete((done, thrown) -> {
+        agent.onPerformed((action, request, outcome) -> outcome.whenComplete((done, thrown) -> {
             if (thrown == null) {
-                tell("event", "acted", "action", action);
+                tell("event", "acted", "action", action, "request", request);
             } else {
-                tell("event", "acted", "action", action, "error", Failure.of(thrown).error());
+                tell("event", "acted", "action", action, "request", request, "error", Failure.of(thrown).error());
             }
         }));
     }

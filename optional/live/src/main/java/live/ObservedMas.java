@@ -1,18 +1,13 @@
 package live;
 
 import com.google.gson.JsonObject;
-import diffuser.Diffuser;
-import jason.asSemantics.TransitionSystem;
-import jason.infra.local.BaseLocalMAS;
-import jason.infra.local.LocalAgArch;
+import jason.runtime.RuntimeServicesFactory;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
+import java.rmi.RemoteException;
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Iterator;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
@@ -23,15 +18,16 @@ import java.util.logging.LogManager;
 
 /**
  * Runs a MAS by its platform, Jason's or JaCaMo's, with all of its agents observed, also those that are made or arrive
- * later: what they believe and intend, what their boards do, count and print, and warnings are events. They go to the
- * page's server, which listens at the socket that the property {@code javino.live} names; without it to standard
- * output, each in a line that begins with a brace.
+ * later: what they believe and intend, what their boards do, count and print, their words and warnings are events, and
+ * while somebody watches what they decide. They go to the page's server, which listens at the socket that the property
+ * {@code javino.live} names.
  */
 public final class ObservedMas {
 
     private static final String SOCKET = "javino.live";
-    private static final long MILLIS_FROM_LOOK_TO_LOOK = 50;
-    private static final int LOOKS_A_COUNT = 20;
+    /** The field of the command {@code record}. */
+    private static final String ON = "on";
+    private static volatile ObservedMas current;
 
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
         Thread thread = new Thread(task, "observer");
@@ -39,13 +35,17 @@ public final class ObservedMas {
         return thread;
     });
     private final Consumer<String> out;
-    private final Map<LocalAgArch, ObservedAgent> observed = new HashMap<>();
-    private final Map<String, ObservedAgent> byName = new ConcurrentHashMap<>();
-    private int looks;
+    private final Map<String, ObservedAgent> agents = new ConcurrentHashMap<>();
+    private volatile boolean records;
 
     /** @param out takes each event. */
     ObservedMas(Consumer<String> out) {
         this.out = out;
+    }
+
+    /** The one that observes the agents of this program. */
+    static ObservedMas current() {
+        return current;
     }
 
     /**
@@ -55,14 +55,7 @@ public final class ObservedMas {
      *                  {@code jacamo.infra.JaCaMoLauncher}, and its arguments.
      */
     public static void main(String[] arguments) throws Exception {
-        String socket = System.getProperty(SOCKET);
-        if (socket == null) {
-            ObservedMas mas = new ObservedMas(System.out::println);
-            LogManager.getLogManager().addConfigurationListener(() -> LogEvents.instead(mas.out));
-            mas.begin();
-        } else {
-            observeBy(Path.of(socket));
-        }
+        observeBy(Path.of(System.getProperty(SOCKET, "build/live")));
         try {
             Class.forName(arguments[0]).getMethod("main", String[].class).invoke(null,
                     (Object) Arrays.copyOfRange(arguments, 1, arguments.length));
@@ -75,18 +68,32 @@ public final class ObservedMas {
         try {
             CompletableFuture<ObservedMas> mas = new CompletableFuture<>();
             PageLink page = PageLink.connect(socket, command -> mas.thenCompose(made -> made.perform(command)));
-            mas.complete(new ObservedMas(page::tell));
-            LogManager.getLogManager().addConfigurationListener(() -> LogEvents.beside(page::tell));
-            mas.join().begin();
+            ObservedMas made = new ObservedMas(page::tell);
+            // The platform has its services when it configures its log, and no agents yet.
+            LogManager.getLogManager().addConfigurationListener(() -> {
+                LogEvents.beside(page::tell);
+                made.begin();
+            });
+            mas.complete(made);
+            page.read();
         } catch (IOException e) {
             System.err.println("the page cannot be told of the agents, as nobody listens at " + socket + ": "
                     + e.getMessage());
         }
     }
 
-    /** Begins to look for agents. */
+    /** Has the platform make an {@link ObservedAgent} for each agent from now on. */
     void begin() {
-        clock.scheduleWithFixedDelay(this::look, 0, MILLIS_FROM_LOOK_TO_LOOK, TimeUnit.MILLISECONDS);
+        if (current == this) {
+            return;
+        }
+        current = this;
+        try {
+            RuntimeServicesFactory.get().registerDefaultAgArch(ObservedAgent.class.getName());
+        } catch (RemoteException none) {
+            throw new IllegalStateException(none);
+        }
+        clock.scheduleWithFixedDelay(() -> agents.values().forEach(ObservedAgent::count), 1, 1, TimeUnit.SECONDS);
     }
 
     /** Ends what {@link #begin} has begun. */
@@ -94,45 +101,35 @@ public final class ObservedMas {
         clock.shutdownNow();
     }
 
-    private void look() {
-        BaseLocalMAS mas = BaseLocalMAS.getRunner();
-        if (mas == null) {
-            return;
-        }
-        Map<String, LocalAgArch> all = Map.copyOf(mas.getAgs());
-        for (LocalAgArch agent : all.values()) {
-            if (agent.getTS() != null && !observed.containsKey(agent)) {
-                observed.put(agent, observe(agent.getTS()));
-            }
-        }
-        for (Iterator<LocalAgArch> each = observed.keySet().iterator(); each.hasNext();) {
-            LocalAgArch agent = each.next();
-            if (all.get(agent.getAgName()) != agent) {
-                byName.remove(agent.getAgName(), observed.get(agent));
-                out.accept(Events.json("event", "agent", "agent", agent.getAgName(), "ended", true));
-                each.remove();
-            }
-        }
-        if (looks++ % LOOKS_A_COUNT == 0) {
-            observed.values().forEach(ObservedAgent::count);
-        }
+    Consumer<String> out() {
+        return out;
     }
 
-    private ObservedAgent observe(TransitionSystem ts) {
-        String name = ts.getAgArch().getAgName();
-        Optional<Diffuser> diffuser = Diffuser.find(ts.getAgArch());
-        ObservedAgent agent = new ObservedAgent(name, diffuser, out);
-        byName.put(name, agent);
-        out.accept(Events.json("event", "agent", "agent", name));
-        ts.runAtBeginOfNextCycle(() -> ts.getAgArch().insertAgArch(agent));
-        ts.getAgArch().wakeUpSense();
-        return agent;
+    /** Whether what agents decide is told. */
+    boolean records() {
+        return records;
+    }
+
+    void begun(ObservedAgent agent) {
+        agents.put(agent.getAgName(), agent);
+        out.accept(Events.json("event", "agent", "agent", agent.getAgName()));
+    }
+
+    void ended(ObservedAgent agent) {
+        if (agents.remove(agent.getAgName(), agent)) {
+            out.accept(Events.json("event", "agent", "agent", agent.getAgName(), "ended", true));
+        }
     }
 
     /** Does what the page asks of an agent, or of its board. */
     CompletableFuture<?> perform(JsonObject command) {
+        if (command.has(ON)) {
+            records = command.get(ON).getAsBoolean();
+            agents.values().forEach(each -> each.getTS().getAgArch().wakeUpSense());
+            return CompletableFuture.completedFuture(null);
+        }
         String name = Events.text(command, "agent");
-        ObservedAgent agent = byName.get(name);
+        ObservedAgent agent = agents.get(name);
         if (agent == null) {
             throw new IllegalArgumentException("there is no agent " + name);
         }

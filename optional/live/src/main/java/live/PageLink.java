@@ -33,7 +33,7 @@ final class PageLink implements AutoCloseable {
     }
 
     /**
-     * Connects.
+     * Connects; {@link #read} begins to take commands.
      *
      * @param perform does what a command says; its future fails, or it throws, with the reason why it does not.
      * @throws IOException if nobody listens there.
@@ -42,8 +42,26 @@ final class PageLink implements AutoCloseable {
         SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket));
         PageLink link = new PageLink(new LineChannel(channel), perform);
         Time.REAL.thread("events for the page", link::write).start();
-        Time.REAL.thread("commands of the page", link::read).start();
         return link;
+    }
+
+    /** Does the first command, which says whether what agents decide is wanted, and then those that come. */
+    void read() throws IOException {
+        JsonObject first = next();
+        if (first == null) {
+            throw new IOException("the connection has ended");
+        }
+        answer(first);
+        Time.REAL.thread("commands of the page", this::readAll).start();
+    }
+
+    private JsonObject next() throws IOException {
+        String line = server.next();
+        try {
+            return line == null ? null : Events.object(line);
+        } catch (JavinoException e) {
+            throw new IOException(e);
+        }
     }
 
     /** Tells an event, or counts it as left out. */
@@ -71,12 +89,12 @@ final class PageLink implements AutoCloseable {
         }
     }
 
-    private void read() {
+    private void readAll() {
         try {
-            for (String line = server.next(); line != null; line = server.next()) {
-                answer(Events.object(line));
+            for (JsonObject command = next(); command != null; command = next()) {
+                answer(command);
             }
-        } catch (IOException | JavinoException serverHasEnded) {
+        } catch (IOException serverHasEnded) {
             // The agents go on.
             return;
         }
@@ -88,6 +106,9 @@ final class PageLink implements AutoCloseable {
             done = perform.apply(command);
         } catch (RuntimeException e) {
             done = CompletableFuture.failedFuture(e);
+        }
+        if (!command.has("id")) {
+            return;
         }
         done.whenComplete((result, thrown) -> tell(thrown == null ? Events.json("answer", command.get("id"))
                 : Events.json("answer", command.get("id"), "error", Events.shortened(Failure.of(thrown).message()))));

@@ -28,7 +28,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -45,19 +44,19 @@ class ObservedMasTest {
     @TempDir
     private Path folder;
     private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
-    private final Consumer<String> out = told::add;
-    private final ObservedMas observer = new ObservedMas(out);
+    private final ObservedMas observer = new ObservedMas(told::add);
     private final Mas mas = new Mas();
     private final Set<String> beliefs = new LinkedHashSet<>();
     private String intentions = "[]";
 
     /** As its {@code main}, which would not return. */
     private static final class Mas extends RunLocalMAS {
-        void begin(Consumer<String> out, String... arguments) throws JasonException {
+        void begin(ObservedMas observer, String... arguments) throws JasonException {
             runner = this;
             RuntimeServicesFactory.set(new LocalRuntimeServices(this));
             init(arguments);
-            LogEvents.instead(out);
+            LogEvents.beside(observer.out());
+            observer.begin();
             create();
             start();
         }
@@ -82,8 +81,7 @@ class ObservedMasTest {
                 "MAS tester { agents: tester agentArchClass " + PrintingBoard.class.getName()
                         + "; aslSourcePath: \"" + folder + "\"; }");
         Path logging = Files.writeString(folder.resolve("logging.properties"), log);
-        mas.begin(out, project.toString(), "--log-conf", logging.toString(), "--no-net");
-        observer.begin();
+        mas.begin(observer, project.toString(), "--log-conf", logging.toString(), "--no-net");
     }
 
     @AfterEach
@@ -181,6 +179,25 @@ class ObservedMasTest {
                 () -> observer.perform(Events.object("{\"agent\":\"nobody\"}"))).getMessage());
     }
 
+    @Test
+    void decisions_areToldWhileTheyAreWanted() throws Exception {
+        observer.perform(Events.object("{\"do\":\"record\",\"on\":true}")).get();
+        run("!go. +!go <- +light(1); .port(x); .wait({+never}). +!light(N) : N > 9 <- true. +!use <- .act(lampOn(3)).");
+
+        awaitLine("\"event\":\"agent-event\",\"agent\":\"tester\",\"number\":1,\"trigger\":\"+!go[source(self)]\","
+                + "\"origin\":\"program\"");
+        awaitLine("\"trigger\":\"+light(1)[source(self)]\",\"intention\":");
+        awaitLine("\"event\":\"board\"");
+        perform("do", "act", "action", "lampOn(1)");
+        awaitLine("\"event\":\"acted\",\"action\":\"lampOn(1)\",\"request\":1");
+        awaitLine("\"event\":\"agent-performed\",\"agent\":\"tester\",\"request\":1");
+        observer.perform(Events.object("{\"do\":\"record\",\"on\":false}")).get();
+        told.clear();
+        perform("do", "act", "action", "lampOn(2)");
+        awaitLine("\"event\":\"acted\",\"action\":\"lampOn(2)\",\"request\":0");
+        assertTrue(told.stream().noneMatch(line -> line.contains("lampOn(2)")), told.toString());
+    }
+
     private void perform(Object... command) throws Exception {
         JsonObject all = Events.object(Events.json(command));
         all.addProperty("agent", "tester");
@@ -201,8 +218,7 @@ class ObservedMasTest {
         } finally {
             System.setErr(console);
         }
-        String text = said.toString(StandardCharsets.UTF_8);
-        assertTrue(text.contains("hello") && !text.contains("prints"), text);
+        assertTrue(said.toString(StandardCharsets.UTF_8).contains("hello"));
     }
 
     private String awaitText(String event) throws InterruptedException {

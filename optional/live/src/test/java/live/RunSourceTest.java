@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.google.gson.JsonObject;
 import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -14,12 +15,15 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
 import javino.JavinoException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import trace.BoundedLines;
+import trace.TraceEvent;
 
 @Timeout(120)
 class RunSourceTest {
@@ -28,6 +32,7 @@ class RunSourceTest {
 
     private final Hub hub = new Hub();
     private final StringWriter warnings = new StringWriter();
+    private final BlockingQueue<JsonObject> commands = new LinkedBlockingQueue<>();
 
     private RunSource follow(String lines, Optional<ControlSocket> control) throws InterruptedException {
         RunSource source = RunSource.follow(new ByteArrayInputStream(lines.getBytes(StandardCharsets.UTF_8)), hub,
@@ -58,10 +63,15 @@ class RunSourceTest {
     }
 
     /** An agent's program at the socket, which performs all but goals. */
-    private static PageLink program(Path socket) throws Exception {
-        return PageLink.connect(socket, command -> command.get("do").getAsString().equals("goal")
-                ? CompletableFuture.failedFuture(new IllegalArgumentException("no goal")) : CompletableFuture
-                        .completedFuture(null));
+    private PageLink program(Path socket) throws Exception {
+        PageLink link = PageLink.connect(socket, command -> {
+            commands.add(command);
+            return command.get("do").getAsString().equals("goal")
+                    ? CompletableFuture.failedFuture(new IllegalArgumentException("no goal"))
+                    : CompletableFuture.completedFuture(null);
+        });
+        link.read();
+        return link;
     }
 
     private String event(String part) throws InterruptedException {
@@ -106,6 +116,30 @@ class RunSourceTest {
         event("\"agent\":\"one\",\"ended\":true");
         source.close();
         assertEquals(hub.after(0, 1000, false).events(), Files.readAllLines(record));
+        assertEquals("{\"do\":\"record\",\"on\":true}", commands.take().toString());
+    }
+
+    @Test
+    void decisions_areWantedWhileSomebodyWatches_andKeptForQuestions(@TempDir Path folder) throws Exception {
+        String decided = "\"event\":\"agent-event\",\"agent\":\"one\",\"number\":1,\"trigger\":\"+!go\"";
+        try (RunSource source = follow("{\"t\":1.5,\"event\":\"note\"}\n", Optional.empty())
+                .withAgents(folder.resolve("live")); PageLink agents = program(folder.resolve("live"))) {
+            assertEquals("{\"do\":\"record\",\"on\":false}", commands.take().toString());
+            source.watched(1);
+            assertEquals("{\"do\":\"record\",\"on\":true}", commands.take().toString());
+            agents.tell("{\"t\":77," + decided + "}");
+            agents.tell("{\"event\":\"agent\",\"agent\":\"one\"}");
+            event("\"one\"");
+            assertFalse(hub.after(0, 1000, false).events().toString().contains("agent-event"), "pages do not need it");
+            assertEquals(List.of("{\"t\":1.5," + decided + "}"),
+                    source.log().orElseThrow().events().stream().map(TraceEvent::line).toList());
+            source.watched(2);
+            source.watched(0);
+            agents.tell("{\"event\":\"agent\",\"agent\":\"one\",\"ended\":true}");
+            event("ended");
+            assertEquals(List.of(), source.log().orElseThrow().events());
+            assertTrue(commands.isEmpty(), "a page that is loaded again needs it");
+        }
     }
 
     @Test

@@ -6,15 +6,18 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javino.JavinoException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import trace.TraceEvent;
 
 /** A server for a source that takes note of commands, and browsers that send any bytes. */
 abstract class ServerFixture {
 
     final Hub hub = new Hub();
     final List<JsonObject> commands = new ArrayList<>();
+    final List<TraceEvent> log = new ArrayList<>();
     Server server;
 
     private final class Noting implements Source {
@@ -40,6 +43,11 @@ abstract class ServerFixture {
             } else {
                 throw new JavinoException("which board?");
             }
+        }
+
+        @Override
+        public Optional<Log> log() {
+            return log.isEmpty() ? Optional.empty() : Optional.of(() -> log);
         }
 
         @Override
@@ -92,11 +100,15 @@ abstract class ServerFixture {
 
     /** Sends a command as the page does. */
     final String command(String body, String... headers) throws IOException {
+        return post("/command", body, headers);
+    }
+
+    final String post(String path, String body, String... headers) throws IOException {
         List<String> all = new ArrayList<>(List.of(headers));
         all.add("Host: " + host());
         all.add("Connection: close");
         all.add("Content-Length: " + body.length());
-        try (Socket socket = connect("POST /command", all.toArray(String[]::new))) {
+        try (Socket socket = connect("POST " + path, all.toArray(String[]::new))) {
             socket.getOutputStream().write(body.getBytes(StandardCharsets.UTF_8));
             return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import trace.TraceEvent;
 
 @Tag("newerJava")
 @Timeout(120)
@@ -101,7 +102,7 @@ class ServerTest extends ServerFixture {
 
     @Test
     void about_sayWhatTheSourceIs() throws IOException {
-        assertEquals("{\"source\":\"run\",\"live\":true,\"controls\":[\"reset\",\"plug\"]}",
+        assertEquals("{\"source\":\"run\",\"live\":true,\"controls\":[\"reset\",\"plug\"],\"why\":false}",
                 body(ask("GET /about?token=" + token())));
     }
 
@@ -130,6 +131,30 @@ class ServerTest extends ServerFixture {
         assertStatus(400, answer);
         assertTrue(body(answer).startsWith("{\"error\":\""), answer);
         assertEquals(List.of(), commands);
+    }
+
+    /** The body of the answer to a question. */
+    private String why(String question) throws IOException {
+        return body(post("/why", question.replace('\'', '"'), Server.TOKEN_HEADER + ": " + token()));
+    }
+
+    @Test
+    void question_isAnsweredByTheLog() throws IOException {
+        assertEquals("{\"error\":\"nothing can be asked here: there is no log\"}", why("{'what':'dark'}"));
+        for (String line : List.of("'t':1,'event':'agent-plan','agent':'one','place':'a.asl:1','trigger':'+!go','body':''",
+                "'t':2.5,'event':'agent-event','agent':'one','number':1,'trigger':'+dark[source(page)]'")) {
+            log.add(TraceEvent.parse(0, "{" + line.replace('\'', '"') + "}"));
+        }
+
+        String chain = "{\"answer\":[\"    2.5000 s  one believes dark\",\"first cause: dark was given on the page\"]}";
+        assertEquals(chain, why("{'what':'dark'}"));
+        assertEquals(chain, why("{'line':{'event':'agent-event','agent':'one','number':1.0}}"));
+        assertEquals("{\"answer\":[\"first cause: one has opened no port: its board can tell it nothing\"]}",
+                why("{'what':'dark','agent':'one','until':2.4}"));
+        assertTrue(why("{'what':'dark','agent':'two'}").startsWith("{\"error\":\"the log has no agent two"));
+        assertTrue(why("{'line':{'event':'agent-plan'}}").startsWith("{\"error\":\"the log does not have that line"));
+        assertTrue(why("{'what':' '}").startsWith("{\"error\":\""));
+        assertStatus(403, post("/why", "{}"));
     }
 
     @Test

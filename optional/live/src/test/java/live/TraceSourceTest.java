@@ -41,11 +41,13 @@ class TraceSourceTest {
 
     @Test
     void file_ofEvents_isReadToItsEnd() throws Exception {
-        Path file = Files.writeString(folder.resolve("trace.jsonl"), EVENT + "\n" + EVENT);
+        String decided = "{\"t\":2,\"event\":\"agent-choice\"}";
+        Path file = Files.writeString(folder.resolve("trace.jsonl"), EVENT + "\n" + decided + "\n" + EVENT);
 
         Source source = TraceSource.read(file, hub);
 
         assertEquals(List.of(EVENT, EVENT), hub.after(0, 10, false).events());
+        assertEquals(decided, source.log().orElseThrow().events().get(1).line());
         assertEquals("trace", source.kind());
         assertEquals(List.of(), source.controls());
         assertThrows(JavinoException.class, () -> source.command(new JsonObject()));

@@ -332,9 +332,10 @@ class ForgeryTest {
     void printsAndWarnings_areShown_butNotAsWhatTheAgentSays() throws Exception {
         Files.writeString(folder.resolve("trace.jsonl"), """
                 {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"}]}
+                {"t":0,"event":"about","aside":["I am an agent"]}
                 {"t":1,"event":"note","text":"5 keys written"}
                 {"t":1000,"board":"a","event":"said","text":"hello"}
-                {"t":1000,"board":"a","event":"said","text":"I am an agent","aside":true}
+                {"t":1000,"board":"a","event":"said","text":"I am an agent"}
                 {"t":1000,"board":"a","event":"port","state":"closed"}
                 {"t":1000,"board":"a","event":"beliefs","add":["openness(totallyClosed)[source(percept)]"]}
                 {"t":1000,"board":"a","event":"printed","text":"first\\r\\nt = 20.99\\r\\n"}

@@ -45,6 +45,7 @@ class LivePageTest {
             page.await("a story that is told slowly", driver -> clock(page) < told
                     && page.await("#rate").getDomProperty("value").equals("0.3"));
             click(page, "follow");
+            assertAnswers(page);
             try (Page phone = Page.onPhone(run.address())) {
                 phone.await(OBSERVED, 9);
                 phone.screenshot("phone");
@@ -57,7 +58,7 @@ class LivePageTest {
             assertTrue(run.said().contains("model: trace accepted"), run::said);
             assertEquals(0, status, run::said);
         }
-        try (LiveRun watch = LiveRun.watch(folder, "--trace", "build/trace.jsonl");
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "build/run.jsonl");
                 Page page = Page.open(watch.address())) {
             page.await("section.agent", 5);
             WebElement slider = page.await("#slider");
@@ -68,12 +69,17 @@ class LivePageTest {
                 return page.all(OBSERVED).size() >= 9 && !page.all("#verdict").isEmpty();
             });
             page.awaitText("#verdict", "model: trace accepted");
+            answer(page, "section.agent[data-board='bus'] .belief .ask", "helpComing");
+            page.awaitText("#why li", "police sends tell;helpComing");
             page.script("arguments[0].value = 0; "
                     + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", slider);
             page.await("no behaviour", driver -> page.all(OBSERVED).isEmpty());
             page.driver().findElement(By.id("back")).click();
             assertTrue(page.all("#interfere button").isEmpty());
             page.screenshot("trace");
+            page.driver().findElement(By.id("file")).sendKeys(folder.resolve("build/run.jsonl").toString());
+            page.awaitText("#asking", "javino why FILE");
+            assertTrue(page.all(".ask, #ask").isEmpty(), "a file that the server does not have");
             assertClean(page);
         }
     }
@@ -244,6 +250,44 @@ class LivePageTest {
             emulator.destroy();
             emulator.waitFor();
         }
+    }
+
+    /** From what the bus believes back to its own sensor, through all five agents; and its board's boxes. */
+    private static void assertAnswers(Page page) {
+        answer(page, "section.agent[data-board='bus'] .belief .ask", "helpComing");
+        List<String> links = page.all("#why li").stream().map(WebElement::getText).toList();
+        int at = 0;
+        for (String link : List.of("bus believes helpComing", "the gate passed tell;helpComing from SUPO", "packet ",
+                "police sends tell;helpComing", "support sends tell;helpComing", "hospital sends tell;ambulanceIsComing",
+                "ambulance chose the plan (ambulance.asl:12) for +someoneNeedAmbulance", "packet 1 of bus, not sealed",
+                "bus sends tell;help", "bus's board tells proximity(", "first cause: bus's board told it, by its sensors")) {
+            while (at < links.size() && !links.get(at).contains(link)) {
+                at++;
+            }
+            assertTrue(at < links.size(), () -> link + " is not in its place among " + links);
+        }
+        answer(page, "section.agent[data-board='bus'] .lamp .ask", "buzzer");
+        page.awaitText("#why li", "because of accidentAlert, within which the pin changed");
+        page.screenshot("why-highway");
+        assertEquals(5, page.all("form.goal").size());
+        assertEquals(5, page.all("form.say").size());
+        page.script("document.querySelector(\"[data-board='bus'] .do summary\").click()");
+        page.await("[data-board='bus'] [data-action='stop']").click();
+        page.awaitText("section.agent[data-board='bus'] .acted", "stop ✓ done");
+        answer(page, "section.agent[data-board='bus'] .acted .ask", "stop");
+        page.awaitText("#why .cause", "first cause: bus did so outside any plan");
+        page.driver().findElement(By.tagName("body")).sendKeys(Keys.ESCAPE);
+        page.await("no answer", driver -> !driver.findElement(By.id("why")).isDisplayed());
+    }
+
+    /** Clicks on the line with that text. */
+    private static void answer(Page page, String css, String text) {
+        page.await("a line to be asked: " + text, driver -> Boolean.TRUE.equals(page.script(
+                "const all = [...document.querySelectorAll(arguments[0])];"
+                        + "const one = all.find((each) => each.innerText.includes(arguments[1]));"
+                        + "one?.click(); return one !== undefined;", css, text)));
+        page.awaitText("#why h3", text);
+        page.await("#why .cause");
     }
 
     private static double clock(Page page) {

@@ -19,6 +19,7 @@ import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
+import org.openqa.selenium.support.ui.Select;
 
 /** The places of things on the page: labels, cards, the camera's frame, plots, and the menu of a vehicle. */
 class ViewTest {
@@ -238,6 +239,7 @@ class ViewTest {
             page.awaitText("#story", "The agent owner says: “hello page”");
             page.await("[data-board='house'] input[name='content']").sendKeys("dark(3)", Keys.ENTER);
             page.awaitText("#story", "house calls to all in range: “tell;dark(3)”");
+            assertAnswers(page);
             LivePageTest.click(page, "card-sensor-house-7-0");
             page.await("#card-sensor-house-7-0[aria-pressed='true']");
             page.screenshot("own");
@@ -247,6 +249,34 @@ class ViewTest {
             agents.close();
         }
         page.await("no helper", driver -> page.all("section.agent[data-agent='helper']").isEmpty());
+    }
+
+    /** Why, by a click on a line and by the box, and as far as one can read it. */
+    private static void assertAnswers(Page page) {
+        page.driver().findElement(By.cssSelector("[data-agent='helper'] .belief .ask")).click();
+        page.awaitText("#why li", "helper believes ready");
+        page.awaitText("#why .cause", "first cause: ready is a belief of the program");
+        ask(page, "owner", "dark(3)");
+        page.awaitText("#why .cause", "first cause: nobody has told dark(3)");
+        ask(page, "owner", "!greet(_)");
+        page.awaitText("#why .cause", "first cause: !greet(page) was given on the page");
+        page.screenshot("why");
+        page.driver().findElement(By.tagName("body")).sendKeys(Keys.ESCAPE);
+        page.await("no answer", driver -> !driver.findElement(By.id("why")).isDisplayed());
+        page.await(".row.packet[data-n]");
+        // The row is drawn anew with each event.
+        page.script("document.querySelector('.row.packet').dispatchEvent(new MouseEvent('click', {bubbles: true}))");
+        page.awaitText("#why h3", "Why this packet to ////?");
+        page.awaitText("#why .cause", "first cause: the host of house's board sent it");
+        LivePageTest.click(page, "follow");
+        LivePageTest.click(page, "close-why");
+    }
+
+    private static void ask(Page page, String agent, String what) {
+        new Select(page.await("#ask select")).selectByValue(agent);
+        WebElement box = page.await("#ask input");
+        box.clear();
+        box.sendKeys(what, Keys.ENTER);
     }
 
     private static List<?> drawnAt(Page page, int hue) {

@@ -17,12 +17,15 @@ import trace.TraceEvent;
 /** The events of a run, and which of them belong together. */
 final class History {
 
+    /** What agents print, in a run that is tested and on the live page. */
+    static final Set<String> PRINTS = Set.of("agent-prints", "said", "warned");
     private static final int HANDED_NUMBERS = 256;
 
     private final List<TraceEvent> events;
 
     History(List<TraceEvent> events) {
-        this.events = events;
+        Ordinals ordinals = new Ordinals();
+        this.events = events.stream().map(ordinals::number).toList();
     }
 
     Stream<TraceEvent> all() {
@@ -61,9 +64,11 @@ final class History {
 
     /** The boards' descriptions, by the scenario. */
     List<JsonObject> boards() {
-        return all().filter(each -> each.is("scenario")).findFirst()
-                .map(each -> elements(each.json("boards")).map(JsonElement::getAsJsonObject).toList())
-                .orElse(List.of());
+        return all().filter(each -> each.is("scenario")).findFirst().map(History::boards).orElse(List.of());
+    }
+
+    static List<JsonObject> boards(TraceEvent scenario) {
+        return elements(scenario.json("boards")).map(JsonElement::getAsJsonObject).toList();
     }
 
     static Stream<JsonElement> elements(JsonElement array) {
@@ -76,10 +81,14 @@ final class History {
         return last(of(agent, "agent-settings"));
     }
 
-    /** The board at an agent's port; empty without one. A real board, of which no trace tells, has its port's name. */
+    /** The board at an agent's port; a real one has its port's name. Empty without a port. */
     String boardOf(String agent) {
-        String port = settings(agent).map(each -> each.text("port")).orElse("");
-        return port.isEmpty() || boards().isEmpty() ? port : boards().stream().filter(each -> each.has("port")
+        return board(settings(agent).map(each -> each.text("port")).orElse(""), boards());
+    }
+
+    /** The board at a port; of two whose ports end alike that which more of it names. Real ones have no trace. */
+    static String board(String port, List<JsonObject> boards) {
+        return port.isEmpty() || boards.isEmpty() ? port : boards.stream().filter(each -> each.has("port")
                 && ("/" + port).endsWith("/" + each.get("port").getAsString()))
                 .max(Comparator.comparingInt(each -> each.get("port").getAsString().length()))
                 .map(each -> each.get("name").getAsString()).orElse("");
@@ -145,26 +154,23 @@ final class History {
 
     /** The packet by which a message came that a board has handed over, by the messages that it has queued. */
     Optional<TraceEvent> packet(TraceEvent handed) {
-        int queued = 0;
-        Optional<TraceEvent> found = Optional.empty();
-        for (TraceEvent each : events) {
-            if (each == handed) {
-                break;
-            }
-            if (each.is("reset", handed.board())) {
-                queued = 0;
-            } else if (each.is("point", handed.board()) && each.text("name").equals("QUEUED")
-                    && queued++ % HANDED_NUMBERS == handed.number("number") && each.has("packet")) {
-                        found = all().filter(sent -> sent.is("rf-tx") && sent.number("packet") == each.number("packet"))
-                                .findFirst();
-                    }
-        }
-        return found;
+        return last(all().takeWhile(each -> each != handed).filter(each -> each.is("point", handed.board())
+                && each.text("name").equals("QUEUED") && each.has("packet")
+                && each.number(Ordinals.NTH) % HANDED_NUMBERS == handed.number("number")))
+                .flatMap(queued -> all().filter(sent -> sent.is("rf-tx")
+                        && sent.number("packet") == queued.number("packet")).findFirst());
     }
 
-    /** The n-th of some events and the n-th of others are the same: from the end, if the log lacks its beginning. */
+    /**
+     * The one of others that is the same request, as agent and board have counted; from the end, if the log lacks its
+     * beginning.
+     */
     Optional<TraceEvent> same(TraceEvent event, List<TraceEvent> its, List<TraceEvent> others) {
         boolean whole = all().noneMatch(each -> each.is(RunLog.LEFT_OUT));
+        if (whole && event.has(Ordinals.NTH)) {
+            return others.stream().filter(each -> each.has(Ordinals.NTH)
+                    && each.number(Ordinals.NTH) == event.number(Ordinals.NTH)).findFirst();
+        }
         int at = its.indexOf(event);
         if (at < 0) {
             return Optional.empty();
@@ -186,11 +192,15 @@ final class History {
     }
 
     /** Actions of an agent that may have reached its board, in their order. */
-    List<TraceEvent> reached(String agent, String action) {
+    Stream<TraceEvent> reached(String agent, String action) {
         return of(agent, "agent-action").filter(each -> each.text("action").equals(action))
-                .filter(each -> !outcome(each).map(end -> Set.of("port_off", "queue_full", "too_long")
-                        .contains(end.text("error"))).orElse(false))
-                .toList();
+                .filter(each -> outcome(each).filter(Ordinals::isUnreached).isEmpty());
+    }
+
+    /** The last line with all of these fields. */
+    Optional<TraceEvent> like(JsonObject fields) {
+        return last(all().filter(each -> fields.entrySet().stream()
+                .allMatch(field -> each.json(field.getKey()).equals(field.getValue()))));
     }
 
     static List<Map.Entry<String, JsonObject>> asked(TraceEvent choice) {

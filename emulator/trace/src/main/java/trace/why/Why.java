@@ -3,6 +3,7 @@ package trace.why;
 import com.google.gson.JsonObject;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -10,7 +11,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import trace.TraceEvent;
 
 /**
@@ -19,17 +19,43 @@ import trace.TraceEvent;
  */
 public final class Why {
 
-    /** Of links; more are those of a loop of goals. */
-    private static final int LONGEST = 60;
+    /** So often a plan is in an answer; a goal that calls itself would never end. */
+    private static final int MOST_TURNS = 3;
     private static final Set<String> AT_A_TIME = Set.of("pin", "agent-action", "agent-event", "agent-message");
+    private static final Set<String> ASKED = Set.of("pin", "rf-tx", "agent-action", "agent-event", "agent-message");
+    /** Told once. */
+    private static final Set<String> LASTING = Set.of("scenario", "agent-plan", "agent-settings");
     private static final Pattern ON = Pattern.compile("on|off|\\d+");
 
     private final History history;
-    private List<String> answer = new ArrayList<>();
+    private List<Link> answer = new ArrayList<>();
+    private final Map<String, Integer> turns = new HashMap<>();
+
+    /** A line of an answer. @param by the fact that it tells; null for the first cause. */
+    private record Link(double seconds, TraceEvent by, String text) {
+
+        boolean isOfAgent() {
+            return by != null && by.name().startsWith("agent-");
+        }
+
+        Link at(double other) {
+            return isOfAgent() ? new Link(other, by, text) : this;
+        }
+
+        @Override
+        public String toString() {
+            return by == null ? "first cause: " + text : String.format(Locale.ROOT, "%10.4f s  %s", seconds, text);
+        }
+    }
 
     /** @param events of a run's log, in its order. */
     public Why(List<TraceEvent> events) {
         history = new History(events);
+    }
+
+    /** The same, of what had happened at a time. */
+    public Why(List<TraceEvent> events, double until) {
+        this(events.stream().filter(each -> each.seconds() <= until || LASTING.contains(each.name())).toList());
     }
 
     /**
@@ -47,7 +73,11 @@ public final class Why {
                 .orElseThrow(() -> new IllegalArgumentException("WHAT takes a belief, goal, action or pin, such as"
                         + " 'lamp(on)', '!go' or 'lampOn', not '" + question + "'"));
         answer(asked, agents(agent));
-        return answer;
+        return texts();
+    }
+
+    private List<String> texts() {
+        return answer.stream().map(Link::toString).toList();
     }
 
     private List<String> agents(String agent) {
@@ -67,13 +97,33 @@ public final class Why {
         Optional<TraceEvent> nearest = history.all().filter(each -> AT_A_TIME.contains(each.name())
                 && (!each.has("agent") || agents.contains(each.text("agent"))))
                 .min(Comparator.comparingDouble(each -> Math.abs(each.seconds() - seconds)));
-        nearest.ifPresentOrElse(this::chain, () -> answer.add("nothing happened in this log"));
-        return answer;
+        nearest.ifPresentOrElse(this::chain, () -> cause("nothing happened in this log"));
+        return texts();
+    }
+
+    /**
+     * Answers why that happened which a line of the log tells.
+     *
+     * @param fields of the line, which no other has all: as a pin's {@code t}, {@code board} and {@code pin}.
+     * @throws IllegalArgumentException if there is no such line.
+     */
+    public List<String> of(JsonObject fields) {
+        answer = new ArrayList<>();
+        chain(history.like(fields).filter(each -> ASKED.contains(each.name())).orElseThrow(() -> new IllegalArgumentException(
+                "the log does not have that line, or no longer: ask for what is newer")));
+        return texts();
     }
 
     private void answer(Term asked, List<String> agents) {
         Optional<TraceEvent> pin = asked.sign().isEmpty() ? lastPin(asked) : Optional.empty();
-        String agent = agents.stream().filter(each -> concerns(each, asked)).findFirst().orElse(agents.get(0));
+        List<String> concerned = agents.stream().filter(each -> concerns(each, asked)).toList();
+        if (concerned.isEmpty() && pin.isEmpty() && agents.size() > 1) {
+            cause("no agent knows " + asked.brief() + ": it is in no plan, belief or message of theirs"
+                    + History.nearest(asked, agents.stream().flatMap(each -> history.believed(each).stream()))
+                            .map(each -> "; the nearest is " + each.term()).orElse(""));
+            return;
+        }
+        String agent = concerned.isEmpty() ? agents.get(0) : concerned.get(0);
         WhyNot not = new WhyNot(history, this, agent);
         Optional<String> board = boardWith(asked);
         if (pin.isPresent()) {
@@ -88,9 +138,11 @@ public final class Why {
                 Optional<TraceEvent> gained = History.last(history.events(agent, "+", asked).stream());
                 Optional<TraceEvent> lost = History.last(history.events(agent, "-", asked).stream());
                 Optional<TraceEvent> action = History.last(not.actions(asked));
-                boolean holds = gained.isPresent() && lost.filter(history.after(gained.get())).isEmpty();
-                if (holds) {
-                    chain(gained.get());
+                Optional<TraceEvent> had = history.of(agent, "agent-believes")
+                        .filter(each -> asked.matches(History.parsed(each, "belief"))).findFirst();
+                Optional<TraceEvent> since = gained.or(() -> had);
+                if (since.isPresent() && lost.filter(history.after(since.get())).isEmpty()) {
+                    chain(since.get());
                 } else if (action.flatMap(history::outcome).filter(end -> end.text("error").isEmpty()).isPresent()) {
                     chain(action.get());
                 } else if (action.isPresent() || not.isStep(asked)) {
@@ -125,12 +177,28 @@ public final class Why {
 
     /** A fact, with its time. */
     void link(TraceEvent at, String text) {
-        answer.add(String.format(Locale.ROOT, "%10.4f s  %s", at.seconds(), text));
+        answer.add(new Link(at.seconds(), at, text));
     }
 
     /** The last of an answer. */
     void cause(String text) {
-        answer.add("first cause: " + text);
+        answer.add(new Link(0, null, text));
+    }
+
+    /** Where agents' lines came late or early, their times are bounded by those of the boards before and behind. */
+    private void bound(List<Link> links) {
+        double most = Double.MAX_VALUE;
+        for (int i = 0; i < links.size(); i++) {
+            Link link = links.get(i);
+            links.set(i, link.at(Math.min(link.seconds, most)));
+            most = link.by == null || link.isOfAgent() ? most : Math.min(most, link.seconds);
+        }
+        double least = 0;
+        for (int i = links.size() - 1; i >= 0; i--) {
+            Link link = links.get(i);
+            links.set(i, link.at(Math.max(link.seconds, least)));
+            least = Math.max(least, link.seconds);
+        }
     }
 
     static String plan(JsonObject of) {
@@ -147,14 +215,22 @@ public final class Why {
 
     /** From something back to its first cause. */
     void chain(TraceEvent of) {
-        if (answer.size() > LONGEST) {
-            cause("it goes on and on so: a goal calls itself");
-            return;
-        }
+        int start = answer.size();
+        turns.clear();
+        back(of);
+        bound(answer.subList(start, answer.size()));
+    }
+
+    private void back(TraceEvent of) {
         switch (of.name()) {
             case "pin" -> pin(of);
             case "agent-action" -> action(of);
             case "agent-message" -> message(of);
+            case "rf-tx" -> sent(of);
+            case "agent-believes" -> {
+                link(of, of.text("agent") + " believes " + History.parsed(of, "belief").term());
+                cause("it did so when the recording began");
+            }
             default -> event(of);
         }
     }
@@ -173,13 +249,14 @@ public final class Why {
                 + ", within which the pin changed" : "after " + what + ": loop() changed the pin later");
         for (String agent : history.agentsOf(board)) {
             Optional<TraceEvent> asked = history.same(action.get(), history.onBoard(board, "host-action")
-                    .filter(each -> each.text("action").equals(what)).toList(), history.reached(agent, what));
+                    .filter(each -> each.text("action").equals(what)).toList(), history.reached(agent, what).toList());
             if (asked.isPresent()) {
                 action(asked.get());
                 return;
             }
         }
-        cause("another host than the agents asked for " + what);
+        cause(history.agentsOf(board).isEmpty() ? board + "'s host asked for " + what + "; the log tells of no agent there"
+                : "no agent of the log asked for " + what + ": another host did, or it was before the recording");
     }
 
     private void action(TraceEvent asked) {
@@ -195,6 +272,10 @@ public final class Why {
             return;
         }
         link(of, "by the step " + of.textOrEmpty("step") + " of the plan " + plan(of));
+        if (turns.merge(agent + plan(of), 1, Integer::sum) == MOST_TURNS) {
+            cause("and so on: the plan " + plan(of) + " comes back to itself");
+            return;
+        }
         Optional<TraceEvent> choice = History.last(history.of(agent, "agent-choice").filter(history.before(of))
                 .filter(each -> each.textOrEmpty("intention").equals(of.text("intention"))
                         && each.textOrEmpty("place").equals(of.textOrEmpty("place"))));
@@ -236,6 +317,10 @@ public final class Why {
             percept(event, trigger);
         } else if (event.textOrEmpty("origin").equals("program")) {
             cause(trigger.term() + " is a " + (trigger.goal().isEmpty() ? "belief" : "goal") + " of the program");
+        } else if (event.has("origin")) {
+            cause(trigger.term() + " was there when the recording began");
+        } else if (trigger.source().equals("page")) {
+            cause(trigger.term() + " was given on the page");
         } else if (trigger.source().isEmpty() || trigger.source().equals("self")) {
             cause(trigger.term() + " was given from outside the program");
         } else {
@@ -316,11 +401,11 @@ public final class Why {
             cause(message.text("from") + " sent it");
             return;
         }
-        sent(packet.get(), message.text("content"));
+        sent(packet.get());
     }
 
     /** From a packet to who sent it. */
-    private void sent(TraceEvent packet, String content) {
+    private void sent(TraceEvent packet) {
         String board = packet.board();
         link(packet, "packet " + packet.text("packet") + " of " + board + (packet.textOrEmpty("sealed").equals("true")
                 ? ", sealed" : ", not sealed"));
@@ -328,10 +413,15 @@ public final class Why {
             cause("an attacker sent packet " + packet.text("packet"));
             return;
         }
+        if (packet.textOrEmpty("kind").equals("acknowledgement") || packet.hops() > 0) {
+            cause(board + "'s board " + (packet.hops() > 0 ? "relays it" : "acknowledges what it heard"));
+            return;
+        }
         Optional<TraceEvent> transmit = history.onBoard(board, "host-transmit")
                 .filter(each -> history.packets(each).contains(packet)).findFirst();
         if (transmit.isPresent()) {
             TraceEvent asked = transmit.get();
+            String content = asked.textOrEmpty("content");
             link(asked, "attempt " + (1 + history.packets(asked).indexOf(packet)) + " of message "
                     + asked.text("number") + " to " + asked.text("destination"));
             for (String agent : history.agentsOf(board)) {

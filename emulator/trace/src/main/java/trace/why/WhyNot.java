@@ -176,9 +176,10 @@ final class WhyNot {
             return;
         }
         why.link(end.get(), end.get().text("message"));
-        Optional<TraceEvent> reply = history.same(action, history.reached(agent, what),
+        Optional<TraceEvent> reply = history.same(action, history.reached(agent, what).toList(),
                 history.onBoard(board, "host-action").filter(each -> each.text("action").equals(what)).toList());
-        boolean refused = reply.filter(each -> each.text("done").equals("false")).isPresent();
+        boolean refused = !Ordinals.isUnreached(end.get())
+                && reply.filter(each -> each.text("done").equals("false")).isPresent();
         why.cause((refused ? board + "'s board refused " + what : what + " failed") + ": " + end.get().text("error"));
     }
 
@@ -279,7 +280,8 @@ final class WhyNot {
     /** What Jason said of the failure of an intention. */
     private String error(TraceEvent stopped, String intention) {
         Pattern of = Pattern.compile("(?s)error\\((\\w+)\\).*intention " + intention + "\\b");
-        return history.of(agent, "agent-prints").filter(history.before(stopped))
+        return history.all().filter(each -> History.PRINTS.contains(each.name())
+                && each.textOrEmpty("agent").equals(agent)).filter(history.before(stopped))
                 .map(each -> of.matcher(each.text("text"))).filter(Matcher::find).map(found -> ": " + found.group(1))
                 .reduce((first, second) -> second).orElse("");
     }

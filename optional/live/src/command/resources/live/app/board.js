@@ -46,7 +46,7 @@ export function boardPage(app, model, state, t) {
       <span class="state">${board.online === false ? 'not there' : stateOf(board, t).replace('agent connected', 'online')}</span></h2>
     <h3>perceives</h3>${board.percepts.length ? percepts(board) : html`<p class="hint">no percepts</p>`}
     <h3>can do</h3>${board.actions.length ? actions(app, board) : html`<p class="hint">this sketch has named no actions</p>`}${say(app, board, undefined, state)}
-    ${done(board)}
+    ${done(app, board)}
     ${log(board)}
   </section>
   <section class="agent hue-0">${board.radio ? radio(board, messages, t) : html`<p class="hint">this board has no radio</p>`}

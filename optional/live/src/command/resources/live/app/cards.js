@@ -9,11 +9,14 @@ import { plain, seconds } from './text.js';
 import { REFUSALS, repeats } from './phrases.js';
 import { actions, goal, say } from './do.js';
 import { sensor } from './menu.js';
+import { asking } from './why.js';
 
 const LINES = 3;
 /** Percepts by which the library tells of the board itself. */
 const OWN = new Set(['port', 'peer']);
 const BELIEFS = 14;
+/** So many boards have room for all that one can have them do. */
+const FEW = 3;
 
 const OPENNESS = {
   __proto__: null,
@@ -70,11 +73,11 @@ function shownBeliefs(agent, t) {
   return all.filter((b) => !(b.sensed && b.gone) || (!held.has(b.functor) && newest.get(b.functor) === b));
 }
 
-const belief = (b, t) => html`<li class="belief ${b.gone ? 'gone' : t - b.t < NEW_FOR && !b.sensed ? 'new' : ''}">
-  <span class="sign">${b.gone ? '−' : t - b.t < NEW_FOR && !b.sensed ? '+' : ''}</span><code>${plain(b.term, 80)}</code>
+const belief = (app, agent, b, t) => html`<li class="belief ${b.gone ? 'gone' : t - b.t < NEW_FOR && !b.sensed ? 'new' : ''}">
+  <span class="sign">${b.gone ? '−' : t - b.t < NEW_FOR && !b.sensed ? '+' : ''}</span>${asking(app, { what: b.term, agent: agent.name, until: t }, b.term, html`<code>${plain(b.term, 80)}</code>`)}
   <small>${plain(b.from, 120)}</small></li>`;
 
-function mind(agent, t) {
+function mind(app, agent, t) {
   const all = shownBeliefs(agent, t);
   const beliefs = all.filter((b) => !OWN.has(b.functor));
   const own = all.filter((b) => OWN.has(b.functor));
@@ -83,12 +86,13 @@ function mind(agent, t) {
     ${agent.said.length === 0 ? nothing : html`<h3>says</h3>
     <ul class="said">${agent.said.slice(-LINES).map((line) => html`<li class=${t - line.t < NEW_FOR ? 'new' : ''}>“${plain(line.text)}”</li>`)}</ul>`}
     ${beliefs.length === 0 ? nothing : html`<h3>believes</h3>
-    <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(b, t))}
+    <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(app, agent, b, t))}
       ${more > 0 ? html`<li><small>and ${more} more</small></li>` : nothing}</ul>`}
     ${own.length === 0 ? nothing : html`<details class="own"><summary>${own.length} about its board</summary>
-    <ul class="beliefs">${repeat(own, (b) => b.belief, (b) => belief(b, t))}</ul></details>`}
+    <ul class="beliefs">${repeat(own, (b) => b.belief, (b) => belief(app, agent, b, t))}</ul></details>`}
     ${agent.intentions.length === 0 ? nothing : html`<h3>intends</h3>
-    <ul class="intentions">${agent.intentions.slice(0, 5).map((i) => html`<li title=${plain(i)}><code>${plain(i.replaceAll(SOURCES, ''), 120)}</code></li>`)}</ul>`}`;
+    <ul class="intentions">${agent.intentions.slice(0, 5).map((i) => html`<li title=${plain(i)}>${asking(app, { what: i.split(' / ')[0], agent: agent.name, until: t }, i.split(' / ')[0].replaceAll(SOURCES, ''),
+      html`<code>${plain(i.replaceAll(SOURCES, ''), 120)}</code>`)}</li>`)}</ul>`}`;
 }
 
 /** So many are drawn, as many as the model keeps; the others are told as they are. */
@@ -105,8 +109,8 @@ export function percepts(board) {
     ${others.length === 0 ? nothing : html`<ul class="chips">${others.map((p) => html`<li><code>${plain(p, 60)}</code></li>`)}</ul>`}`;
 }
 
-export const lamps = (board) => (board.pins.size === 0 ? nothing : html`<ul class="lamps">${[...board.pins].map(([pin, p]) => html`
-  <li class="lamp" data-pin=${pin} data-on=${p.level ? 1 : 0}>${plain(p.name || 'pin ' + pin, 20)} <small>${p.level ? 'on' : 'off'}</small></li>`)}</ul>`);
+export const lamps = (app, board) => (board.pins.size === 0 ? nothing : html`<ul class="lamps">${[...board.pins].map(([pin, p]) => html`
+  <li class="lamp" data-pin=${pin} data-on=${p.level ? 1 : 0}>${asking(app, p.line && { line: p.line }, `${p.name || pin} ${p.level ? 'on' : 'off'}`, html`${plain(p.name || 'pin ' + pin, 20)} <small>${p.level ? 'on' : 'off'}</small>`)}</li>`)}</ul>`);
 
 const refused = (model, board, t) => {
   const again = repeats(model, board.name, t);
@@ -141,13 +145,17 @@ function mindOf(app, agent, title, connected, t) {
   const state = openness(agent);
   return html`<div class="mind" data-agent=${agent.name}>
     ${state ? opennessWords({ ...agent, connected }, state, title) : nothing}
-    <div>${mind(agent, t)}</div>${goal(app, agent.name)}</div>`;
+    <div>${mind(app, agent, t)}</div></div>`;
 }
 
 /** The card of an agent without a board. */
 export const boardless = (app, agent, t) => html`<section class="agent hue-injector" data-agent=${agent.name}>
   <h2>${plain(agent.name, 30)} <span class="state">without a board</span></h2>
-  ${mindOf(app, agent, agent.name, false, t)}${warnings(agent)}</section>`;
+  ${mindOf(app, agent, agent.name, false, t)}${goal(app, agent.name)}${warnings(agent)}</section>`;
+
+/** What one can have agents and their board do; where there are many, it opens by a click. */
+const doing = (app, agents, board, state) => (!app.controls.includes('act') ? nothing : html`<details class="do" ?open=${state.boards.size <= FEW}><summary>have it act</summary>
+  ${agents.map((agent) => goal(app, agent.name, agents.length > 1))}${actions(app, board, agents[0].name)}${say(app, board, agents[0].name, state)}</details>`);
 
 /** The card of a board, with its agents. */
 export function card(app, model, state, board, t, chosen) {
@@ -161,12 +169,12 @@ export function card(app, model, state, board, t, chosen) {
       <span class="state">${stateOf(board, t, speaks)}</span></h2>
     ${agents.map((agent) => html`${agents.length === 1 && agent.name === board.name ? nothing : html`<h2 class="name">${plain(agent.name, 30)}</h2>`}
       ${mindOf(app, agent, agents.length === 1 ? board.title : agent.name, board.port === 'open', t)}`)}
-    ${board.percepts.length || board.pins.size || sensors.length || board.actions.length ? html`<h3>its board</h3>${lamps(board)}${sensors}
-      ${first === undefined ? nothing : html`${actions(app, board, first)}${say(app, board, first, state)}`}
-      ${done(board)}${percepts(board)}` : nothing}
+    ${board.percepts.length || board.pins.size || sensors.length || first !== undefined ? html`<h3>its board</h3>${lamps(app, board)}${sensors}
+      ${first === undefined ? nothing : doing(app, agents, board, state)}
+      ${done(app, board)}${percepts(board)}` : nothing}
     ${refused(model, board, t)}${log(board)}
   </section>`;
 }
 
 /** The last action that the board was asked for. */
-export const done = (board) => (!board.acted ? nothing : html`<p class="acted" aria-live="polite"><small>${seconds(board.acted.t, 1)}</small> <code>${plain(board.acted.action, 60)}</code> ${board.acted.error ? html`<b class="bad">✗ ${plain(board.acted.error)}</b>` : '✓ done'}</p>`);
+export const done = (app, board) => (!board.acted ? nothing : html`<p class="acted" aria-live="polite"><small>${seconds(board.acted.t, 1)}</small> ${asking(app, board.acted.line && { line: board.acted.line }, board.acted.action, html`<code>${plain(board.acted.action, 60)}</code>`)} ${board.acted.error ? html`<b class="bad">✗ ${plain(board.acted.error)}</b>` : '✓ done'}</p>`);

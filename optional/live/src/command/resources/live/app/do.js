@@ -35,6 +35,6 @@ export const say = (app, board, agent, state) => (!app.controls.includes('say') 
     <input name="content" aria-label="content" placeholder="dark(3)" size="10" required><button>say</button></form>`);
 
 /** A goal for an agent. */
-export const goal = (app, agent) => (!app.controls.includes('goal') ? nothing : html`
-  <form class="goal" @submit=${submitted((data) => app.send({ do: 'goal', agent, goal: data.get('goal').trim() }))}>
-    <label>goal ! <input name="goal" placeholder="patrol(3)" size="14" required></label><button>give</button></form>`);
+export const goal = (app, agent, named) => (!app.controls.includes('goal') ? nothing : html`
+  <form class="goal" data-agent=${agent} @submit=${submitted((data) => app.send({ do: 'goal', agent, goal: data.get('goal').trim() }))}>
+    <label>goal ${named ? 'of ' + plain(agent, 16) + ' ' : ''}! <input name="goal" placeholder="patrol(3)" size="14" required></label><button>give</button></form>`);

@@ -18,12 +18,18 @@ import * as source from './source.js';
 import { YOU, plain, seconds } from './text.js';
 import { Timeline, behaviours } from './timeline.js';
 import { story } from './phrases.js';
+import { answer, box } from './why.js';
 
-/** The text of the page is made anew so often, in ms, while something changes, and else so often; the road with each frame in which something moves. */
+/** The text of the page is made anew so often, in ms, while something moves; the road then with each frame. */
 const TEXT_EVERY = 100;
+/** Text and road so often, where something changes and nothing moves, as a lamp that blinks. */
+const STILL_EVERY = 500;
+/** And so often plots, and all where nothing has moved and nobody has touched anything for so long. */
+const REST_EVERY = 1000;
+const REST_AFTER = 10_000;
 const IDLE_TEXT_EVERY = 2000;
 /** Where nothing moves, that is noticed within so many ms: less than the clock is behind. */
-const IDLE_EVERY = 250;
+const IDLE_EVERY = 400;
 /** Something that is dragged gives a command so often, in ms. */
 const COMMAND_EVERY = 100;
 /** So long an error stays, in ms. */
@@ -85,8 +91,37 @@ const app = {
   /** Closes what is open over the road. */
   letGo() {
     app.choose();
+    ui.why = undefined;
     ui.read = $('forged').querySelector('[data-n]')?.dataset.n ?? ui.read;
     drawText();
+  },
+
+  get canAsk() {
+    return shown.about.why === true;
+  },
+  /** Whether another moment than the present is shown. */
+  get past() {
+    return !shown.clock.following;
+  },
+  /** Has the server answer a question, and shows it. */
+  async ask(question, title) {
+    const why = { title };
+    ui.why = why;
+    drawText();
+    const { answer: lines, error } = await source.post('/why', question);
+    if (ui.why !== why) return;
+    ui.why = lines ? { title, lines } : { title, error: error ?? 'The server refused the question' };
+    drawText();
+    $('why').scrollIntoView({ block: 'nearest' });
+  },
+  closeWhy() {
+    ui.why = undefined;
+    drawText();
+  },
+  /** A row of the time line: the page goes there, and tells why. */
+  pick(mark) {
+    app.goTo(mark.t);
+    if (mark.line && app.canAsk) app.ask({ line: mark.line }, whatOf(mark));
   },
 
   choose(kind, name) {
@@ -190,6 +225,8 @@ const app = {
   },
 };
 
+const whatOf = ({ kind, text, packet }) => (kind === 'packet' ? `this packet to ${packet.destination}` : kind === 'ack' ? 'this answer' : text);
+
 let later;
 let waiting = false;
 function flush() {
@@ -290,7 +327,11 @@ function drawText() {
       ${state.verdict ? html`<p id="verdict" class=${state.verdict.accepted ? 'good' : 'bad'}>${plain(state.verdict.text, 200)}</p>` : nothing}</div></div></div>
     ${ui.tab === 'air' ? sniffer(model, state, t, ui.packet, app.choosePacket) : nothing}
     ${ui.tab === 'injector' ? injector(app, model, state, t) : nothing}`, $('panel'));
-  timeline ??= new Timeline($('timeline'), app.goTo);
+  render(box(app, state, t), $('asking'));
+  render(ui.why ? answer(app, ui.why) : nothing, $('why'));
+  $('why').hidden = !ui.why;
+  document.body.dataset.why = ui.why ? 1 : 0;
+  timeline ??= new Timeline($('timeline'), app.pick);
   if (ui.tab === 'timeline') timeline.draw(model, state, t);
 }
 
@@ -321,6 +362,8 @@ function points(canvas, from, to) {
 }
 
 let textAt = 0;
+let plotsAt = 0;
+let stirred = 0;
 let drawn = {};
 let frames = 0;
 let framesAt = 0;
@@ -336,19 +379,25 @@ function frame(now) {
   if (ui.held && !ui.held.down && now > ui.held.until) ui.held = undefined;
   const revision = model.revisionAt(t);
   const moves = about.source !== 'board' && road.moves(model, state, t);
-  const changed = road.changed || moves || drawn.moves || drawn.model !== model || drawn.revision !== revision;
-  if (changed && about.source !== 'board') road.draw(model, state, t);
-  if (now - textAt >= (changed || drawn.owed ? TEXT_EVERY : IDLE_TEXT_EVERY)) {
+  const urgent = road.changed || moves || drawn.moves || drawn.model !== model;
+  const changed = urgent || drawn.revision !== revision;
+  if (urgent) stirred = now;
+  const every = now - stirred < REST_AFTER ? STILL_EVERY : REST_EVERY;
+  if (about.source !== 'board' && (urgent || (changed && now - textAt >= every))) road.draw(model, state, t);
+  drawn.urgent ||= urgent;
+  if (now - textAt >= (drawn.urgent ? TEXT_EVERY : changed ? every : IDLE_TEXT_EVERY)) {
     textAt = now;
     drawText();
     placeMenu();
-    drawPlots(t, points);
-    drawn.owed = false;
-  } else {
-    drawn.owed ||= changed;
+    if (urgent || now - plotsAt >= REST_EVERY) {
+      plotsAt = now;
+      drawPlots(t, points);
+    }
+    drawn = { model, revision };
+  } else if (urgent) {
     tellTime(t);
   }
-  drawn = { model, revision, moves, t, owed: drawn.owed };
+  drawn.moves = moves;
   frames++;
   if (now - framesAt >= 1000) {
     document.documentElement.dataset.fps = Math.round((frames * 1000) / (now - framesAt));
@@ -384,7 +433,7 @@ function begin(model, clock) {
 }
 
 function tellTime(t) {
-  $('clock').textContent = seconds(t);
+  $('clock').firstChild.data = seconds(t);
   $('clock').dataset.t = t.toFixed(3);
 }
 

@@ -4,7 +4,7 @@
 // grow (packets, marks, readings) are kept once, in order of time; a picture of a moment takes what is not later.
 
 import { isFor } from './packet.js';
-import { MOST_BOARDS, START, fold, number, text, texts } from './state.js';
+import { MOST_BOARDS, START, fold, lineOf, number, text, texts } from './state.js';
 
 const CHECKPOINT = 256;
 /** As many as the server keeps. Beyond, the oldest quarter is forgotten. */
@@ -197,7 +197,7 @@ export class Model {
         this.#reading(e, s);
         break;
       case 'said':
-        this.#mark(s, 'said', e.board, text(e.text), { agent: text(e.agent) || text(e.board), aside: e.aside === true });
+        this.#mark(s, 'said', e.board, text(e.text), { agent: text(e.agent) || text(e.board), aside: s.aside.has(text(e.text)) });
         break;
       case 'pin':
         this.#pin(e, s);
@@ -206,7 +206,7 @@ export class Model {
         this.#mark(s, 'heard', e.board, `${text(e.from)} → ${text(e.to)}: ${text(e.performative)} ${text(e.text)}`, { event: e });
         break;
       case 'acted':
-        this.#mark(s, 'acted', e.board, e.error === undefined ? text(e.action) : `${text(e.action)}: ${text(e.error)}`);
+        this.#mark(s, 'acted', e.board, e.error === undefined ? text(e.action) : `${text(e.action)}: ${text(e.error)}`, { line: lineOf(e) });
         break;
       case 'behaviour':
         if (e.observed === true && before.behaviours.get(e.number)?.observedAt === undefined) {
@@ -260,7 +260,7 @@ export class Model {
     // The same bytes again within two seconds: a repeat of a message, or a replay.
     packet.again = this.packets.slice(-8).some((p) => p.payload === packet.payload && p.kind !== 'acknowledgement');
     this.packets.push(packet);
-    this.#mark(s, packet.kind === 'acknowledgement' ? 'ack' : 'packet', name, '', { packet });
+    this.#mark(s, packet.kind === 'acknowledgement' ? 'ack' : 'packet', name, '', { packet, line: lineOf(e) });
   }
 
   /** What the attacker did with what was heard before: `shout`, `replay`, `flip`, `key`, or nothing that is known. */
@@ -343,7 +343,7 @@ export class Model {
     const { t = -BLINK, blinks = false } = this.#last.get(key) ?? {};
     const often = s.t - t < BLINK;
     const words = (text(e.name) || 'pin ' + text(e.pin)) + (often ? ' blinks' : number(e.level) ? ' on' : ' off');
-    if (!(often && blinks)) this.#mark(s, 'pin', e.board, words);
+    if (!(often && blinks)) this.#mark(s, 'pin', e.board, words, { line: lineOf(e) });
     this.#last.set(key, { t: s.t, blinks: often });
   }
 

@@ -30,19 +30,24 @@ export function follow(take, lost) {
   if (!document.hidden) open();
 }
 
-/** Gives a command; the result is empty, or one line that says why it was refused. */
-export async function command(body) {
+/** What the server answers to a question: `answer`, its lines, or `error`. */
+export async function post(path, body) {
   try {
-    const answer = await fetch('/command', {
+    const answer = await fetch(path, {
       method: 'POST',
       headers: { 'Content-Type': 'application/json', 'X-Javino-Token': token },
       body: JSON.stringify(body),
     });
-    const reply = await answer.json();
-    return reply.ok === true ? '' : String(reply.error ?? 'The server refused the command');
+    return await answer.json();
   } catch {
-    return 'The server does not answer: has the run ended?';
+    return { error: 'The server does not answer: has the run ended?' };
   }
+}
+
+/** Gives a command; the result is empty, or one line that says why it was refused. */
+export async function command(body) {
+  const { ok, error } = await post('/command', body);
+  return ok === true ? '' : String(error ?? 'The server refused the command');
 }
 
 /** The events of a trace file, and the numbers of lines that are none. */

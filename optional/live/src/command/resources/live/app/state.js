@@ -25,6 +25,16 @@ const without = (map, key) => {
   return rest;
 };
 
+/** The line of the log that tells the same as an event; nothing where that has none. */
+export function lineOf(e) {
+  switch (e.event) {
+    case 'pin': return { event: 'pin', t: e.t, board: e.board, pin: e.pin };
+    case 'rf-tx': return Number.isFinite(e.packet) ? { event: 'rf-tx', packet: e.packet } : undefined;
+    case 'acted': return e.request > 0 ? { event: 'agent-action', agent: e.agent, request: e.request } : undefined;
+    default: return undefined;
+  }
+}
+
 export const START = {
   t: 0,
   radio: { bitRate: 2000, range: 100, bitErrorRate: 0 },
@@ -36,6 +46,8 @@ export const START = {
   agents: new Map(),
   /** Whatever the run says of itself. */
   about: '',
+  /** Words of agents that tell nothing of the story. */
+  aside: new Set(),
   /** Heights of roads, in metres, which go along x. */
   roads: [],
   /** The speed at which a story that waits for its first viewer is to be told. */
@@ -122,15 +134,12 @@ const ofBoard = {
   port: (b, e) => ({ port: text(e.state) }),
   reset: (b, e) => ({
     reset: { t: e.t, why: text(e.why) },
-    /** Whether the emulator tells of it. */
-  traced: false,
-  offUntil: undefined,
-    pins: new Map([...b.pins].map(([pin, p]) => [pin, { ...p, level: 0 }])),
+    pins: new Map([...b.pins].map(([pin, p]) => [pin, { ...p, level: 0, line: undefined }])),
   }),
   fault: (b, e) => (e.do === 'power-cut' ? { offUntil: number(e.until, e.t) } : {}),
   pin: (b, e) => {
     const pin = text(e.pin);
-    return { pins: put(b.pins, pin, { name: text(e.name) || pin, level: number(e.level), t: e.t }) };
+    return { pins: put(b.pins, pin, { name: text(e.name) || pin, level: number(e.level), t: e.t, line: lineOf(e) }) };
   },
   /** A sensor is held at a value, or let go. */
   command: (b, e) => (e.do !== 'sensor' ? {} : {
@@ -146,7 +155,7 @@ const ofBoard = {
   printed: (b, e) => ({ printed: [...b.printed, ...text(e.text).split(/[\r\n]+/).filter(Boolean).map((line) => ({ t: e.t, text: line }))].slice(-LINES_SAID) }),
   uart: (b, e) => ofBoard.printed(b, { ...e, text: e.line ?? e.hex }),
   warned: (b, e) => ({ warned: logged(b.warned, e) }),
-  acted: (b, e) => ({ acted: { t: e.t, action: text(e.action), error: e.error === undefined ? '' : text(e.error) } }),
+  acted: (b, e) => ({ acted: { t: e.t, action: text(e.action), error: e.error === undefined ? '' : text(e.error), line: lineOf(e) } }),
 };
 
 /** Effects of commands that no other event tells. */
@@ -207,7 +216,7 @@ const ofRun = {
     return { behaviours: put(s.behaviours, n, { number: n, text: text(e.text) || before?.text || '', observedAt }) };
   },
   note: (s, e) => ({ note: text(e.text) }),
-  about: (s, e) => ({ about: text(e.text), roads: (Array.isArray(e.roads) ? e.roads : []).filter(Number.isFinite).slice(0, 6) }),
+  about: (s, e) => ({ about: text(e.text), aside: new Set(texts(e.aside)), roads: (Array.isArray(e.roads) ? e.roads : []).filter(Number.isFinite).slice(0, 6) }),
   story: (s, e) => ({ waits: Number.isFinite(e.speed) ? e.speed : undefined }),
   verdict: (s, e) => ({ verdict: { text: text(e.text), accepted: e.accepted === true } }),
   skipped: (s, e) => ({ skipped: s.skipped + number(e.count) }),
@@ -227,7 +236,7 @@ export function fold(state, event) {
   }
   const mind = ofAgent[event.event] ?? (event.event === 'warned' && typeof name !== 'string' ? ofBoard.warned : undefined);
   const who = typeof event.agent === 'string' ? event.agent : mind && name;
-  if (typeof who === 'string' && (next.agents.has(who) ? mind || name !== next.agents.get(who).board : mind && next.agents.size < MOST_BOARDS)) {
+  if (typeof who === 'string' && (next.agents.has(who) ? mind || (typeof name === 'string' && name !== next.agents.get(who).board) : mind && next.agents.size < MOST_BOARDS)) {
     const a = next.agents.get(who) ?? agent(who);
     next.agents = put(next.agents, who, { ...a, board: typeof name === 'string' ? name : a.board, ...(mind?.(a, event) ?? {}) });
   }

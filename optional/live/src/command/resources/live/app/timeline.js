@@ -26,9 +26,10 @@ export class Timeline {
   #sticky = true;
   #drawn = '';
   #count = 0;
+  #rows = [];
 
-  /** `goTo` is called with the time of a row that was clicked. */
-  constructor(box, goTo) {
+  /** `pick` is called with the mark of a row that was clicked. */
+  constructor(box, pick) {
     this.#box = box;
     this.#box.addEventListener('scroll', () => {
       this.#sticky = box.scrollTop + box.clientHeight > this.#count * ROW + HEAD - 2 * ROW;
@@ -36,7 +37,8 @@ export class Timeline {
     });
     this.#box.addEventListener('click', (event) => {
       const row = event.target.closest('[data-t]');
-      if (row) goTo(Number(row.dataset.t));
+      const mark = row && this.#rows.find((each) => each.n === Number(row.dataset.n));
+      if (mark) pick(mark);
     });
   }
 
@@ -60,6 +62,7 @@ export class Timeline {
     const last = Math.min(this.#count, first + Math.ceil(this.#box.clientHeight / ROW) + 8);
     const top = first * ROW;
     const rows = model.marks.slice(first, last);
+    this.#rows = rows;
     const tall = HEAD + (last - first) * ROW + 8;
     render(html`<div class="space"><svg width=${width} height=${tall} viewBox="0 0 ${width} ${tall}" role="img"
         aria-label="Time line">
@@ -78,8 +81,8 @@ export class Timeline {
   #row(model, mark, y, x, width, state, boards) {
     const time = svg`<text class="time" x=${TIME - 8} y=${y + 4}>${seconds(mark.t)}</text>`;
     const hue = mark.board === undefined ? '' : hueClass(state.boards.get(mark.board));
-    return svg`<g class="row ${mark.kind} ${hue}" data-t=${mark.t}><rect class="hit" x="0" y=${y - ROW / 2} width=${width} height=${ROW}></rect>
-      <title>${sentence(model, state, mark) ?? plain(mark.text, 80)}</title>${time}${this.#content(model, mark, y, x, width, state, boards)}</g>`;
+    return svg`<g class="row ${mark.kind} ${hue}" data-t=${mark.t} data-n=${mark.n}><rect class="hit" x="0" y=${y - ROW / 2} width=${width} height=${ROW}></rect>
+      <title>${sentence(model, state, mark) ?? plain(mark.text, 80)}${mark.line ? ' Click: why?' : ''}</title>${time}${this.#content(model, mark, y, x, width, state, boards)}</g>`;
   }
 
   #content(model, mark, y, x, width, state, boards) {

@@ -29,7 +29,7 @@ public final class Watch {
         this.observer = observer;
         String name = agent.getAgName();
         Diffuser.find(agent).ifPresent(diffuser -> {
-            diffuser.onPerformed((action, outcome) -> {
+            diffuser.onPerformed((action, request, outcome) -> {
                 observer.asksFor(name, action);
                 outcome.whenComplete((done, thrown) -> observer.performed(name, action,
                         thrown == null ? "" : Failure.of(thrown).error()));
