@@ -74,12 +74,3 @@ TEST_F(Results, come_from_actions_that_have_one_only) {
   EXPECT_EQ(Status::UNKNOWN_ACTION, act("other").status);
   EXPECT_EQ(0u, board.counter(Counter::PERCEPTS_LEFT_OUT));
 }
-
-TEST_F(Results, of_an_earlier_board_mark_no_action_of_the_next) {
-  board.reboot();
-  board.hello();
-  for (const char *name : {"a", "b", "c"}) board.board->actions().add(F(name), plain);
-  board.board->actions().addResult(F("same"), same);
-  for (const char *name : {"a", "b", "c"}) EXPECT_EQ(Bytes(), act(name).body) << name;
-  EXPECT_EQ((Bytes{0, 1, 214}), act("same(470)").body);
-}
