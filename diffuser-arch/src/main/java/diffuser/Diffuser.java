@@ -8,9 +8,11 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -62,6 +64,7 @@ import diffuser.report.Failure;
 import diffuser.report.Warnings;
 
 import javino.board.BoardConfig;
+import javino.board.LegacyBoardException;
 import javino.board.Transmission;
 import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
@@ -112,7 +115,7 @@ public class Diffuser extends AgArch {
     private final transient Object ending = new Object();
     private transient boolean ended;
     private transient volatile Consumer<String> printed = text -> {};
-    private transient BiConsumer<String, CompletableFuture<Void>> performed = (action, outcome) -> {};
+    private transient BiConsumer<String, CompletableFuture<?>> performed = (action, outcome) -> {};
     private transient Optional<Recorder> recorder = Optional.empty();
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
@@ -286,7 +289,7 @@ public class Diffuser extends AgArch {
     }
 
     /** Says who is told each action that the board is asked for, with the future that {@link #perform} gives. */
-    public void onPerformed(BiConsumer<String, CompletableFuture<Void>> listener) {
+    public void onPerformed(BiConsumer<String, CompletableFuture<?>> listener) {
         performed = listener;
     }
 
@@ -358,19 +361,43 @@ public class Diffuser extends AgArch {
      * Makes the board perform an action.
      *
      * @param action {@code name} or {@code name(arguments)}.
-     * @return fails with an exception that {@link Failure#of} reads. @throws JasonException no_port if no port was
-     *         opened; too_long if the action fits no request.
+     * @return the number that the action returns, if it returns one; fails with an exception that {@link Failure#of}
+     *         reads.
+     * @throws JasonException no_port if no port was opened; too_long if the action fits no request.
      */
-    public CompletableFuture<Void> perform(String action) throws JasonException {
+    public CompletableFuture<OptionalInt> perform(String action) throws JasonException {
         Device board = requireDevice();
         try {
-            CompletableFuture<Void> outcome = board.act(action);
+            CompletableFuture<OptionalInt> outcome = board.act(action);
             performed.accept(action, outcome);
             recorder.ifPresent(each -> each.asks(action, outcome));
             return outcome;
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
         }
+    }
+
+    /**
+     * The same for the number that the action returns; fails with no_value if it returns none, and with legacy_board,
+     * and as a rule performs nothing, if the board speaks the older protocol, in which it cannot return any.
+     */
+    public CompletableFuture<Integer> measure(String action) throws JasonException {
+        if (requireDevice().isLegacy()) {
+            throw withoutNumber(action).toException();
+        }
+        return perform(action).thenApply(number -> {
+            if (number.isEmpty()) {
+                throw new CompletionException(withoutNumber(action).toException());
+            }
+            return number.getAsInt();
+        });
+    }
+
+    private Failure withoutNumber(String action) {
+        return device().map(Device::isLegacy).orElse(false)
+                ? Failure.of(new LegacyBoardException("act " + action + ", for a number,"))
+                : new Failure("no_value", "act " + action + " was performed, and returned no number of 24 bits: its"
+                        + " function in the sketch has a JavinoResult, and calls number()");
     }
 
     /** A message for the radio, as {@link OutgoingMessage#of} reads it. */

@@ -357,7 +357,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     /** An action that the board is asked for. */
-    public void asks(String action, CompletableFuture<Void> outcome) {
+    public void asks(String action, CompletableFuture<?> outcome) {
         int request = request("action", "action", action);
         outcome.whenComplete((done, thrown) -> performed(request, thrown));
     }
