@@ -370,7 +370,8 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
     s->waiting = false;
     s->remembered = status != STATUS_NOT_GREETED;
   }
-  if (request->command == 'A' && status != STATUS_NOT_GREETED) write_action(s, request, packet->message, packet->length, at);
+  if (request->command == 'A' && status != STATUS_NOT_GREETED)
+    write_action(s, request, packet->message, packet->length, at);
   if (status == STATUS_OK && !from_memory) performed(s, request, packet->message + 1, packet->length - 1, at);
 }
 

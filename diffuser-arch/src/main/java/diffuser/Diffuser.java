@@ -396,8 +396,8 @@ public class Diffuser extends AgArch {
     private Failure withoutNumber(String action) {
         return device().map(Device::isLegacy).orElse(false)
                 ? Failure.of(new LegacyBoardException("act " + action + ", for a number,"))
-                : new Failure("no_value", "act " + action + " was performed, and returned no number of 24 bits: its"
-                        + " function in the sketch has a JavinoResult, and calls number()");
+                : new Failure("no_value", "act " + action + " was performed, and returned no number of 24 bits; to"
+                        + " return one, its function in the sketch calls number() of a JavinoResult");
     }
 
     /** A message for the radio, as {@link OutgoingMessage#of} reads it. */

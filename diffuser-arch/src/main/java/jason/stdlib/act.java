@@ -14,11 +14,11 @@ import diffuser.mind.Intentions;
  * <p>Internal action: <b><code>.act(<i>A</i>[,<i>V</i>])</code></b>.
  *
  * <p>Description: has the board perform an action that its sketch has. The intention is suspended until the board has
- * answered. It fails, among others, with the errors <code>unknown_action</code>, <code>action_failed</code>, often with
- * <code>reason(R)</code>, and <code>port_off</code>; if V is there, also with <code>no_value</code>,
- * <code>no_match</code> and <code>legacy_board</code>. The same action can be written without <code>.act</code>; then it goes to the environment if
- * the board does not know it. A board that speaks the older protocol answers no action: there the intention goes on
- * when the action has left, and nothing is sent to it without <code>.act</code>.
+ * answered. It fails, among others, with the errors <code>unknown_action</code>, <code>action_failed</code>, often
+ * with <code>reason(R)</code>, and <code>port_off</code>; if V is there, also with <code>no_value</code>,
+ * <code>no_match</code> and <code>legacy_board</code>. The same action can be written without <code>.act</code>; then
+ * it goes to the environment if the board does not know it. A board that speaks the older protocol answers no action:
+ * there the intention goes on when the action has left, and nothing is sent to it without <code>.act</code>.
  *
  * <p>Parameters:<ul>
  * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some. An agent for

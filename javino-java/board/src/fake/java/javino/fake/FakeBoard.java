@@ -234,7 +234,8 @@ public final class FakeBoard {
     private Bytes act(String action) {
         boolean known = actions.isEmpty() || actions.contains(action.split("\\(")[0]);
         Integer number = numbers.get(action);
-        return !known ? status(Status.UNKNOWN_ACTION) : number == null ? ok() : ok(Bytes.ofNumber(number & 0xFFFFFF, 3));
+        return !known ? status(Status.UNKNOWN_ACTION)
+                : number == null ? ok() : ok(Bytes.ofNumber(number & 0xFFFFFF, 3));
     }
 
     private Bytes listActions(int offset) {

@@ -114,7 +114,8 @@ public record Reply(Status status, Bytes body) {
     public OptionalInt number() throws ProtocolException {
         expect(body.length() == 0 || body.length() == NUMBER_LENGTH, "an action's number has 3 bytes", body);
         // The first byte carries the sign.
-        return body.length() == 0 ? OptionalInt.empty() : OptionalInt.of((byte) body.at(0) << 16 | (int) body.number(1, NUMBER_LENGTH));
+        return body.length() == 0 ? OptionalInt.empty()
+                : OptionalInt.of((byte) body.at(0) << 16 | (int) body.number(1, NUMBER_LENGTH));
     }
 
     /** The answer to a transmission: its number, 0…255. */

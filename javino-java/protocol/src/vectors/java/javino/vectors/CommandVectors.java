@@ -320,7 +320,8 @@ final class CommandVectors {
     }
 
     private static Map<String, Object> refused(int value, String status) {
-        return vector("name", "act", "status", status, "fields", vector("number", null), "message", Wire.hex(bytes(value)));
+        return vector("name", "act", "status", status, "fields", vector("number", null), "message",
+                Wire.hex(bytes(value)));
     }
 
     private static List<Map<String, Object>> badReplies() {
