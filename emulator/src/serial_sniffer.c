@@ -13,6 +13,7 @@
 #define KEY_LENGTH 16
 #define HEADER_LENGTH 10
 #define RECORD_HEADER_LENGTH 3
+#define ACTION_NUMBER_LENGTH 3
 // The place of the epoch in the reply to hello, behind version and RF id.
 #define EPOCH_AT 5
 // The capabilities stand behind it; where a board of an earlier library has its name is a byte of NAME_FROM or more.
@@ -273,13 +274,16 @@ static void write_key_step(serial_sniffer *s, const serial_request *request, con
 }
 
 // Pins that change between `asked` and `replied`, when the board begins to reply, change by the action itself.
-static void write_action(serial_sniffer *s, const serial_request *request, bool done, cycles_t at) {
+static void write_action(serial_sniffer *s, const serial_request *request, const uint8_t *reply, size_t length,
+                         cycles_t at) {
   if (!utf8_valid(request->content, request->content_length)) return;
   begin(s, at, "host-action");
   trace_utf8(s->out, "action", request->content, request->content_length);
   trace_time(s->out, "asked", request->at);
   trace_time(s->out, "replied", 2 * s->from_board.first - s->from_board.second);
-  trace_flag(s->out, "done", done);
+  trace_flag(s->out, "done", reply[0] == STATUS_OK);
+  if (length == 1 + ACTION_NUMBER_LENGTH)
+    trace_number(s->out, "number", (int32_t)((uint32_t)reply[1] << 24 | (uint32_t)reply[2] << 16 | reply[3] << 8) >> 8);
   trace_end(s->out);
 }
 
@@ -366,7 +370,8 @@ static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_
     s->waiting = false;
     s->remembered = status != STATUS_NOT_GREETED;
   }
-  if (request->command == 'A' && status != STATUS_NOT_GREETED) write_action(s, request, status == STATUS_OK, at);
+  if (request->command == 'A' && status != STATUS_NOT_GREETED)
+    write_action(s, request, packet->message, packet->length, at);
   if (status == STATUS_OK && !from_memory) performed(s, request, packet->message + 1, packet->length - 1, at);
 }
 

@@ -155,13 +155,17 @@ TEST(SerialSniffer, tells_an_action_with_its_request_and_reply_once) {
   line.board(2, {0});
   line.host(3, TO_BOARD, joined({{'A'}, bytes("jump")}));
   line.board(3, {4});
+  line.host(4, TO_BOARD, joined({{'A'}, bytes("weigh")}));
+  line.board(4, {0, 0xFF, 0xFE, 0x0C});
   auto actions = line.events("host-action");
-  ASSERT_EQ(actions.size(), 2u);
+  ASSERT_EQ(actions.size(), 3u);
   EXPECT_EQ(actions[0].text("action"), "turn(30)");
   EXPECT_LT(actions[0].real("asked"), actions[0].real("replied"));
   EXPECT_LT(actions[0].real("replied"), actions[0].t);
   EXPECT_TRUE(actions[0].flag("done"));
   EXPECT_FALSE(actions[1].flag("done"));
+  EXPECT_EQ(json_object_get(actions[0].fields, "number"), nullptr);
+  EXPECT_EQ(actions[2].real("number"), -500);
 }
 
 TEST(SerialSniffer, tells_whether_the_board_is_a_relay) {

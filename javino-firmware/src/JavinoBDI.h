@@ -28,6 +28,7 @@
 // Beside JavinoBoard and JavinoRadioBoard, the names for sketches.
 using JavinoPercepts = javinolib::Percepts;
 using JavinoArguments = javinolib::Arguments;
+using JavinoResult = javinolib::Result;
 using JavinoBroadcaster = javinolib::Broadcaster;
 using JavinoRelay = javinolib::Relay;
 using JavinoAskRadio = javinolib::AskRadio;

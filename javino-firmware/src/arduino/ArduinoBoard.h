@@ -28,6 +28,9 @@ class ArduinoBoard {
   // name is taken or empty, or if there are JAVINO_ACTIONS (Config.h) already.
   bool action(const FlashText *name, Action action) { return board_.actions().add(name, action); }
 
+  // Names an action that returns a number.
+  bool action(const FlashText *name, ResultAction action) { return board_.actions().addResult(name, action); }
+
   template <typename Function>
   bool action(const char *, Function) {
     static_assert(sizeof(Function) == 0, "write the name as in board.action(F(\"ledOn\"), ledOn)");

@@ -81,7 +81,8 @@ void Javino::perceive(javinolib::Percepts &percepts) {
 }
 
 // The agent gets an error for what a sketch does not know; one without functions is asked by availableMsg().
-javinolib::Status Javino::perform(const javinolib::Actions &, const uint8_t *action, javinolib::Length length) {
+javinolib::Status Javino::perform(javinolib::Part<javinolib::Actions>, const uint8_t *action, javinolib::Length length,
+                                  javinolib::Reply &) {
   using javinolib::Status;
   if (length == 0) return Status::BAD_ARGUMENT;
   String text;

@@ -76,7 +76,8 @@ class Javino {
   };
 
   static void perceive(javinolib::Percepts &percepts);
-  static javinolib::Status perform(const javinolib::Actions &, const uint8_t *action, javinolib::Length length);
+  static javinolib::Status perform(javinolib::Part<javinolib::Actions>, const uint8_t *action, javinolib::Length length,
+                                   javinolib::Reply &);
 
   Board board_;
   Function perceive_;

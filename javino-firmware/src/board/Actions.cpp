@@ -28,17 +28,16 @@ bool Actions::add(const FlashText *name, Action action) {
   }
   entries_[count_].name = name;
   entries_[count_].action = action;
-  count_++;
-  performer_ = performNamed;
+  if (count_++ == 0) performer_ = performNamed;
   return true;
 }
 
-Status Actions::performNamed(const Actions &actions, const uint8_t *action, Length length) {
+Status Actions::performNamed(Part<Actions> actions, const uint8_t *action, Length length, Reply &) {
   Arguments arguments;
   if (!arguments.parse(action, length)) return Status::BAD_ARGUMENT;
-  const Action found = actions.find(arguments.name(), arguments.nameLength());
+  const Entry *const found = actions->find(arguments);
   if (found == nullptr) return Status::UNKNOWN_ACTION;
-  return found(arguments) ? Status::OK : Status::ACTION_FAILED;
+  return found->action(arguments) ? Status::OK : Status::ACTION_FAILED;
 }
 
 Status Actions::list(const uint8_t *offset, Length length, Reply &reply) const {
@@ -60,9 +59,9 @@ Status Actions::list(const uint8_t *offset, Length length, Reply &reply) const {
   return Status::OK;
 }
 
-Action Actions::find(const char *name, Length length) const {
+const Actions::Entry *Actions::find(const Arguments &wanted) const {
   for (uint8_t i = 0; i < count_; i++) {
-    if (equal(entries_[i].name, name, length)) return entries_[i].action;
+    if (equal(entries_[i].name, wanted.name(), wanted.nameLength())) return entries_ + i;
   }
   return nullptr;
 }

@@ -16,7 +16,8 @@ class Board {
  public:
   /// The UART and the name outlive the board.
   Board(SerialPort port, const char *firmwareName)
-      : poll_(counters_),
+      : actions_(counters_),
+        poll_(counters_),
         commands_(firmwareName, actions_, poll_, counters_),
         session_(port, packet_, sizeof packet_, counters_) {}
 

@@ -75,15 +75,15 @@ Status Commands::command(const Request &request, Reply &reply) {
   const Length length = static_cast<Length>(request.length - 1);
   switch (name) {
     case Request::POLL: return poll(body, length);
-    case 'A': return act(body, length);
+    case 'A': return act(body, length, reply);
     case 'C': return actions_->list(body, length, reply);
     default: return Status::UNKNOWN_COMMAND;
   }
 }
 
-Status Commands::act(const uint8_t *body, Length length) {
+Status Commands::act(const uint8_t *body, Length length, Reply &reply) {
   const uint16_t began = static_cast<uint16_t>(clock::millis());
-  const Status status = actions_->perform(body, length);
+  const Status status = actions_->perform(body, length, reply);
   counters_->longest(Counter::ACTION_MILLIS, began);
   return status;
 }

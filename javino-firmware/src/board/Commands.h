@@ -66,7 +66,7 @@ class Commands {
   JAVINO_NOINLINE static void addCounter(uint8_t number, config::Count value, Reply &reply);
 
  private:
-  Status act(const uint8_t *body, Length length);
+  Status act(const uint8_t *body, Length length, Reply &reply);
   Status poll(const uint8_t *body, Length length);
   Status statistics(Length length, Reply &reply) const;
 

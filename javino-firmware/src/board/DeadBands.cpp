@@ -63,6 +63,22 @@ bool DeadBands::latch(const FlashText *name, bool happens) {
   return entry->event >= WAITING;
 }
 
+bool DeadBands::latch(const FlashText *name, bool happens, long &number) {
+  Entry *const entry = find(name);
+  if (entry == nullptr) return happens;
+  const Event before = entry->name == name ? entry->event : IDLE;
+  const bool isOther = entry->told != number;
+  latch(name, happens);
+  if (happens) {
+    const bool hadByHost = before == IDLE || before == OVER || before == KNOWN;
+    if (!hadByHost && isOther) counters_->count(Counter::PERCEPTS_LEFT_OUT);
+    if (entry->event > WAITING && isOther) entry->event = WAITING;
+    entry->told = number;
+  }
+  number = entry->told;
+  return entry->event >= WAITING;
+}
+
 void DeadBands::moveEvents(DeadBands &bands, Cause cause) {
   static const uint8_t NEXT[][KNOWN + 1] JAVINO_FLASH = {
       {NO_EVENT, IDLE, IDLE, WAITING, GONE_TOLD, GONE_TOLD, TOLD, TOLD, MAY_COME, KNOWN},

@@ -3,8 +3,10 @@
 #include <stdint.h>
 
 #include "../Config.h"
+#include "../support/Counters.h"
 #include "../support/Flash.h"
 #include "../support/Inlining.h"
+#include "../support/Part.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
@@ -13,6 +15,9 @@ namespace javinolib {
 /// told. A percept is known by the place of its name in flash; among percepts of one name in a reading, by their order.
 class DeadBands {
  public:
+  /// @param counters count events whose number the host has not had when another one takes its place
+  explicit DeadBands(SerialCounters &counters) : counters_(counters) {}
+
   /// To be called before each reading. A percept that the last reading lacked is forgotten.
   /// @param anew all others too, but events: the host knows no reading, or asks for the values as they are
   void begin(bool anew);
@@ -23,6 +28,10 @@ class DeadBands {
 
   /// Whether to tell of an event, which happens now or has happened since it was told last.
   JAVINO_NOINLINE bool latch(const FlashText *name, bool happens);
+
+  /// The same of an event with a number, which is kept for as long as the event is to be told; another number is another event.
+  /// @param number that of what happens now; then the one to tell
+  bool latch(const FlashText *name, bool happens, long &number);
 
   /// The reading goes to the host.
   void told() { move(READING_TOLD); }
@@ -53,7 +62,7 @@ class DeadBands {
     const FlashText *name;  // null where the place is free
     Event event;
     bool seen;  // in the reading under way
-    long told;
+    long told;  // or an event's number
     uint32_t changedAt;
   };
 
@@ -63,6 +72,7 @@ class DeadBands {
   }
   static void moveEvents(DeadBands &bands, Cause cause);
 
+  Part<SerialCounters> counters_;
   // Null until there is an event: a sketch without any has no code for them.
   void (*mover_)(DeadBands &bands, Cause cause) JAVINO_ZEROED;
   Entry entries_[config::DEAD_BANDS] JAVINO_ZEROED;

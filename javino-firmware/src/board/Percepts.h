@@ -49,6 +49,15 @@ class Percepts {
     if (deadBands_.latch(name, happens)) add(name);
   }
 
+  // `name(number)` of such an event, as the number of an RFID tag or of a key: a whole number of up to 32 bits. Another one,
+  // before the agent has had the last, takes its place, which is counted.
+  template <typename Number>
+  void event(const FlashText *name, bool happens, Number number) {
+    static_assert(static_cast<Number>(1) / 2 == 0, "the number of an event is a whole one");
+    long told = static_cast<long>(number);
+    if (deadBands_.latch(name, happens, told)) add(name, static_cast<Number>(told));
+  }
+
   // `name("text")`, with quotes, backslashes and line feeds in the text escaped
   void add(const FlashText *name, const char *text) { write(name, Text(text)); }
   void add(const FlashText *name, const FlashText *text) { write(name, Text(text)); }
@@ -62,9 +71,9 @@ class Percepts {
   void add(const char *, Rest...) {
     static_assert(sizeof...(Rest) + 1 == 0, "write the name as in percepts.add(F(\"light\"), 5)");
   }
-  template <typename Happens>
-  void event(const char *, Happens) {
-    static_assert(sizeof(Happens) == 0, "write the name as in percepts.event(F(\"pressed\"), happens)");
+  template <typename... Rest>
+  void event(const char *, Rest...) {
+    static_assert(sizeof...(Rest) + 1 == 0, "write the name as in percepts.event(F(\"pressed\"), happens)");
   }
 
   // A whole literal, written unchanged: `position(3,"km")`

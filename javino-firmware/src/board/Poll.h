@@ -23,7 +23,8 @@ class Poll {
   enum RequestFlag : uint8_t { PERCEPTS_WANTED = 1, READING_NOW = 2, REPLY_LOST = 4, REPLY_COMING = 8 };
   enum ReplyFlag : uint8_t { MORE_WAITING = 1, PERCEPTS_OMITTED = 2, HAS_READING = 4, MEMORY_DAMAGED = 8 };
 
-  explicit Poll(SerialCounters &counters) : counters_(counters), sampleMillis_(DEFAULT_SAMPLE_MILLIS) {}
+  explicit Poll(SerialCounters &counters)
+      : counters_(counters), sampleMillis_(DEFAULT_SAMPLE_MILLIS), deadBands_(counters) {}
 
   void setSource(PerceptSource source) { source_ = source; }
 

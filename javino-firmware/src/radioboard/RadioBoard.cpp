@@ -4,6 +4,7 @@ namespace javinolib {
 
 RadioBoard::RadioBoard(SerialPort port, const char *firmwareName, Radio &radio)
     : delivery_(radio, state_),
+      actions_(state_->counters->serial()),
       poll_(state_->counters->serial()),
       commands_(firmwareName, actions_, poll_, state_->counters->serial()),
       radioCommands_(commands_, state_, delivery_, poll_),

@@ -12,44 +12,48 @@ namespace {
 bool succeed(const javinolib::Arguments &) { return true; }
 bool refuse(const javinolib::Arguments &) { return false; }
 
-Status perform(const Actions &actions, const std::string &action) {
-  const Bytes bytes = bytesOf(action);
-  return actions.perform(bytes.data(), static_cast<uint16_t>(bytes.size()));
-}
+class ActionsTest : public testing::Test {
+ protected:
+  Status perform(const std::string &action) {
+    const Bytes bytes = bytesOf(action);
+    uint8_t reply[32];
+    javinolib::Reply none(reply, sizeof reply);
+    return actions.perform(bytes.data(), static_cast<uint16_t>(bytes.size()), none);
+  }
+
+  javinolib::SerialCounters counters;
+  Actions actions{counters};
+};
 
 }  // namespace
 
-TEST(Actions, performs_what_was_named) {
-  Actions actions;
+TEST_F(ActionsTest, performs_what_was_named) {
   EXPECT_TRUE(actions.add(F("stop"), succeed));
   EXPECT_TRUE(actions.add(F("go"), refuse));
-  EXPECT_EQ(Status::OK, perform(actions, "stop"));
-  EXPECT_EQ(Status::OK, perform(actions, "stop(now)"));
-  EXPECT_EQ(Status::ACTION_FAILED, perform(actions, "go"));
-  EXPECT_EQ(Status::BAD_ARGUMENT, perform(actions, "stop("));
+  EXPECT_EQ(Status::OK, perform("stop"));
+  EXPECT_EQ(Status::OK, perform("stop(now)"));
+  EXPECT_EQ(Status::ACTION_FAILED, perform("go"));
+  EXPECT_EQ(Status::BAD_ARGUMENT, perform("stop("));
 }
 
-TEST(Actions, knows_names_whole_only) {
-  Actions actions;
+TEST_F(ActionsTest, knows_names_whole_only) {
   actions.add(F("stop"), succeed);
   for (const char *name : {"sto", "stopp", "Stop", "x", "stop_"}) {
-    EXPECT_EQ(Status::UNKNOWN_ACTION, perform(actions, name)) << name;
+    EXPECT_EQ(Status::UNKNOWN_ACTION, perform(name)) << name;
   }
-  EXPECT_EQ(Status::BAD_ARGUMENT, perform(actions, std::string("stop\0", 5)));
+  EXPECT_EQ(Status::BAD_ARGUMENT, perform(std::string("stop\0", 5)));
 }
 
-TEST(Actions, refuses_names_that_are_taken_or_missing) {
-  Actions actions;
+TEST_F(ActionsTest, refuses_names_that_are_taken_or_missing) {
   EXPECT_TRUE(actions.add(F("stop"), succeed));
   EXPECT_FALSE(actions.add(F("stop"), refuse));
-  EXPECT_EQ(Status::OK, perform(actions, "stop"));
+  EXPECT_EQ(Status::OK, perform("stop"));
   EXPECT_FALSE(actions.add(F(""), succeed));
   EXPECT_FALSE(actions.add(nullptr, succeed));
   EXPECT_FALSE(actions.add(F("x"), nullptr));
 }
 
-TEST(Actions, refuses_more_than_Config_says) {
-  Actions actions;
+TEST_F(ActionsTest, refuses_more_than_Config_says) {
   std::vector<std::string> names;
   for (int i = 0; i <= javinolib::config::ACTIONS; i++) names.push_back("action" + std::to_string(i));
   for (int i = 0; i < javinolib::config::ACTIONS; i++) EXPECT_TRUE(actions.add(F(names[i].c_str()), succeed));

@@ -11,6 +11,7 @@ typedef std::vector<std::string> Texts;
 
 bool isPressed;
 int reading;
+unsigned long tag;
 
 const Texts PRESSED = {"pressed"};
 const Texts UNCHANGED = {"unchanged"};
@@ -58,6 +59,91 @@ TEST_F(Events, that_lasts_for_one_reading_is_told_once) {
   EXPECT_EQ(PRESSED, told());
   EXPECT_EQ(Texts{}, polled()) << "the host has had it";
   EXPECT_EQ(UNCHANGED, polled());
+}
+
+// Events with numbers.
+class Tags : public Events {
+ protected:
+  Tags() {
+    board.board->poll().setSource([](Percepts &percepts) { percepts.event(F("tag"), isPressed, tag); });
+  }
+
+  // Is read in one reading.
+  void read(unsigned long number) {
+    tag = number;
+    press();
+    tag = 0;
+  }
+
+  uint32_t replaced() { return board.counter(javinolib::Counter::PERCEPTS_LEFT_OUT); }
+};
+
+TEST_F(Tags, are_told_once_with_their_numbers) {
+  for (unsigned long number : {4711ul, 0ul, 4294967295ul, 4711ul}) {
+    board.hold(PERCEPTS, 1000);
+    read(number);
+    EXPECT_EQ((Texts{"tag(" + std::to_string(number) + ")"}), told());
+    EXPECT_EQ(Texts{}, polled()) << "the host has had it";
+    EXPECT_EQ(UNCHANGED, polled());
+  }
+  EXPECT_EQ(0u, replaced());
+}
+
+TEST_F(Tags, give_way_to_the_next_before_they_are_told_and_are_counted) {
+  board.hold(PERCEPTS, 1000, 500);
+  board.pass(100);
+  read(1);
+  board.pass(1);
+  read(1);
+  board.pass(1);
+  read(2);
+  board.pass(396);
+  EXPECT_EQ((Texts{"tag(2)"}), told());
+  EXPECT_EQ(Texts{}, polled());
+  EXPECT_EQ(1u, replaced()) << "the same number is the same event";
+}
+
+TEST_F(Tags, that_follow_each_other_without_a_gap_are_all_told) {
+  isPressed = true;
+  for (tag = 1; tag < 4; tag++) {
+    board.hold(PERCEPTS, 1000);
+    board.pass(1);
+    EXPECT_EQ((Texts{"tag(" + std::to_string(tag) + ")"}), told());
+  }
+  isPressed = false;
+  EXPECT_EQ((Texts{"tag(3)"}), polled(PERCEPTS | REPLY_LOST));
+  EXPECT_EQ(Texts{}, polled());
+  EXPECT_EQ(0u, replaced());
+}
+
+TEST_F(Tags, that_come_again_before_the_host_knows_that_they_are_over_are_told_once_more) {
+  for (unsigned long second : {7ul, 8ul}) {
+    board.hold(PERCEPTS, 1000);
+    read(7);
+    EXPECT_EQ((Texts{"tag(7)"}), told());
+    board.hold(PERCEPTS, 1000, 5);
+    board.pass(1);
+    read(second);
+    board.pass(3);
+    EXPECT_EQ(Texts{}, told()) << "that the first one is over";
+    EXPECT_EQ((Texts{"tag(" + std::to_string(second) + ")"}), polled());
+    EXPECT_EQ(Texts{}, polled());
+  }
+  EXPECT_EQ(0u, replaced());
+}
+
+TEST_F(Tags, whose_reply_is_lost_are_told_again_or_counted) {
+  board.hold(PERCEPTS, 1000);
+  read(7);
+  EXPECT_EQ((Texts{"tag(7)"}), told());
+  board.hold(PERCEPTS | REPLY_LOST, 1000);
+  EXPECT_EQ((Texts{"tag(7)"}), told());
+  board.hold(PERCEPTS | REPLY_COMING, 1000);
+  read(8);
+  EXPECT_EQ((Texts{"tag(8)"}), told()) << "7 may be lost";
+  EXPECT_EQ((Texts{"tag(8)"}), polled(PERCEPTS | REPLY_LOST));
+  EXPECT_EQ(Texts{}, polled());
+  EXPECT_EQ(1u, replaced());
 }
 
 TEST_F(Events, that_lasts_is_told_until_it_is_over) {

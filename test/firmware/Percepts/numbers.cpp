@@ -15,7 +15,8 @@ std::string literalOf(Number number) {
   javinolib::Reply reply(bytes, sizeof bytes);
   reply.begin();
   const javinolib::Length begin = reply.mark();
-  javinolib::DeadBands deadBands;
+  javinolib::SerialCounters counters;
+  javinolib::DeadBands deadBands(counters);
   Percepts(reply, deadBands).add(F("n"), number);
   return std::string(bytes + begin + 3, bytes + reply.mark());
 }

@@ -42,6 +42,17 @@ TEST_F(SerialSessionTest, a_repeat_is_answered_from_memory_and_performed_once) {
   EXPECT_EQ(5u, board.counter(Counter::SERIAL_REPEATS));
 }
 
+TEST_F(SerialSessionTest, a_repeat_of_an_action_with_a_number_is_answered_with_that_number) {
+  static long next;
+  next = -3;
+  board.board->actions().addResult(
+      F("next"), [](const javinolib::Arguments &, javinolib::Result &result) { return result.number(next++); });
+  const std::vector<Bytes> first = board.sendRaw(request(100, "Anext"));
+  for (int i = 0; i < 5; i++) EXPECT_EQ(first, board.sendRaw(request(100, "Anext")));
+  EXPECT_EQ(-2, next);
+  EXPECT_NE(first, board.sendRaw(request(101, "Anext")));
+}
+
 TEST_F(SerialSessionTest, a_repeat_is_known_after_damaged_ones) {
   const Bytes good = request(100, "Acount");
   const std::vector<Bytes> first = board.sendRaw(good);

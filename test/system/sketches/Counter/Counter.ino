@@ -1,4 +1,4 @@
-// A board that can tell whether any of its actions was performed twice: note(K) must come with rising K.
+// A board that can tell whether any of its actions was performed twice: note(K) must come with rising K, and returns -K-1.
 // It perceives how many came, how many did not rise, and the last.
 
 #include <JavinoBDI.h>
@@ -9,12 +9,16 @@ long performed;
 long repeated;
 long last;
 
-bool note(const JavinoArguments &arguments) {
+bool note(const JavinoArguments &arguments, JavinoResult &result) {
   long number;
-  if (!arguments.integer(0, number)) return false;
+  if (!arguments.integer(0, number)) {
+    Serial.println(F("no(number)"));
+    return false;
+  }
   ++performed;
   if (number <= last) ++repeated;
   last = number;
+  result.number(~number);
   return true;
 }
 

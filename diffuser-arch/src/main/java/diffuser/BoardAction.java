@@ -23,8 +23,9 @@ public abstract class BoardAction extends DiffuserAction {
     /**
      * Asks the board.
      *
-     * @return completes when the intention may go on; fails with what the intention is to fail with. It always does
-     *         one or the other in the end, so no further time-out is needed.
+     * @return completes when the intention may go on, with an {@link Intentions.Answer} if that is to match; fails with
+     *         what the intention is to fail with. It always does one or the other in the end, so no further time-out is
+     *         needed.
      * @throws JasonException if there is nothing to wait for.
      */
     protected abstract CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException;
@@ -41,7 +42,9 @@ public abstract class BoardAction extends DiffuserAction {
         String key = getClass().getSimpleName() + "/javino/" + COUNT.incrementAndGet();
         Intentions.await(ts.getC(), key);
         answer.whenComplete((done, thrown) -> {
-            if (thrown == null) {
+            if (thrown == null && done instanceof Intentions.Answer value) {
+                Intentions.resume(ts, key, value);
+            } else if (thrown == null) {
                 Intentions.resume(ts, key);
             } else {
                 Intentions.fail(ts, key, Failure.of(thrown));

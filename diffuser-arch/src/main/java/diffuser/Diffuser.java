@@ -8,9 +8,11 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -61,6 +63,7 @@ import diffuser.report.Failure;
 import diffuser.report.Warnings;
 
 import javino.board.BoardConfig;
+import javino.board.LegacyBoardException;
 import javino.board.Transmission;
 import javino.keyring.BoardNotes;
 import javino.link.LinkOpener;
@@ -288,7 +291,7 @@ public class Diffuser extends AgArch {
     public interface ActionListener {
 
         /** @param request its number in the lines of {@link #record}; 0 if nothing is recorded. */
-        void asked(String action, int request, CompletableFuture<Void> outcome);
+        void asked(String action, int request, CompletableFuture<?> outcome);
     }
 
     /** Says who is told each action that the board is asked for, with the future that {@link #perform} gives. */
@@ -368,19 +371,43 @@ public class Diffuser extends AgArch {
      * Makes the board perform an action.
      *
      * @param action {@code name} or {@code name(arguments)}.
-     * @return fails with an exception that {@link Failure#of} reads. @throws JasonException no_port if no port was
-     *         opened; too_long if the action fits no request.
+     * @return the number that the action returns, if it returns one; fails with an exception that {@link Failure#of}
+     *         reads.
+     * @throws JasonException no_port if no port was opened; too_long if the action fits no request.
      */
-    public CompletableFuture<Void> perform(String action) throws JasonException {
+    public CompletableFuture<OptionalInt> perform(String action) throws JasonException {
         Device board = requireDevice();
         try {
-            CompletableFuture<Void> outcome = board.act(action);
+            CompletableFuture<OptionalInt> outcome = board.act(action);
             int request = recorder.map(each -> each.asks(action, outcome)).orElse(0);
             performed.asked(action, request, outcome);
             return outcome;
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
         }
+    }
+
+    /**
+     * The same for the number that the action returns; fails with no_value if it returns none, and with legacy_board,
+     * and as a rule performs nothing, if the board speaks the older protocol, in which it cannot return any.
+     */
+    public CompletableFuture<Integer> measure(String action) throws JasonException {
+        if (requireDevice().isLegacy()) {
+            throw withoutNumber(action).toException();
+        }
+        return perform(action).thenApply(number -> {
+            if (number.isEmpty()) {
+                throw new CompletionException(withoutNumber(action).toException());
+            }
+            return number.getAsInt();
+        });
+    }
+
+    private Failure withoutNumber(String action) {
+        return device().map(Device::isLegacy).orElse(false)
+                ? Failure.of(new LegacyBoardException("act " + action + ", for a number,"))
+                : new Failure("no_value", "act " + action + " was performed, and returned no number of 24 bits; to"
+                        + " return one, its function in the sketch calls number() of a JavinoResult");
     }
 
     /** A message for the radio, as {@link OutgoingMessage#of} reads it. */

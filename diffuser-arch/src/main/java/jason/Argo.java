@@ -2,6 +2,7 @@ package jason;
 
 import java.time.Duration;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
 
@@ -60,9 +61,9 @@ public class Argo extends Diffuser {
     }
 
     @Override
-    public CompletableFuture<Void> perform(String action) throws JasonException {
+    public CompletableFuture<OptionalInt> perform(String action) throws JasonException {
         Duration patience = patience();
-        return super.perform(action).thenCompose(done -> reading(patience));
+        return super.perform(action).thenCompose(number -> reading(patience).thenApply(read -> number));
     }
 
     /** {@inheritDoc} Its agents rely on a reading that is due, whatever their plans do next. */

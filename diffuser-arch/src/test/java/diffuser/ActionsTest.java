@@ -9,6 +9,7 @@ import javino.protocol.Status;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ActionsTest {
@@ -55,6 +56,72 @@ class ActionsTest {
         agent.close();
         RunningAgent.run(program(".act(jump)"), board)
                 .notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0',
+            value = {"locked | locked", "too_far(3, [\"m\"]) | too_far(3,[\"m\"])",
+                    "-470.5 | -470.5", "Stuck | \"Stuck\"", "door is locked | \"door is locked\"", "p(X) | \"p(X)\"",
+                    "x[source(self)] | x", "kqml_received(a,b,c,d) | \"kqml_received(a,b,c,d)\"", "a\u202eb | \"a b\""})
+    void act_refusedWithAReason_plansGetItAsATermOrAString(String printed, String reason) {
+        FakeBoard board = new FakeBoard("body").setActions("open").refuseAction("open", printed);
+        for (String action : List.of(".act(open)", "open")) {
+            RunningAgent agent = RunningAgent.run("""
+                    !start.
+                    +!start <- .port(body); !do.
+                    +!do <- %s.
+                    -!do[error(action_failed),reason(R),error_msg(M)] : .term2string(R,T)
+                        <- diffuser.note(T); diffuser.note(M).
+                    """.formatted(action), board);
+            agent.notes(reason);
+            agent.notes("act open failed: ACTION_FAILED, the sketch refused the action or its arguments; it says: "
+                    + printed);
+            agent.close();
+        }
+    }
+
+    @Test
+    void act_refusedWithoutAReason_plansWithOneAreNotForIt() {
+        FakeBoard board = new FakeBoard("body").refuse("act open", Status.ACTION_FAILED);
+        RunningAgent.run("""
+                !start.
+                +!start <- .port(body); !do.
+                +!do <- .act(open).
+                -!do[reason(R)] <- diffuser.note(R).
+                -!do <- diffuser.note(none).
+                """, board).notes("none");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '~', value = {
+            ".act(distance,D); diffuser.note(D) ~ -470", ".act(distance,-470) ~ done",
+            ".act(\"distance\",-469-1) ~ done",
+            ".act(distance,_) ~ done", ".act(distance) ~ done", ".act(distance,D); .act(distance,D) ~ done",
+            ".act(distance,5) ~ no_match the action returned -470, not 5",
+            ".act(measure(3),D); diffuser.note(D) ~ 8388607",
+            ".act(measure(3),D); .act(distance,D) ~ no_match the action returned -470, not 8388607",
+            ".act(lampOn,D) ~ no_value act lampOn was performed, and returned no number of 24 bits; to return one, its "
+                    + "function in the sketch calls number() of a JavinoResult",
+            ".act(distance,d) ~ wrong_arguments Wrong argument for internal action 'act': a variable or a number was "
+                    + "expected, not 'd'."})
+    void act_numberIsAskedFor_isBoundOrMustMatch(String steps, String noted) {
+        FakeBoard board = new FakeBoard("body").returns("distance", -470).returns("measure(3)", 8388607);
+        RunningAgent.run("""
+                !start.
+                +!start <- .port(body); !do.
+                +!do <- %s; diffuser.note(done).
+                -!do[error(E),error_msg(M)] <- diffuser.note(E,M).
+                """.formatted(steps), board).notes(noted);
+    }
+
+    @Test
+    void act_boardGoesWhileANumberIsAwaited_outcomeUnknown() {
+        FakeBoard board = new FakeBoard("body").returns("distance", 5);
+        board.swallow("act distance");
+        RunningAgent agent = RunningAgent.run(program(".act(distance,D)"), board);
+        RunningAgent.asked(board, "act distance");
+        board.port.unplug();
+        agent.notes("outcome_unknown");
     }
 
     @ParameterizedTest

@@ -97,7 +97,7 @@ class WrongArgumentsTest {
             ".deliver(\"ROMA\",sing,help)     | wrong_arguments | the radio takes only tell, untell,",
             ".deliver(\"ROMA\",\"tell\",help) | wrong_arguments | a performative such as tell was expected, not",
             ".deliver(\"ROMA\",tell,3)        | bad_content     | a belief, a goal or a list of such was expected",
-            ".act                              | wrong_arguments | One argument is expected",
+            ".act                              | wrong_arguments | From 1 to 2 arguments are expected",
             ".act(3)                           | wrong_arguments | an action such as stop or speed(80)",
             ".act(\"\")                        | wrong_arguments | an action such as stop or speed(80)",
             ".act(X)                           | wrong_arguments | an action such as stop or speed(80)",

@@ -190,6 +190,7 @@ field(serial, "boot_epoch", "uint24", "Boot epoch")
 field(serial, "capabilities", "uint8", "Capabilities", base.HEX)
 for _, row in ipairs(CAPABILITIES) do field(serial, "capabilities." .. row[1], "bool", row[2], 8, nil, row[3]) end
 field(serial, "firmware", "string", "Firmware name")
+field(serial, "act.number", "int24", "Number")
 field(serial, "poll.flags", "uint8", "Flags", base.HEX)
 field(serial, "poll.percepts", "bool", "Percepts are wanted", 8, nil, 0x01)
 field(serial, "poll.now", "bool", "A reading is made and told at once", 8, nil, 0x02)
@@ -1210,6 +1211,7 @@ local RECORD = {
 
 -- Each shows a reply's body, and returns whether it is one to the command.
 local REPLIES = {
+  A = function(r) return r.left() == 0 or r.take("serial.act.number", 3) end,
   H = function(r, _, range)
     r.take("serial.protocol_version", 1)
     local _, id = r.address("serial.rf_id")

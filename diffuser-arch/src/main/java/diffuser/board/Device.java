@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
 
+import diffuser.gate.Texts;
 import diffuser.gate.TrustLevel;
 import diffuser.report.Failure;
 
@@ -17,6 +19,7 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
+import javino.board.RequestFailedException;
 import javino.board.SketchTimes;
 import javino.board.Transmission;
 import javino.link.Time;
@@ -209,9 +212,11 @@ public final class Device implements BoardListener {
         return bounded(session().radio(open).thenRun(() -> communicability.radio(open)));
     }
 
-    /** Has the board perform an action. */
-    public CompletableFuture<Void> act(String action) {
-        return bounded(session().act(action));
+    /** Has the board perform an action, which may return a number; a failure has the sketch's reason. */
+    public CompletableFuture<OptionalInt> act(String action) {
+        return bounded(session().act(action).exceptionallyCompose(thrown -> CompletableFuture.failedFuture(
+                thrown instanceof RequestFailedException refused && refused.reason().isPresent()
+                        ? Failure.of(refused).because(Texts.reason(refused.reason().get())).toException() : thrown)));
     }
 
     /** Completes when the sensors were read anew, or will not be read so soon; never fails. */

@@ -65,8 +65,8 @@ public final class Gate implements CircumstanceListener {
 
     /** Annotations to which this architecture, Jason or CArtAgO gives a meaning; the sender's own are taken off. */
     private static final Set<String> MEANINGFUL = Set.of("source", "cast", "peer", "home", Policy.DEMANDED, "error",
-            "error_msg", "signal", "state", "hard_deadline", "percept_type", "artifact_id", "aid", "artifact_name",
-            "art", "workspace", "wid", "wsp", "env_infra");
+            "error_msg", "reason", "signal", "state", "hard_deadline", "percept_type", "artifact_id", "aid",
+            "artifact_name", "art", "workspace", "wid", "wsp", "env_infra");
 
     /** Jason's own events, such as {@code jag_shutting_down}, begin so. */
     private static final String JASONS_EVENTS = "jag_";

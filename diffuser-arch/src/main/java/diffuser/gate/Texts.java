@@ -153,6 +153,21 @@ public final class Texts {
         return (Literal) term;
     }
 
+    /**
+     * What a sketch has printed as its reason for refusing an action: the term that it is, if a percept might have it,
+     * else a string.
+     */
+    public static Term reason(String text) {
+        try {
+            expectNoCommand(text);
+            Term term = Gate.admit(read(text));
+            expect(isDatum(term) && term.isGround(), text, "a term without variables was expected");
+            return term;
+        } catch (MalformedTextException | Gate.RefusedException e) {
+            return ASSyntax.createString(withoutCommands(text));
+        }
+    }
+
     /** Reads what a message says: what goes with its performative. */
     public static Term readContent(Content content) throws MalformedTextException {
         return checked(content.performative(), content.conversation().isPresent(), content.term());

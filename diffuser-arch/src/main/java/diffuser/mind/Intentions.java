@@ -104,9 +104,30 @@ public final class Intentions {
         circumstance.addPendingIntention(key, ASSyntax.createAtom("board"), circumstance.getSelectedIntention(), false);
     }
 
+    /**
+     * A value that an internal action has got when its intention goes on.
+     *
+     * @param expected the argument that is to match it: a variable, or a value.
+     * @param actual   the value.
+     */
+    public record Answer(Term expected, Term actual) {
+    }
+
     /** Has the intention that is pending under a key go on, if there is one. For any thread. */
     public static void resume(TransitionSystem ts, String key) {
         goOn(ts, () -> pending(ts, key), () -> ConcurrentInternalAction.resume(ts, key, false, null));
+    }
+
+    /** The same if the answer matches what is expected, and then with that; else it fails with {@code no_match}. */
+    public static void resume(TransitionSystem ts, String key, Answer answer) {
+        goOn(ts, () -> pending(ts, key), () -> {
+            if (pending(ts, key).peek().getUnif().unifies(answer.expected(), answer.actual())) {
+                ConcurrentInternalAction.resume(ts, key, false, null);
+            } else {
+                fail(ts, key, new Failure("no_match", "the action returned " + answer.actual() + ", not "
+                        + answer.expected()));
+            }
+        });
     }
 
     /** Fails the intention that is pending under a key, if there is one. For any thread. */

@@ -502,7 +502,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     /** An action that the board is asked for; the number of the request. */
-    public int asks(String action, CompletableFuture<Void> outcome) {
+    public int asks(String action, CompletableFuture<?> outcome) {
         int request = request("action", "action", action);
         outcome.whenComplete((done, thrown) -> performed(request, thrown));
         return request;

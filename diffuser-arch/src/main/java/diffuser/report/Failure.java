@@ -2,6 +2,7 @@ package diffuser.report;
 
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeoutException;
 
@@ -10,6 +11,7 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
 
 import javino.board.BoardOfflineException;
 import javino.board.LegacyBoardException;
@@ -24,15 +26,23 @@ import javino.protocol.Status;
  *
  * @param error   an atom's name, such as {@code no_key}.
  * @param message one line: what was wrong and, where it helps, what to do.
+ * @param reason  the sketch's own, {@code reason(Term)}, if it gave one.
  */
-public record Failure(String error, String message) {
+public record Failure(String error, String message, Optional<Literal> reason) {
 
     private static final String TOO_LONG = nameOf(Status.TOO_LONG);
     private static final String UNDELIVERED = "undelivered";
     private static final int MOST_BRIEF = 80;
+    /** Those that each error of Jason's has: error and error_msg. */
+    private static final int BASIC_TERMS = 2;
     private static final Map<Class<?>, String> ERRORS = Map.of(BoardOfflineException.class, "port_off",
             OutcomeUnknownException.class, "outcome_unknown", LegacyBoardException.class, "legacy_board",
             QueueFullException.class, "queue_full");
+
+    /** A failure for which no sketch gave a reason. */
+    public Failure(String error, String message) {
+        this(error, message, Optional.empty());
+    }
 
     /** Reads what a future of the board failed with. */
     public static Failure of(Throwable thrown) {
@@ -40,8 +50,9 @@ public record Failure(String error, String message) {
             return of(thrown.getCause());
         }
         if (thrown instanceof JasonException exception) {
-            return new Failure(((Structure) exception.getErrorTerms().get(0)).getTerm(0).toString(),
-                    exception.getMessage());
+            ListTerm terms = exception.getErrorTerms();
+            return new Failure(((Structure) terms.get(0)).getTerm(0).toString(), exception.getMessage(),
+                    terms.stream().skip(BASIC_TERMS).map(Literal.class::cast).findFirst());
         }
         if (thrown instanceof TimeoutException) {
             return new Failure("timeout", "the board has not answered in time; it may or may not have done it");
@@ -70,18 +81,25 @@ public record Failure(String error, String message) {
         return message.length() <= MOST_BRIEF ? message : error;
     }
 
+    /** The same, with the sketch's reason. */
+    public Failure because(Term why) {
+        return new Failure(error, message, Optional.of(ASSyntax.createLiteral("reason", why)));
+    }
+
     /** As an exception of an internal action. */
     public JasonException toException() {
-        return new JasonException(message, ASSyntax.createAtom(error));
+        JasonException exception = new JasonException(message, ASSyntax.createAtom(error));
+        reason.ifPresent(exception::addErrorAnnot);
+        return exception;
     }
 
-    /** {@code error(Error)}. */
+    /** {@code reason(Reason)}, or {@code error(Error)} without one: Jason itself adds that an action has failed. */
     public Literal annotation() {
-        return ASSyntax.createLiteral("error", ASSyntax.createAtom(error));
+        return reason.orElseGet(() -> ASSyntax.createLiteral("error", ASSyntax.createAtom(error)));
     }
 
-    /** {@code [error(Error), error_msg(Message)]}. */
+    /** {@code [error(Error), error_msg(Message)]}, and perhaps {@code reason(Reason)}. */
     public ListTerm annotations() {
-        return JasonException.createBasicErrorAnnots(error, message);
+        return toException().getErrorTerms();
     }
 }

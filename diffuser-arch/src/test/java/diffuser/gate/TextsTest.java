@@ -189,10 +189,11 @@ class TextsTest {
     @ParameterizedTest
     @ValueSource(strings = {"p({ +!a[source(self)] : b[cast(unicast,x)] <- c[peer(certified,x)] })",
             "p({ q[source(self)] :- r[source(percept)] & not s[cast(x,y)] })", "p(a[[source(self)],x([b[home(c)]])])",
-            "p(X[source(self)])", "p([a[source(self)]|T])", "p[x(a[demanded(b)])]", "p({ !a[source(self)]; ?b[X] })"})
+            "p(X[source(self)])", "p([a[source(self)]|T])", "p[x(a[demanded(b),reason(b)])]",
+            "p({ !a[source(self)]; ?b[X] })"})
     void clean_marksAtAnyDepth_areGone(String text) throws Exception {
         String clean = Gate.clean(ASSyntax.parseTerm(text)).toString();
-        assertTrue(!clean.matches(".*(source|cast|peer|home|demanded).*|.*\\[X.*"), clean);
+        assertTrue(!clean.matches(".*(source|cast|peer|home|demanded|reason).*|.*\\[X.*"), clean);
     }
 
     @ParameterizedTest

@@ -93,7 +93,6 @@ class NumbersTest {
                 says("SPEC.md", "as often as its sketch says (%d ms by default)", SAMPLE),
                 says("javino-firmware/README.md", "sends 1…%d bytes", PART),
                 says("javino-firmware/README.md", "a sealed content of %d bytes or a broadcast of %d", SEALED, PART),
-                says("javino-firmware/README.md", "a unicast up to %d times", ATTEMPTS),
                 says("javino-firmware/README.md", "a ring of %d places of 6 bytes", firmware("EPOCH_SLOTS")),
                 says("javino-firmware/README.md", "keys: %d places", firmware("JAVINO_KEYS") + 1),
                 says("javino-firmware/README.md", "a ring of %d places of 26 bytes, twice", FLOORS),

@@ -3,6 +3,7 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.ForwardedLink;
 import harness.Emulator;
 import harness.Host;
 import harness.InEmulatedTime;

@@ -1,5 +1,6 @@
 package systemtest;
 
+import harness.ForwardedLink;
 import harness.Host;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;

@@ -14,6 +14,7 @@ import harness.Platform;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.stream.IntStream;
@@ -40,7 +41,7 @@ class OlderBoardTest {
             assertTrue(get(host.board.greeted()).isLegacy());
             host.board.percepts(true);
             assertEquals(List.of("led(off)", "performed(0)", "last(none)"), host.percepts(any -> true));
-            List<CompletableFuture<Void>> actions = IntStream.rangeClosed(1, ACTIONS)
+            List<CompletableFuture<OptionalInt>> actions = IntStream.rangeClosed(1, ACTIONS)
                     .mapToObj(i -> host.board.act("step(" + i + ")")).toList();
             actions.forEach(Host::get);
             get(host.board.act("ledOn"));
@@ -76,7 +77,7 @@ class OlderBoardTest {
             String remedy =
                     "which has percepts and actions only; for all else flash a sketch with the library JavinoBDI";
             List<String> errors = agent.lines().stream().filter(line -> line.contains("legacy_board, ")).toList();
-            assertEquals(3, errors.stream().filter(line -> line.endsWith(remedy)).count(), String.join("\n", errors));
+            assertEquals(4, errors.stream().filter(line -> line.endsWith(remedy)).count(), String.join("\n", errors));
             assertTrue(agent.lines().stream().anyMatch(line -> line.contains("write .act(ledOff) instead of ledOff")),
                     String.join("\n", agent.lines()));
             assertTrue(agent.lines().stream().noneMatch(line -> line.contains("no error of")));

@@ -3,6 +3,7 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.DamagedLink;
 import harness.AvrBoard;
 import harness.Emulator;
 import harness.Host;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.regex.Pattern;
@@ -57,9 +59,9 @@ class SerialDamageTest {
     }
 
     private static void note(Host host, int number, List<String> failures) throws Exception {
-        CompletableFuture<Void> action = host.board.act("note(" + number + ")");
+        CompletableFuture<OptionalInt> action = host.board.act("note(" + number + ")");
         try {
-            Host.await(action);
+            assertEquals(OptionalInt.of(~number), Host.await(action));
         } catch (ExecutionException failed) {
             assertTrue(failed.getCause() instanceof JavinoException, failed.toString());
             failures.add(failed.getCause().getMessage());

@@ -16,6 +16,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
+import java.util.concurrent.ExecutionException;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Tag;
@@ -153,10 +155,14 @@ class SerialSessionTest {
         try (SketchBoard board = start("Counter", folder, List.of()); Host host = board.host()) {
             host.board.percepts(true);
             for (String number : List.of("-2147483648", "2147483647")) {
-                get(host.board.act("note(" + number + ")"));
+                assertEquals(OptionalInt.empty(), get(host.board.act("note(" + number + ")")), "24 bits");
                 host.percepts(percepts -> percepts.contains("last(" + number + ")"));
             }
-            assertThrows(AssertionError.class, () -> get(host.board.act("note(2147483648)")));
+            assertEquals(2, host.counter(Counter.PERCEPTS_LEFT_OUT));
+            assertEquals(OptionalInt.of(-8388608), get(host.board.act("note(8388607)")));
+            ExecutionException refused =
+                    assertThrows(ExecutionException.class, () -> Host.await(host.board.act("note(2147483648)")));
+            assertTrue(refused.getMessage().endsWith("; it says: no(number)"), refused.getMessage());
         }
     }
 

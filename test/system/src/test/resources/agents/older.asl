@@ -11,6 +11,7 @@
     !attempt({ .setMyRFId("ROMA") });
     !attempt({ .getRFMessages(open) });
     !attempt({ .diffuse(broadcast, tell, help) });
+    !attempt({ .act(ledOff, _) });
     !attempt({ ledOff });
     !until(ledOff, led(off)).
 +led(off) : done <- .print("led is off").

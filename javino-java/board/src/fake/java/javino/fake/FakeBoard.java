@@ -47,6 +47,7 @@ public final class FakeBoard {
     private final Map<Counter, Long> counters = new ConcurrentSkipListMap<>();
     private final Map<Counter, Long> rises = new ConcurrentHashMap<>();
     private final AtomicInteger messageIds = new AtomicInteger();
+    private final Map<String, Integer> numbers = new ConcurrentHashMap<>();
     private volatile List<String> actions = List.of();
     private volatile int actionBytesInAReply = 500;
     private volatile String stallsAt;
@@ -232,7 +233,9 @@ public final class FakeBoard {
 
     private Bytes act(String action) {
         boolean known = actions.isEmpty() || actions.contains(action.split("\\(")[0]);
-        return known ? ok() : status(Status.UNKNOWN_ACTION);
+        Integer number = numbers.get(action);
+        return !known ? status(Status.UNKNOWN_ACTION)
+                : number == null ? ok() : ok(Bytes.ofNumber(number & 0xFFFFFF, 3));
     }
 
     private Bytes listActions(int offset) {
@@ -389,6 +392,18 @@ public final class FakeBoard {
     /** Refuses the next requests that begin so. */
     public FakeBoard refuse(String beginning, Status status, int times) {
         refusals.put(beginning, new Refusal(status, new AtomicInteger(times)));
+        return this;
+    }
+
+    /** Refuses each action of these arguments, and prints why. */
+    public FakeBoard refuseAction(String action, String reason) {
+        line.setSays(action, reason);
+        return refuse("act " + action, Status.ACTION_FAILED);
+    }
+
+    /** Returns this number from that action. */
+    public FakeBoard returns(String action, int number) {
+        numbers.put(action, number);
         return this;
     }
 

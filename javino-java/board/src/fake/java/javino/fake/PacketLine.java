@@ -2,7 +2,9 @@ package javino.fake;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -54,6 +56,8 @@ public final class PacketLine implements FakePort.Device {
     private int bootLoaderQuestions;
     private boolean badPolls;
     private Bytes prints = Bytes.EMPTY;
+    /** What actions print, by the messages of their requests. */
+    private final Map<Bytes, Bytes> says = new HashMap<>();
     private int deaf;
     private boolean haltsReadings;
     /** The end of a reading: its last byte waits for the host's next one. */
@@ -177,6 +181,7 @@ public final class PacketLine implements FakePort.Device {
         if (!repeated) {
             messages.add(request.frame().message());
         }
+        write(says.getOrDefault(request.frame().message(), Bytes.EMPTY));
         Bytes message = board.perform(repeated ? Poll.repeated(request.frame()) : request.frame());
         if (message != null) {
             reply(request, message);
@@ -238,6 +243,11 @@ public final class PacketLine implements FakePort.Device {
     /** Writes this before it takes each request. */
     public synchronized void setPrints(String text) {
         prints = Bytes.ofText(text);
+    }
+
+    /** Prints this whenever it performs that action. */
+    synchronized void setSays(String action, String text) {
+        says.put(Bytes.ofText("A" + action), Bytes.ofText(text));
     }
 
     synchronized void boot() {

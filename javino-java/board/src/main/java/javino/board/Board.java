@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import javino.link.LinkOpener;
@@ -67,14 +68,16 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Makes the sketch perform an action. A board that speaks the older protocol does not answer: there the future
-     * completes when the action has left the host.
+     * Makes the sketch perform an action, once however damaged the line is. A board that speaks the older protocol does
+     * not answer: there the future completes when the action has left the host.
      *
      * @param action {@code name} or {@code name(arguments)}, 1…510 bytes of UTF-8.
+     * @return the number that the action returns, -8388608…8388607, if it returns one. A
+     *         {@link RequestFailedException} may have the sketch's {@link RequestFailedException#reason}.
      * @throws IllegalArgumentException if the action is empty or too long.
      */
-    public CompletableFuture<Void> act(String action) {
-        return ask(Request.act(action), Board::nothing);
+    public CompletableFuture<OptionalInt> act(String action) {
+        return ask(Request.act(action), Reply::number);
     }
 
     /**

@@ -84,6 +84,16 @@ public interface BoardListener {
     }
 
     /**
+     * A percept of a reading has no number that the board can write, as of a sensor that does not answer (SPEC 4.3).
+     * Called once for a row of such readings; if not overridden, a {@link #warning}.
+     *
+     * @param what one line that names the percept and says why.
+     */
+    default void numberLeftOut(String what) {
+        warning(what);
+    }
+
+    /**
      * Another part of the board's sketch uses the radio's timer too (SPEC 4.3). Called once for each boot of the board;
      * if not overridden, a {@link #warning}.
      *

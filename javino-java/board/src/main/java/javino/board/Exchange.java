@@ -2,6 +2,7 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
 import javino.protocol.Request;
+import javino.protocol.Status;
 
 /** Asks one request after the other over an open link, and finds each one's reply (SPEC 4.2). */
 final class Exchange {
@@ -34,6 +36,10 @@ final class Exchange {
     private static final Bytes START_SKETCH = Bytes.of(0x1B, 0x01, 0x00, 0x01, 0x0E, 0x11, 0x04);
 
     private static final int MOST_SHOWN = 80;
+
+    /** The characters of a reason (SPEC 4.2): fewer may be damage. */
+    private static final int LEAST_REASON = 3;
+    private static final int MOST_REASON = 200;
 
     /** How often bytes are read that are there when their time is over: a device that babbles is not heard for ever. */
     private static final int MOST_LATE_READS = 100;
@@ -59,6 +65,9 @@ final class Exchange {
     /** When the board counts as lost, whatever of the last request's attempts is left. */
     private Deadline bound;
     private boolean warned;
+    /** What the sketch has printed since the board took the last request. */
+    private final List<String> said = new ArrayList<>();
+    private Optional<String> reason = Optional.empty();
 
     /** @param firstSequence the sequence number of the first request, 0…255. */
     Exchange(Link link, int firstSequence, SessionContext context) {
@@ -91,6 +100,26 @@ final class Exchange {
      */
     Optional<Reply> ask(Request request, Duration timeout, BooleanSupplier leaves, IntPredicate again)
             throws LinkException, ProtocolException {
+        said.clear();
+        reason = Optional.empty();
+        Optional<Reply> reply = askUntilAnswered(request, timeout, leaves, again);
+        if (reply.isPresent() && reply.get().status() == Status.ACTION_FAILED) {
+            reason = Optional.of(inOneLine(String.join(" ", said)))
+                    .filter(text -> text.length() >= LEAST_REASON && text.length() <= MOST_REASON);
+        }
+        if (reason.isEmpty()) {
+            said.forEach(this::warnOfPrint);
+        }
+        return reply;
+    }
+
+    /** What the sketch has printed before it refused the last request, an action. */
+    Optional<String> reason() {
+        return reason;
+    }
+
+    private Optional<Reply> askUntilAnswered(Request request, Duration timeout, BooleanSupplier leaves,
+            IntPredicate again) throws LinkException, ProtocolException {
         if (request.command() == Request.Command.HELLO) {
             left.clear();
             replyLost = false;
@@ -263,7 +292,7 @@ final class Exchange {
                 } else if (result instanceof PacketDecoder.Empty empty) {
                     take(empty);
                 } else if (result instanceof PacketDecoder.Printed printed) {
-                    print(printed.text());
+                    print(printed.text(), taken && reply == null);
                 } else {
                     counters.count(SessionCounter.DAMAGED_PACKETS);
                     damaged = true;
@@ -314,13 +343,26 @@ final class Exchange {
         }
     }
 
-    private void print(String text) {
+    /** @param byRequest whether the request may have printed it, and not what else there is in the sketch. */
+    private void print(String text, boolean byRequest) {
         counters.count(SessionCounter.PRINTED_TEXTS);
         context.listener().tell(listener -> listener.printed(text));
+        if (byRequest) {
+            said.add(text);
+        } else {
+            warnOfPrint(text);
+        }
+    }
+
+    private static String inOneLine(String text) {
+        return text.strip().replaceAll("\\s+", " ");
+    }
+
+    private void warnOfPrint(String text) {
         // Text that setup() prints harms nobody.
         if (saysTaken && !warned) {
             warned = true;
-            String line = text.replaceAll("\\s+", " ");
+            String line = inOneLine(text);
             context.listener().warn("the sketch prints on the line of the protocol, which delays it: \""
                     + (line.length() > MOST_SHOWN ? line.substring(0, MOST_SHOWN) + "…" : line)
                     + "\"; remove that print, or use another serial port for it");

@@ -62,7 +62,7 @@ final class LegacyService {
             Request request = pending.source().request(board);
             if (request.command() == Request.Command.ACT) {
                 exchange.act(message(request));
-                pending.answer(new Reply(Status.OK, Bytes.EMPTY));
+                pending.answer(new Reply(Status.OK, Bytes.EMPTY), Optional.empty());
             } else {
                 pending.fail(new LegacyBoardException(pending.description()));
             }

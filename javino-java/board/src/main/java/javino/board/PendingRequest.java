@@ -1,5 +1,6 @@
 package javino.board;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import javino.JavinoException;
 import javino.protocol.BoardInfo;
@@ -31,9 +32,10 @@ record PendingRequest<T>(String description, Source source, Reader<T> reader, Co
         T read(Reply reply) throws ProtocolException;
     }
 
-    void answer(Reply reply) throws ProtocolException {
+    /** @param said what the sketch has printed before it refused an action. */
+    void answer(Reply reply, Optional<String> said) throws ProtocolException {
         if (reply.status() != Status.OK) {
-            result.completeExceptionally(new RequestFailedException(description, reply.status()));
+            result.completeExceptionally(new RequestFailedException(description, reply.status(), said));
         } else {
             result.complete(reader.read(reply));
         }

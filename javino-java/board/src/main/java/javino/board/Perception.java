@@ -156,7 +156,8 @@ final class Perception {
             }
         }
         causes.forEach(cause -> counters.count(SessionCounter.UNWRITABLE_NUMBERS));
-        causes.stream().filter(cause -> !unwritable.contains(cause)).forEach(listener::warn);
+        causes.stream().filter(cause -> !unwritable.contains(cause))
+                .forEach(cause -> listener.tell(to -> to.numberLeftOut(cause)));
         unwritable = causes;
         listener.tell(to -> to.percepts(List.copyOf(texts)));
     }

@@ -152,7 +152,7 @@ final class Service {
             if (pending.isTransmission() && reply.status() == Status.QUEUE_FULL && polling.isTransmitting()) {
                 context.queue().hold(pending);
             } else {
-                pending.answer(reply);
+                pending.answer(reply, exchange.reason());
             }
         } catch (ProtocolException e) {
             context.counters().count(SessionCounter.BAD_REPLIES);

@@ -63,7 +63,7 @@ class BoardTest extends BoardFixture {
     }
 
     /** Asks for an action that does not arrive, and waits until it was sent. */
-    private CompletableFuture<Void> actUnderWay(String action) throws InterruptedException {
+    private CompletableFuture<?> actUnderWay(String action) throws InterruptedException {
         CountDownLatch sent = new CountDownLatch(1);
         fake.line.setLoses(message -> {
             boolean isAction = message.at(0) == 'A';
@@ -72,7 +72,7 @@ class BoardTest extends BoardFixture {
             }
             return isAction;
         });
-        CompletableFuture<Void> underWay = board.act(action);
+        CompletableFuture<?> underWay = board.act(action);
         sent.await();
         return underWay;
     }
@@ -234,7 +234,7 @@ class BoardTest extends BoardFixture {
         port.unplug();
         open();
         assertEquals("offline fake: there is no such port", listener.next());
-        CompletableFuture<Void> action = board.act("stop");
+        CompletableFuture<?> action = board.act("stop");
         port.plug();
         assertEquals("online 1", listener.next());
         action.get();
@@ -257,7 +257,7 @@ class BoardTest extends BoardFixture {
     void open_silentBoard_tellsAfterItsPatienceAndFailsRequests() throws Exception {
         fake.line.setSilent(true);
         open(listener, config -> config.setPatience(Duration.ofMillis(50)));
-        CompletableFuture<Void> action = board.act("stop");
+        CompletableFuture<?> action = board.act("stop");
         assertTrue(listener.next().contains("no Javino board answers"));
         failure(BoardOfflineException.class, action);
         fake.line.setSilent(false);
@@ -588,8 +588,8 @@ class BoardTest extends BoardFixture {
     @Test
     void port_unplugged_pendingFailAndBoardIsFoundAgain() throws Exception {
         openAndAwaitOnline(config -> config.setAttempts(PATIENT));
-        CompletableFuture<Void> underWay = actUnderWay("one");
-        CompletableFuture<Void> waiting = board.act("two");
+        CompletableFuture<?> underWay = actUnderWay("one");
+        CompletableFuture<?> waiting = board.act("two");
         port.unplug();
         failure(OutcomeUnknownException.class, underWay);
         failure(BoardOfflineException.class, waiting);
@@ -910,8 +910,8 @@ class BoardTest extends BoardFixture {
     @Test
     void close_requestsWaiting_fail() throws Exception {
         openAndAwaitOnline(config -> config.setAttempts(PATIENT));
-        CompletableFuture<Void> underWay = actUnderWay("one");
-        CompletableFuture<Void> waiting = board.act("two");
+        CompletableFuture<?> underWay = actUnderWay("one");
+        CompletableFuture<?> waiting = board.act("two");
         board.close();
         failure(OutcomeUnknownException.class, underWay);
         failure(BoardOfflineException.class, waiting);

@@ -88,7 +88,7 @@ class DeliveryTest extends BoardFixture {
         openRarelyPolling(new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
-                opened.join().act("stop").thenAccept(acted::complete);
+                opened.join().act("stop").thenRun(() -> acted.complete(null));
             }
         });
         opened.complete(board);

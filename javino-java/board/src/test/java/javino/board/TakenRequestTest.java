@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -18,6 +20,7 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Bytes;
 import javino.protocol.Capability;
+import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -36,7 +39,7 @@ class TakenRequestTest extends BoardFixture {
     void act_boardTakesItsTime_isNotRepeatedAndSucceeds() throws Exception {
         openAndAwaitOnline(config -> config.setAttempts(2).setActionTime(HOUR));
         fake.stallAt("act wait");
-        CompletableFuture<Void> action = board.act("wait");
+        CompletableFuture<?> action = board.act("wait");
         assertEquals("act wait", fake.requests.take());
         long repeats = board.counters().get(SessionCounter.REPEATS);
         // Longer than all attempts.
@@ -173,7 +176,7 @@ class TakenRequestTest extends BoardFixture {
     void act_boardHangs_portIsOpenedAnew() throws Exception {
         openAndAwaitOnline(config -> config.setActionTime(Duration.ofMillis(50)));
         fake.line.setSilent(true);
-        CompletableFuture<Void> action = board.act("wait");
+        CompletableFuture<?> action = board.act("wait");
         fake.port.awaitOpens(2);
         failure(OutcomeUnknownException.class, action);
         fake.line.setSilent(false);
@@ -185,8 +188,8 @@ class TakenRequestTest extends BoardFixture {
     void act_notTakenForLongerThanAllAttempts_isRepeatedAndPortStaysOpen() throws Exception {
         openAndAwaitOnline(config -> config.setAttempts(2).setActionTime(HOUR));
         fake.stallAt("act first");
-        CompletableFuture<Void> first = board.act("first").thenRun(() -> fake.line.setSilent(true));
-        CompletableFuture<Void> action = board.act("go");
+        CompletableFuture<?> first = board.act("first").thenRun(() -> fake.line.setSilent(true));
+        CompletableFuture<?> action = board.act("go");
         fake.resume();
         first.get();
         // Longer than all attempts.
@@ -212,7 +215,7 @@ class TakenRequestTest extends BoardFixture {
         openAndAwaitOnline(config -> config.setAttempts(2).setActionTime(HOUR));
         fake.stallAt("poll");
         fake.line.awaitStalled();
-        CompletableFuture<Void> action = board.act("go");
+        CompletableFuture<?> action = board.act("go");
         // Longer than all attempts.
         Thread.sleep(200);
         assertFalse(action.isDone());
@@ -255,7 +258,7 @@ class TakenRequestTest extends BoardFixture {
     void close_boardTakesItsTime_isNotWaitedFor() throws Exception {
         openAndAwaitOnline(config -> config.setActionTime(HOUR));
         fake.stallAt("act wait");
-        CompletableFuture<Void> action = board.act("wait");
+        CompletableFuture<?> action = board.act("wait");
         fake.requests.take();
         board.end().get(30, TimeUnit.SECONDS);
         failure(OutcomeUnknownException.class, action);
@@ -313,6 +316,62 @@ class TakenRequestTest extends BoardFixture {
         assertEquals(List.of("printed t = 21"), listener.rest());
         assertEquals(2, board.counters().get(SessionCounter.PRINTED_TEXTS));
         assertEquals(0, board.counters().get(SessionCounter.DAMAGED_PACKETS));
+    }
+
+    @Test
+    void act_sketchPrintsAndRefuses_failsWithThatReasonAndWarnsOfNothing() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR));
+        fake.refuseAction("open(3)", " too far:\r\n3 > 2\n").refuseAction("go", "no").refuseAction("shut", "");
+        RequestFailedException refused = failure(RequestFailedException.class, board.act("open(3)"));
+        assertEquals("act open(3) failed: ACTION_FAILED, the sketch refused the action or its arguments; it says: too "
+                + "far: 3 > 2", refused.getMessage());
+        assertEquals(Optional.of("too far: 3 > 2"), refused.reason());
+        assertEquals(Optional.empty(), failure(RequestFailedException.class, board.act("shut")).reason());
+        assertEquals(Optional.empty(), failure(RequestFailedException.class, board.act("go")).reason());
+        assertEquals(List.of("printed too far:\r\n3 > 2"), listener.rest());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {3, 200, 201})
+    void act_refusedWithATextOfThatLength_upTo200AreAReason(int length) throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR));
+        String text = "x".repeat(length);
+        fake.refuseAction("open", text);
+        assertEquals(length > 200 ? Optional.empty() : Optional.of(text),
+                failure(RequestFailedException.class, board.act("open")).reason());
+        assertEquals(length > 200, listener.rest().stream().anyMatch(line -> line.startsWith("warning the sketch")));
+    }
+
+    @Test
+    void act_sketchPrintsAndSucceeds_isAWarning() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR));
+        fake.refuseAction("go", "turning").refuse("act go", Status.OK);
+        board.act("go").get();
+        assertEquals(2, listener.rest().size());
+    }
+
+    @Test
+    void act_loopPrintsBeforeTheRequestIsTaken_isNoReason() throws Exception {
+        openAndAwaitOnline(config -> config.setReplyTimeout(HOUR));
+        fake.line.setPrints("tick");
+        fake.refuseAction("open", "locked");
+        assertEquals(Optional.of("locked"), failure(RequestFailedException.class, board.act("open")).reason());
+        fake.line.setPrints("");
+    }
+
+    @Test
+    void act_replyIsLost_reasonIsThatOfTheFirstAttemptAndTheNumberToo() throws Exception {
+        openAndAwaitOnline(config -> config.setHold(Duration.ofMillis(1)).setActionTime(Duration.ofMillis(50)));
+        fake.refuseAction("open", "locked").returns("distance", -470);
+        AtomicInteger replies = new AtomicInteger();
+        int ofPoll = 17;
+        fake.line.setFault(
+                reply -> reply.length() != ofPoll && replies.getAndIncrement() == 0 ? Bytes.EMPTY : reply);
+        assertEquals(Optional.of("locked"), failure(RequestFailedException.class, board.act("open")).reason());
+        replies.set(0);
+        assertEquals(OptionalInt.of(-470), board.act("distance").get());
+        assertEquals(OptionalInt.empty(), board.act("go").get());
+        assertEquals(List.of("act open", "act distance", "act go"), List.copyOf(fake.requests));
     }
 
     @Test

@@ -1,6 +1,7 @@
 package javino.cli;
 
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.Printable;
@@ -37,10 +38,12 @@ final class ActCommand implements Callable<Integer> {
     @Override
     public Integer call() throws JavinoException, InterruptedException {
         String action = action();
+        OptionalInt number;
         try (Board board = port.open()) {
-            act(board, action);
+            number = act(board, action);
         }
-        spec.commandLine().getOut().println(Printable.of(action) + " is done");
+        spec.commandLine().getOut().println(
+                Printable.of(action) + " is done" + (number.isPresent() ? ": " + number.getAsInt() : ""));
         return 0;
     }
 
@@ -55,9 +58,9 @@ final class ActCommand implements Callable<Integer> {
         }
     }
 
-    private static void act(Board board, String action) throws JavinoException, InterruptedException {
+    private static OptionalInt act(Board board, String action) throws JavinoException, InterruptedException {
         try {
-            Await.result(board, board.act(action));
+            return Await.result(board, board.act(action));
         } catch (RequestFailedException e) {
             if (e.status() != Status.UNKNOWN_ACTION) {
                 throw e;

@@ -6,6 +6,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListSet;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardListener;
@@ -94,6 +96,7 @@ final class Doctor {
                     traffic.examine(listen);
                 }
                 traffic.examinePrints(told.print);
+                told.numbers.forEach(what -> findings.trouble("numbers", what));
                 if (told.timer != null) {
                     findings.trouble("timer", told.timer);
                 }
@@ -108,15 +111,21 @@ final class Doctor {
         return findings.troubles();
     }
 
-    /** Remembers what the sketch has printed last, and that the radio's timer is taken. */
+    /** Remembers what the sketch has printed last, percepts without a number, and that the radio's timer is taken. */
     private static final class Told implements BoardListener {
 
         private volatile String print;
         private volatile String timer;
+        private final Set<String> numbers = new ConcurrentSkipListSet<>();
 
         @Override
         public void printed(String text) {
             print = text;
+        }
+
+        @Override
+        public void numberLeftOut(String what) {
+            numbers.add(what);
         }
 
         @Override

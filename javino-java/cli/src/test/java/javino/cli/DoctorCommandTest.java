@@ -430,6 +430,14 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void doctor_perceptWithoutANumber_isNamed() {
+        fake.setRfId("ROMA");
+        fake.perceive("light(3)", "celsius(NaN)");
+        assertTrouble("numbers", "percept celsius is left out: it is no number (NaN), as of a sensor that does not "
+                + "answer");
+    }
+
+    @Test
     void prints_ofTheSketch_areShown() {
         fake.line.setPrints("t = 20.99\r\n");
         assertTrouble("prints", "the sketch prints on the serial line: \"t = 20.99\"; remove that print");

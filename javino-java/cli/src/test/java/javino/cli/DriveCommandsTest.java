@@ -114,6 +114,16 @@ class DriveCommandsTest extends CommandFixture {
     }
 
     @Test
+    void act_returnsANumberOrIsRefusedForAReason_tellsIt() {
+        fake.returns("distance", -47).refuseAction("open", "locked");
+        assertEquals(0, run("act", "--port", "fake", "distance"), err.toString());
+        assertEquals(List.of("distance is done: -47"), lines());
+        assertEquals(1, run("act", "--port", "fake", "open"));
+        assertEquals("javino: act open failed: ACTION_FAILED, the sketch refused the action or its arguments; it says: "
+                + "locked", err.toString().strip());
+    }
+
+    @Test
     void act_noAction_isWrongUsage() {
         assertFails(2, "ACTION", "act", "--port", "fake");
     }

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 
 /**
  * A board's answer (SPEC 4.2): a status and, if that is OK, a body whose form depends on the request.
@@ -15,6 +16,7 @@ import java.util.Map;
 public record Reply(Status status, Bytes body) {
 
     private static final int CHECK_LENGTH = 3;
+    private static final int NUMBER_LENGTH = 3;
     private static final int KEY_LENGTH = Address.LENGTH + 1 + CHECK_LENGTH;
     private static final int COUNTER_LENGTH = 5;
     /** Added to a role. */
@@ -106,6 +108,14 @@ public record Reply(Status status, Bytes body) {
             Counter.of(body.at(at)).ifPresent(counter -> values.put(counter, value));
         }
         return Collections.unmodifiableMap(values);
+    }
+
+    /** The answer to act: the number that the action returns, -8388608…8388607, if it returns one. */
+    public OptionalInt number() throws ProtocolException {
+        expect(body.length() == 0 || body.length() == NUMBER_LENGTH, "an action's number has 3 bytes", body);
+        // The first byte carries the sign.
+        return body.length() == 0 ? OptionalInt.empty()
+                : OptionalInt.of((byte) body.at(0) << 16 | (int) body.number(1, NUMBER_LENGTH));
     }
 
     /** The answer to a transmission: its number, 0…255. */

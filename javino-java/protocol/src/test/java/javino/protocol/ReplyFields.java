@@ -5,6 +5,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import java.util.OptionalInt;
 
 /** Replies in the form of the vectors. */
 final class ReplyFields {
@@ -40,6 +41,10 @@ final class ReplyFields {
                     records.add(describe(item));
                 }
                 fields.add("records", records);
+            }
+            case "act" -> {
+                OptionalInt number = reply.number();
+                fields.addProperty("number", number.isPresent() ? number.getAsInt() : null);
             }
             case "listActions" -> {
                 ActionNames actions = reply.actionNames();

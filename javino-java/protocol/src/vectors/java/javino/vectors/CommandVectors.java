@@ -208,7 +208,9 @@ final class CommandVectors {
                 timerTaken(0x10, false, 0), timerTaken(0x28, true, 1), timerTaken(0x60, false, 5),
                 ok("poll", join(bytes(12), record('P', text("dark"))),
                         polled(false, false, true, true, null, List.of(percept("dark")))),
-                ok("act", new byte[0], vector()),
+                ok("act", new byte[0], vector("number", null)),
+                acted(0, 0, 0, 0), acted(470, 0, 1, 0xD6), acted(-1, 0xFF, 0xFF, 0xFF),
+                acted(0x7FFFFF, 0x7F, 0xFF, 0xFF), acted(-0x800000, 0x80, 0, 0),
                 ok("listActions", bytes(0), actions(0, "", true)),
                 ok("listActions", join(bytes(2), text("lampOn"), bytes(0), text("lampOff"), bytes(0)),
                         actions(2, "6c616d704f6e006c616d704f666600", true, "lampOn", "lampOff")),
@@ -256,6 +258,10 @@ final class CommandVectors {
                 vector("version", version, "rfId", id, "bootEpoch", epoch, "radio", (has & 1) != 0,
                         "memory", (has & 2) != 0, "unicastsOnly", (has & 4) != 0, "earlier", capabilities == null,
                         "firmware", firmware));
+    }
+
+    private static Map<String, Object> acted(int number, int... body) {
+        return ok("act", bytes(body), vector("number", number));
     }
 
     private static byte[] record(char type, byte[] value) {
@@ -314,14 +320,16 @@ final class CommandVectors {
     }
 
     private static Map<String, Object> refused(int value, String status) {
-        return vector("name", "act", "status", status, "fields", vector(), "message", Wire.hex(bytes(value)));
+        return vector("name", "act", "status", status, "fields", vector("number", null), "message",
+                Wire.hex(bytes(value)));
     }
 
     private static List<Map<String, Object>> badReplies() {
         return List.of(
                 badReply("act", new byte[0], "no status"),
                 badReply("act", bytes(21), "unknown status"),
-                badReply("act", bytes(0, 1), "something where nothing is due"),
+                badReply("act", bytes(0, 1, 2), "short number"),
+                badReply("act", bytes(0, 1, 2, 3, 4), "long number"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0)), "a byte short"),
                 badReply("hello", join(bytes(0, 1), text("RO-A"), bytes(0, 0, 1)), "no address"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0, 1, 0xFF)), "name is no UTF-8"),

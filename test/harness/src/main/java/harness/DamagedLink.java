@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
@@ -11,7 +11,7 @@ import javino.link.LinkOpener;
  * A real link whose bytes get lost, flipped and inserted on the way, both ways, and come in small pieces. The damage
  * comes from one seed; its places depend on how the bytes arrive.
  */
-final class DamagedLink extends ForwardedLink {
+public final class DamagedLink extends ForwardedLink {
 
     private final Random random;
     private final double rate;
@@ -23,7 +23,7 @@ final class DamagedLink extends ForwardedLink {
     }
 
     /** Opens links that damage a share {@code rate} of the bytes. */
-    static LinkOpener opener(LinkOpener opener, long seed, double rate) {
+    public static LinkOpener opener(LinkOpener opener, long seed, double rate) {
         Random random = new Random(seed);
         return opener(opener, link -> new DamagedLink(link, random, rate));
     }

@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import java.util.function.UnaryOperator;
 import javino.link.Link;
@@ -6,16 +6,16 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 
 /** A real link, between which and its host something happens to the bytes. */
-abstract class ForwardedLink implements Link {
+public abstract class ForwardedLink implements Link {
 
-    final Link link;
+    protected final Link link;
 
-    ForwardedLink(Link link) {
+    protected ForwardedLink(Link link) {
         this.link = link;
     }
 
     /** Opens links and puts something between each of them and its host. */
-    static LinkOpener opener(LinkOpener opener, UnaryOperator<Link> between) {
+    public static LinkOpener opener(LinkOpener opener, UnaryOperator<Link> between) {
         return new LinkOpener() {
             @Override
             public Link open() throws LinkException {
