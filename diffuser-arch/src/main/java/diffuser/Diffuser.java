@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -33,6 +34,7 @@ import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
+import diffuser.board.BoardName;
 import diffuser.board.BoardSettings;
 import diffuser.board.Device;
 import diffuser.board.DeviceContext;
@@ -84,6 +86,9 @@ import javino.protocol.Outcome;
  */
 public class Diffuser extends AgArch {
 
+    /** The port by which a board is left and none opened. */
+    protected static final String NO_PORT = "none";
+
     /** The longest that a plan waits for a reading. */
     protected static final Duration LONGEST = Duration.ofSeconds(5);
 
@@ -106,8 +111,8 @@ public class Diffuser extends AgArch {
     private transient Time time;
     private transient Time.Timer timer;
     private transient BoardSettings settings = BoardSettings.NONE;
-    /** Also asked by threads that stop the agent, or show its status. */
-    private transient volatile Device device;
+    /** By their names, the main one first. Also asked by threads that stop the agent, or show its status. */
+    private final transient Map<String, Device> boards = new ConcurrentSkipListMap<>();
     /** Guards {@link #ended}: whoever stops the agent may do so while its own thread opens a port. */
     private final transient Object ending = new Object();
     private transient boolean ended;
@@ -171,14 +176,29 @@ public class Diffuser extends AgArch {
         return BoardConfig.create(config -> config.setNotes(BoardNotes.ofHost()));
     }
 
+    /** Looks for the main board, as {@link #openPort(String, String)}. */
+    public CompletableFuture<Void> openPort(String port) {
+        return open(port, BoardName.MAIN);
+    }
+
     /**
-     * Looks for a board on a port, and leaves the port before.
+     * Looks for a board on a port, and leaves the port that it had before.
      *
-     * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
+     * @param board its name; a board beside the main one has percepts and actions only.
+     * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it;
+     *             {@code none} only leaves a board that is not the main one.
      * @return completes when the agent believes whether a board is there and what it perceives, or when another port is
      *         opened; never fails, since a board may come later. An agent that was stopped opens none.
      */
-    public CompletableFuture<Void> openPort(String port) {
+    public CompletableFuture<Void> openPort(String port, String board) {
+        if (!port.equals(NO_PORT)) {
+            return open(port, board);
+        }
+        close(board);
+        return CompletableFuture.completedFuture(null);
+    }
+
+    private CompletableFuture<Void> open(String port, String board) {
         PlainLines.of(getAgName());
         if (!Charset.defaultCharset().equals(StandardCharsets.UTF_8)) {
             warnings.once("Java reads programs as " + Charset.defaultCharset() + " here, and letters beyond ASCII go"
@@ -188,21 +208,43 @@ public class Diffuser extends AgArch {
             if (ended) {
                 return CompletableFuture.completedFuture(null);
             }
-            ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice(), time);
-            device = Device.open(link, portTerm(port), boardConfig().in(time), settings,
-                    new DeviceContext(getAgName(), (message, peer) -> inbox.put(message, peer, getAgName()), hosts,
-                            warnings, this::wakeAgent,
-                            text -> printed.accept(text), service(KeyService.class)));
+            boolean main = board.equals(BoardName.MAIN);
+            BoardSettings wanted = main ? settings
+                    : device(board).map(Device::settings).orElseGet(settings::withoutRadio);
+            ExclusivePort link = new ExclusivePort(link(port),
+                    getAgName() + (main ? "" : " (board " + board + ")"), close(device(board)), time);
+            Device opened = Device.open(link, portTerm(port), boardConfig().in(time), wanted,
+                    new DeviceContext(getAgName(), board, (message, peer) -> inbox.put(message, peer, getAgName()),
+                            hosts, warnings, this::wakeAgent, text -> printed.accept(text),
+                            service(KeyService.class)));
+            boards.put(board, opened);
             recordSettings();
             Duration patience = patience();
-            return device.decided().thenCompose(decided -> reading(patience));
+            return opened.decided().thenCompose(decided -> reading(Optional.of(board), patience));
         }
     }
 
-    /** Leaves the port, if one was opened; then the agent has no board. */
+    /** Leaves the main board's port, if one was opened. */
     public void closePort() {
-        closeDevice();
-        device = null;
+        close(BoardName.MAIN);
+    }
+
+    /** Leaves all boards but the main one, as they are not those of a mind that comes in the agent's place. */
+    public void closeNamed() {
+        boards.keySet().stream().filter(board -> !board.equals(BoardName.MAIN)).forEach(this::close);
+    }
+
+    private void close(String board) {
+        close(Optional.ofNullable(boards.remove(board)));
+    }
+
+    private static CompletableFuture<Void> close(Optional<Device> board) {
+        return board.map(Device::close).orElseGet(() -> CompletableFuture.completedFuture(null));
+    }
+
+    /** The board of that name, or all. */
+    private List<Device> boards(Optional<String> board) {
+        return board.map(name -> device(name).stream().toList()).orElseGet(() -> List.copyOf(boards.values()));
     }
 
     /** Completes when the agent believes what there is to perceive now. For any thread. */
@@ -215,12 +257,13 @@ public class Diffuser extends AgArch {
     /**
      * Sets whether the sensors' percepts are beliefs.
      *
+     * @param board of which board; of all, also of those that come, if there is none.
      * @return completes when the agent believes a reading that is due within the {@link #patience()} of its plan; at
      *         once without a board; never fails.
      */
-    public CompletableFuture<Void> sense(SensorMode wanted) {
-        change(old -> old.withPercepts(wanted));
-        return reading(patience());
+    public CompletableFuture<Void> sense(Optional<String> board, SensorMode wanted) {
+        change(board, old -> old.withPercepts(wanted));
+        return reading(board, patience());
     }
 
     /**
@@ -245,29 +288,30 @@ public class Diffuser extends AgArch {
     /**
      * Waits for a reading of the sensors that begins after this. For any thread.
      *
+     * @param board    of which board; of all if there is none.
      * @param patience how much later than now the reading may begin. There is no wait if {@link #limitPercepts} delays
      *                 it longer, if sensors are not read, or if there is no board.
      * @return completes when the agent believes the reading, or after {@link #longestReading}; never fails.
      */
-    protected CompletableFuture<Void> reading(Duration patience) {
-        CompletableFuture<Void> read = device().map(board -> board.reading(patience))
-                .orElseGet(() -> CompletableFuture.completedFuture(null));
+    protected CompletableFuture<Void> reading(Optional<String> board, Duration patience) {
+        CompletableFuture<Void> read = CompletableFuture.allOf(boards(board).stream()
+                .map(each -> each.reading(patience)).toArray(CompletableFuture[]::new));
         return time.completeOnTimeout(read, null, longestReading(patience)).thenCompose(done -> believed());
     }
 
-    /** Adds a filter: the agent believes only percepts that all filters let pass. */
-    public void filter(Filter filter) {
-        change(old -> old.withFilter(filter));
+    /** Adds a filter of one or all boards: the agent believes only percepts that all filters let pass. */
+    public void filter(Optional<String> board, Filter filter) {
+        change(board, old -> old.withFilter(filter));
     }
 
-    /** Removes all filters of these kinds. */
-    public void removeFilters(Filter.Kind... kinds) {
-        change(old -> old.withoutFilters(List.of(kinds)));
+    /** Removes all filters of these kinds of one or all boards. */
+    public void removeFilters(Optional<String> board, Filter.Kind... kinds) {
+        change(board, old -> old.withoutFilters(List.of(kinds)));
     }
 
-    /** Sets the least time between two readings of the sensors; zero for a reading at each poll. */
-    public void limitPercepts(Duration least) {
-        change(old -> old.withLimit(least));
+    /** Sets the least time between two readings of one or all boards; zero for a reading at each poll. */
+    public void limitPercepts(Optional<String> board, Duration least) {
+        change(board, old -> old.withLimit(least));
     }
 
     /**
@@ -342,12 +386,30 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * An action as the board reads it: what a string holds, or a literal.
+     * An action as {@link #perform} takes it.
      *
      * @return nothing if the term is no action.
+     * @throws JasonException wrong_arguments if a variable in it has no value, or a board is named without an action.
+     */
+    public final Optional<String> action(Term term) throws JasonException {
+        boolean plain = term instanceof Literal literal && !literal.negated()
+                && literal.getNS().equals(Literal.DefaultNS);
+        if (!plain || !hasBoard(((Literal) term).getFunctor())) {
+            return action(BoardName.MAIN, term);
+        }
+        Literal named = (Literal) term;
+        String board = named.getFunctor();
+        Optional<String> own = named.getArity() == 1 ? action(board, named.getTerm(0)) : Optional.empty();
+        return Optional.of(board + "(" + own.orElseThrow(() -> new JasonException(board + " is a board: an action of"
+                + " it is written " + board + "(close), not '" + term + "'", JasonException.WRONG_ARGS)) + ")");
+    }
+
+    /**
+     * An action as its board reads it: what a string holds, or a literal; nothing if the term is no action.
+     *
      * @throws JasonException wrong_arguments if a variable in it has no value.
      */
-    public Optional<String> action(Term term) throws JasonException {
+    protected Optional<String> action(String board, Term term) throws JasonException {
         if (term instanceof StringTerm string) {
             return Optional.of(string.getString()).filter(text -> !text.isEmpty());
         }
@@ -355,22 +417,34 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Makes the board perform an action.
+     * Makes a board perform an action.
      *
-     * @param action {@code name} or {@code name(arguments)}.
+     * @param action {@code name} or {@code name(arguments)}; within the name of a board that is not the main one.
      * @return fails with an exception that {@link Failure#of} reads. @throws JasonException no_port if no port was
      *         opened; too_long if the action fits no request.
      */
     public CompletableFuture<Void> perform(String action) throws JasonException {
-        Device board = requireDevice();
+        String name = boardOf(action);
+        Device board = requireDevice(name);
+        String own = name.equals(BoardName.MAIN) ? action : action.substring(name.length() + 1, action.length() - 1);
+        if (!own.equals(action) && device().map(main -> main.hasAction(name)).orElse(false)) {
+            warnings.once("the sketch on " + device().get().port() + " has an action " + name + ", too; " + action
+                    + " goes to the board " + name);
+        }
         try {
-            CompletableFuture<Void> outcome = board.act(action);
+            CompletableFuture<Void> outcome = board.act(own);
             performed.accept(action, outcome);
             recorder.ifPresent(each -> each.asks(action, outcome));
             return outcome;
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
         }
+    }
+
+    /** The board in whose name an action is, as in {@code arm(close)}; the main one if there is none of that name. */
+    protected String boardOf(String action) {
+        String name = action.substring(0, Math.max(0, action.indexOf('(')));
+        return action.endsWith(")") && boards.containsKey(name) ? name : BoardName.MAIN;
     }
 
     /** A message for the radio, as {@link OutgoingMessage#of} reads it. */
@@ -385,7 +459,7 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_port if no port was opened.
      */
     public CompletableFuture<?> diffuse(OutgoingMessage outgoing) throws JasonException {
-        Device board = requireDevice();
+        Device board = requireDevice(BoardName.MAIN);
         questions.remember(outgoing);
         return outbox.diffuse(outgoing, board);
     }
@@ -398,7 +472,7 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_port if no port was opened.
      */
     public CompletableFuture<?> deliver(OutgoingMessage outgoing) throws JasonException {
-        Device board = requireDevice();
+        Device board = requireDevice(BoardName.MAIN);
         questions.remember(outgoing);
         return outbox.deliver(outgoing, board);
     }
@@ -419,7 +493,7 @@ public class Diffuser extends AgArch {
      */
     public Transmission transmit(Address to, javino.protocol.Message message) {
         return device().map(board -> board.transmit(to, message)).orElseGet(() -> {
-            JasonException none = noPort();
+            JasonException none = noPort(BoardName.MAIN);
             return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
         });
     }
@@ -479,9 +553,9 @@ public class Diffuser extends AgArch {
         return device().map(board -> board.performs(action)).orElse(false);
     }
 
-    /** Whether the board's sketch names no actions, and reads by itself what it is to do, as far as is known. */
-    protected boolean readsActions() {
-        return device().map(Device::readsActions).orElse(false);
+    /** Whether a board's sketch names no actions, and reads by itself what it is to do, as far as is known. */
+    protected boolean readsActions(String board) {
+        return device(board).map(Device::readsActions).orElse(false);
     }
 
     /** Whether the board, if one was opened, has a radio, as far as is known. */
@@ -489,9 +563,23 @@ public class Diffuser extends AgArch {
         return device().map(Device::hasRadio).orElse(true);
     }
 
-    /** The board, if a port was opened. */
+    /** The main board, if a port was opened. */
     Optional<Device> device() {
-        return Optional.ofNullable(device);
+        return device(BoardName.MAIN);
+    }
+
+    /** Whether a board of that name was opened. */
+    public boolean hasBoard(String name) {
+        return boards.containsKey(name);
+    }
+
+    /** @throws JasonException no_port if no board of that name was opened. */
+    Device requireDevice(String name) throws JasonException {
+        return device(name).orElseThrow(() -> noPort(name));
+    }
+
+    Optional<Device> device(String board) {
+        return Optional.ofNullable(boards.get(board));
     }
 
     // The hooks of the reasoning cycle.
@@ -530,7 +618,7 @@ public class Diffuser extends AgArch {
         try {
             super.sendMsg(message);
         } catch (ReceiverNotFoundException e) {
-            if (device == null || Destinations.find(message.getReceiver()).isEmpty()) {
+            if (device().isEmpty() || Destinations.find(message.getReceiver()).isEmpty()) {
                 intentions.forget(message.getMsgId());
                 throw e;
             }
@@ -548,6 +636,7 @@ public class Diffuser extends AgArch {
     }
 
     private void sendByRadio(Message message, Optional<Intentions.Waiting> waiting) throws JasonException {
+        Device device = requireDevice(BoardName.MAIN);
         Optional<IncomingQuestion> question = IncomingQuestion.of(message.getInReplyTo());
         if (message.isAsk()) {
             questions.ask(message, waiting, device);
@@ -576,7 +665,8 @@ public class Diffuser extends AgArch {
         CompletableFuture<Void> closed;
         synchronized (ending) {
             ended = true;
-            closed = closeDevice();
+            closed = CompletableFuture
+                    .allOf(boards.values().stream().map(Device::close).toArray(CompletableFuture[]::new));
         }
         ExclusivePort.await(closed, time);
     }
@@ -597,31 +687,30 @@ public class Diffuser extends AgArch {
             status.put("port", board.port());
             status.put("portOn", board.isOnline());
             status.put("hostMessagesNotSent", board.sender().notSent());
-            status.put("perceptsMalformed", board.malformedPercepts());
         });
+        status.put("boardsOn", boards.entrySet().stream().filter(each -> each.getValue().isOnline())
+                .map(Map.Entry::getKey).filter(name -> !name.equals(BoardName.MAIN)).toList());
+        status.put("perceptsMalformed", boards.values().stream().mapToLong(Device::malformedPercepts).sum());
         return status;
     }
 
     private CombinedPercepts.Now perceivedHere() {
-        return device == null ? new CombinedPercepts.Now(List.of(), infrastructures.belief(Set.of()))
-                : new CombinedPercepts.Now(device.perceived(), infrastructures.belief(byRadio()));
+        return new CombinedPercepts.Now(boards.values().stream().map(Device::perceived).toList(),
+                infrastructures.belief(byRadio()));
     }
 
     private Set<Ability> byRadio() {
-        if (!device.communicates()) {
+        if (!device().map(Device::communicates).orElse(false)) {
             return Set.of();
         }
         boolean mobile = moves.map(MoveService::admits).orElse(false);
         return mobile ? Set.of(Ability.COM, Ability.MOB) : Set.of(Ability.COM);
     }
 
-    private Device requireDevice() throws JasonException {
-        return device().orElseThrow(this::noPort);
-    }
-
-    private JasonException noPort() {
-        return new Failure("no_port",
-                "agent " + getAgName() + " has no board yet; open one with .port, such as .port(\"/dev/ttyACM0\")")
+    private JasonException noPort(String board) {
+        boolean main = board.equals(BoardName.MAIN);
+        return new Failure("no_port", "agent " + getAgName() + " has no board " + (main ? "yet" : board)
+                + "; open one with .port, such as .port(\"/dev/ttyACM0\"" + (main ? ")" : ", " + board + ")"))
                 .toException();
     }
 
@@ -631,10 +720,19 @@ public class Diffuser extends AgArch {
         recordSettings();
     }
 
+    /** The same for all boards, or for one. */
+    private void change(Optional<String> board, UnaryOperator<BoardSettings> change) {
+        if (board.isEmpty()) {
+            change(change);
+        }
+        boards(board).stream().filter(each -> each != boards.get(BoardName.MAIN))
+                .forEach(each -> each.apply(change.apply(each.settings())));
+    }
+
     /** Asks the board in any case; waits for its answer only if it is there. */
     private CompletableFuture<Void> whereThere(Function<Device, CompletableFuture<Void>> request) {
         Optional<CompletableFuture<Void>> answer = device().map(request);
-        boolean waiting = answer.isPresent() && device.isOnline();
+        boolean waiting = device().map(Device::isOnline).orElse(false);
         return waiting ? answer.get() : CompletableFuture.completedFuture(null);
     }
 
@@ -651,9 +749,5 @@ public class Diffuser extends AgArch {
 
     private void wakeAgent() {
         getTS().getAgArch().wakeUpSense();
-    }
-
-    private CompletableFuture<Void> closeDevice() {
-        return device().map(Device::close).orElseGet(() -> CompletableFuture.completedFuture(null));
     }
 }

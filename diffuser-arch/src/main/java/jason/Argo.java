@@ -9,6 +9,7 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
+import diffuser.board.BoardName;
 import diffuser.board.SensorMode;
 
 /**
@@ -29,7 +30,6 @@ public class Argo extends Diffuser {
 
     private static final long serialVersionUID = 1L;
 
-    private static final String NO_PORT = "none";
     private static final Pattern ATOM = Pattern.compile("[a-z][A-Za-z0-9_]*");
 
     @Override
@@ -43,26 +43,27 @@ public class Argo extends Diffuser {
         if (!port.equals(NO_PORT)) {
             return super.openPort(port);
         }
-        super.sense(SensorMode.HELD);
+        sense(Optional.of(BoardName.MAIN), SensorMode.HELD);
         closePort();
         return CompletableFuture.completedFuture(null);
     }
 
     @Override
-    public CompletableFuture<Void> sense(SensorMode wanted) {
-        return super.sense(wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
+    public CompletableFuture<Void> sense(Optional<String> board, SensorMode wanted) {
+        return super.sense(board, wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
     }
 
     @Override
-    public Optional<String> action(Term term) throws JasonException {
-        boolean asWritten = readsActions() && !term.isLiteral() && term.isGround();
-        return asWritten ? Optional.of(term.toString()) : super.action(term);
+    protected Optional<String> action(String board, Term term) throws JasonException {
+        boolean asWritten = readsActions(board) && !term.isLiteral() && term.isGround();
+        return asWritten ? Optional.of(term.toString()) : super.action(board, term);
     }
 
     @Override
     public CompletableFuture<Void> perform(String action) throws JasonException {
         Duration patience = patience();
-        return super.perform(action).thenCompose(done -> reading(patience));
+        Optional<String> board = Optional.of(boardOf(action));
+        return super.perform(action).thenCompose(done -> reading(board, patience));
     }
 
     /** {@inheritDoc} Its agents rely on a reading that is due, whatever their plans do next. */

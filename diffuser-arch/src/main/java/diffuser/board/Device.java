@@ -60,7 +60,7 @@ public final class Device implements BoardListener {
         this.time = time;
         this.settings = settings;
         this.context = context;
-        this.percepts = new Percepts(term, settings.percepts(), context.warnings());
+        this.percepts = new Percepts(term, context.board(), settings.percepts(), context.warnings());
         this.keys = new BoardKeys(this, this::session, context);
         this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings(), time);
     }
@@ -109,9 +109,13 @@ public final class Device implements BoardListener {
         return info.map(BoardInfo::isLegacy).orElse(false);
     }
 
-    /** Whether the board has a radio, as far as is known. */
+    /** Whether the board has a radio, as far as is known. An agent has only that of its main board. */
     public boolean hasRadio() {
-        return info.map(BoardInfo::hasRadio).orElse(true);
+        return isMain() && info.map(BoardInfo::hasRadio).orElse(true);
+    }
+
+    private boolean isMain() {
+        return context.board().equals(BoardName.MAIN);
     }
 
     /** Whether the board has sealed unicasts only, as far as is known. */
@@ -196,6 +200,11 @@ public final class Device implements BoardListener {
         communicability.silence(wanted.silence());
     }
 
+    /** What the agent wishes of the board. */
+    public BoardSettings settings() {
+        return settings;
+    }
+
     /** Sets the board's address. */
     public CompletableFuture<Void> setRfId(Address id) {
         return bounded(session().setRfId(id).thenRun(() -> {
@@ -277,6 +286,10 @@ public final class Device implements BoardListener {
         } else if (!board.hasRadio() && (wanted.radio() || wanted.rfId().isPresent())) {
             context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }
+        if (board.hasRadio() && !isMain()) {
+            // A main board before may have left it open.
+            session().radio(false);
+        }
         boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());
         // The session's thread waits here for the one that has begun it: so these requests go before the first poll.
         Board open = session();
@@ -336,7 +349,7 @@ public final class Device implements BoardListener {
         communicability.offline();
         percepts.port(false);
         if (!closed) {
-            context.warnings().always("the board is off: " + why);
+            context.warnings().always("the board " + (isMain() ? "" : context.board() + " ") + "is off: " + why);
         }
         decided.complete(null);
         tellAgent();

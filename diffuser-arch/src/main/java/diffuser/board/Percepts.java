@@ -30,6 +30,7 @@ final class Percepts {
             "movedIn/2", "movedOut/2", "movingIn/3", "movingOut/3");
 
     private final Term port;
+    private final String board;
     private final Warnings warnings;
     private final AtomicLong malformed = new AtomicLong();
     private List<Literal> state = List.of();
@@ -44,10 +45,12 @@ final class Percepts {
 
     /**
      * @param port    as beliefs name it.
+     * @param board   its name, in which the sensors' percepts are.
      * @param sensing the mode of the sensors.
      */
-    Percepts(Term port, SensorMode sensing, Warnings warnings) {
+    Percepts(Term port, String board, SensorMode sensing, Warnings warnings) {
         this.port = port;
+        this.board = board;
         this.sensing = sensing;
         this.warnings = warnings;
     }
@@ -119,6 +122,11 @@ final class Percepts {
         return percept;
     }
 
+    /** Whether percepts of that name, with so many arguments or others, are this architecture's. */
+    static boolean isOwn(String name) {
+        return OWN.stream().anyMatch(own -> own.startsWith(name + "/"));
+    }
+
     /** How many percepts were left out as malformed or refused. */
     long malformed() {
         return malformed.get();
@@ -127,7 +135,8 @@ final class Percepts {
     private void compose() {
         shown = switch (sensing) {
             case OPEN -> sensors.values().stream()
-                    .filter(sensor -> filters.stream().allMatch(filter -> filter.passes(sensor))).toList();
+                    .filter(sensor -> filters.stream().allMatch(filter -> filter.passes(sensor)))
+                    .map(sensor -> BoardName.within(board, sensor)).toList();
             case HELD -> shown;
             case BLOCKED -> List.of();
         };

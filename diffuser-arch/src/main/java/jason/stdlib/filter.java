@@ -1,7 +1,9 @@
 package jason.stdlib;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 import jason.JasonException;
 import jason.asSyntax.ListTerm;
@@ -13,19 +15,21 @@ import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
+import diffuser.board.BoardName;
 import diffuser.board.Filter;
 import diffuser.gate.Names;
 
 /**
- * <p>Internal action: <b><code>.filter(<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.
+ * <p>Internal action: <b><code>.filter(<i>B</i>,<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.
  *
  * <p>Description: chooses which of the board's percepts are believed. Several filters hold at the same time. The belief
  * <code>port(_,_)</code> is no percept of a sensor, and stays. The action can be called before there is a board.
  *
  * <p>Parameters:<ul>
+ * <li>+ B (atom, optional): the board of that name; without it all boards are meant.
  * <li>+ Kind (atom): <code>except</code>: only these percepts are believed; <code>only</code> or <code>value</code>:
  *     only these are not; <code>remove</code>, alone or with a kind or <code>all</code>: removes these filters.
- * <li>+ Percepts (literal or list of literals): patterns, whose variables match any value.
+ * <li>+ Percepts (literal or list of literals): patterns of what the sketch says, whose variables match any value.
  * <li>+ Condition (comparison, optional): a percept matches only if the comparison holds for the pattern's variables.
  * </ul>
  *
@@ -41,24 +45,32 @@ public class filter extends DiffuserAction {
 
     @Override
     public int getMaxArgs() {
-        return 3;
+        return 4;
     }
 
     @Override
     protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
+        Optional<String> board = BoardName.of(args[0]).filter(name -> args.length > 1 && diffuser.hasBoard(name));
+        if (board.isEmpty() && args.length == getMaxArgs()) {
+            throw JasonException.createWrongArgumentNb(this);
+        }
+        perform(diffuser, board, board.isPresent() ? Arrays.copyOfRange(args, 1, args.length) : args);
+    }
+
+    private void perform(Diffuser diffuser, Optional<String> board, Term[] args) throws JasonException {
         switch (Names.of(args[0]).orElse("")) {
-            case "except" -> diffuser.filter(read(Filter.Kind.EXCEPT, args));
-            case "only", "value" -> diffuser.filter(read(Filter.Kind.ONLY, args));
-            case "remove" -> remove(diffuser, args);
+            case "except" -> diffuser.filter(board, read(Filter.Kind.EXCEPT, args));
+            case "only", "value" -> diffuser.filter(board, read(Filter.Kind.ONLY, args));
+            case "remove" -> remove(diffuser, board, args);
             default -> throw unknown(args[0]);
         }
     }
 
-    private void remove(Diffuser diffuser, Term[] args) throws JasonException {
+    private void remove(Diffuser diffuser, Optional<String> board, Term[] args) throws JasonException {
         switch (args.length == 1 ? "all" : Names.of(args[1]).orElse("")) {
-            case "all" -> diffuser.removeFilters(Filter.Kind.values());
-            case "except" -> diffuser.removeFilters(Filter.Kind.EXCEPT);
-            case "only", "value" -> diffuser.removeFilters(Filter.Kind.ONLY);
+            case "all" -> diffuser.removeFilters(board, Filter.Kind.values());
+            case "except" -> diffuser.removeFilters(board, Filter.Kind.EXCEPT);
+            case "only", "value" -> diffuser.removeFilters(board, Filter.Kind.ONLY);
             default -> throw JasonException.createWrongArgument(this,
                     "all, except or only was expected after remove, not '" + args[1] + "'.");
         }
@@ -100,8 +112,8 @@ public class filter extends DiffuserAction {
     }
 
     private JasonException unknown(Term kind) {
-        return JasonException.createWrongArgument(this, "except, only or remove was expected, not '" + kind
-                + "'; filters are not read from files: write .filter(except, light(_)) to believe light alone, or"
+        return JasonException.createWrongArgument(this, "except, only, remove or the name of a board that was"
+                + " opened was expected, not '" + kind + "'; filters are not read from files: write .filter(except, light(_)) to believe light alone, or"
                 + " .filter(only, light(_)) to believe all but light.");
     }
 }
