@@ -1,5 +1,6 @@
 package diffuser;
 
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 
@@ -12,8 +13,8 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
 import jason.infra.local.LocalAgArch;
 
-import diffuser.board.BoardName;
 import diffuser.board.Device;
+import diffuser.gate.Texts;
 import diffuser.mind.Intentions;
 import diffuser.report.Failure;
 import diffuser.report.Warnings;
@@ -45,15 +46,15 @@ final class ActionRouter {
 
     void act(ActionExec action) {
         Structure term = action.getActionTerm();
-        boolean named = diffuser.hasBoard(term.getFunctor());
-        Device device = diffuser.device(named ? term.getFunctor() : BoardName.MAIN).orElse(null);
+        Optional<Device> named = diffuser.device(term.getFunctor());
+        Device device = named.or(diffuser::device).orElse(null);
         if (term.getFunctor().startsWith(".")) {
             // Jason has found no class of that name.
             finish(action, new Failure("no_internal_action", InternalActions.unknown(term.getFunctor())));
             return;
         }
         boolean other = device == null || isOfAnArtifact(term) || somethingIsBehind() && !isForABoard(term);
-        boolean choosing = somethingIsBehind() && !named;
+        boolean choosing = somethingIsBehind() && named.isEmpty();
         if (!other && choosing && !device.decided().isDone()) {
             postpone(action, device);
         } else if (other) {
@@ -114,7 +115,7 @@ final class ActionRouter {
 
     private void askBoard(ActionExec action) {
         try {
-            diffuser.perform(diffuser.action(action.getActionTerm()).orElseThrow())
+            diffuser.perform(Texts.action(action.getActionTerm()))
                     .whenComplete((done, thrown) -> finish(action, thrown == null ? null : Failure.of(thrown)));
         } catch (JasonException e) {
             finish(action, Failure.of(e));

@@ -10,7 +10,6 @@ import jason.asSyntax.Term;
 
 import diffuser.board.BoardName;
 import diffuser.gate.Names;
-import diffuser.report.Failure;
 
 /** Reads arguments that several internal actions share. */
 public final class Arguments {
@@ -34,37 +33,19 @@ public final class Arguments {
         };
     }
 
-    /**
-     * A board's name.
-     *
-     * @throws JasonException wrong_arguments if it is none.
-     */
+    /** A board's name. @throws JasonException wrong_arguments if it is none. */
     public static String board(InternalAction action, Term argument) throws JasonException {
         return BoardName.of(argument).orElseThrow(() -> JasonException.createWrongArgument(action,
                 "a board's name such as arm was expected, not '" + argument + "'."));
     }
 
-    /**
-     * The board that is the first of two arguments; none if there is one argument, for all boards.
-     *
-     * @throws JasonException wrong_arguments if it is no name; no_port if no such board was opened.
-     */
+    /** The board that is the first argument, and was opened; none, for all boards, if there is only one argument. */
     public static Optional<String> boardBefore(InternalAction action, Diffuser diffuser, Term[] args)
             throws JasonException {
-        if (args.length == 1) {
-            return Optional.empty();
-        }
-        String name = board(action, args[0]);
-        diffuser.requireDevice(name);
-        return Optional.of(name);
-    }
-
-    /** @throws JasonException second_radio if the radio of a board beside the main one is meant: of two arguments. */
-    public static void expectMain(InternalAction action, Term[] args) throws JasonException {
         if (args.length > 1) {
-            throw new Failure("second_radio", "an agent has one radio, its main board's; give the board "
-                    + board(action, args[0]) + " to another agent for a second one").toException();
+            diffuser.requireDevice(board(action, args[0]));
         }
+        return args.length == 1 ? Optional.empty() : BoardName.of(args[0]);
     }
 
     /**

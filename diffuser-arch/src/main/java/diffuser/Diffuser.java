@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
@@ -39,7 +40,6 @@ import diffuser.board.BoardSettings;
 import diffuser.board.Device;
 import diffuser.board.DeviceContext;
 import diffuser.board.ExclusivePort;
-import diffuser.board.Filter;
 import diffuser.board.HostMessages;
 import diffuser.board.HostService;
 import diffuser.board.KeyService;
@@ -86,13 +86,15 @@ import javino.protocol.Outcome;
  */
 public class Diffuser extends AgArch {
 
-    /** The port by which a board is left and none opened. */
-    protected static final String NO_PORT = "none";
-
     /** The longest that a plan waits for a reading. */
     protected static final Duration LONGEST = Duration.ofSeconds(5);
 
+    /** The port by which a board is left and none opened. */
+    protected static final String NO_PORT = "none";
+
     private static final long serialVersionUID = 1L;
+
+    private static final Optional<String> MAIN = Optional.of(BoardName.MAIN);
 
     /** About as long as a board that speaks the older protocol takes to be asked. */
     private static final Duration SHORT = Duration.ofMillis(100);
@@ -112,7 +114,7 @@ public class Diffuser extends AgArch {
     private transient Time.Timer timer;
     private transient BoardSettings settings = BoardSettings.NONE;
     /** By their names, the main one first. Also asked by threads that stop the agent, or show its status. */
-    private final transient Map<String, Device> boards = new ConcurrentSkipListMap<>();
+    private final transient NavigableMap<String, Device> boards = new ConcurrentSkipListMap<>();
     /** Guards {@link #ended}: whoever stops the agent may do so while its own thread opens a port. */
     private final transient Object ending = new Object();
     private transient boolean ended;
@@ -176,11 +178,6 @@ public class Diffuser extends AgArch {
         return BoardConfig.create(config -> config.setNotes(BoardNotes.ofHost()));
     }
 
-    /** Looks for the main board, as {@link #openPort(String, String)}. */
-    public CompletableFuture<Void> openPort(String port) {
-        return open(port, BoardName.MAIN);
-    }
-
     /**
      * Looks for a board on a port, and leaves the port that it had before.
      *
@@ -191,14 +188,11 @@ public class Diffuser extends AgArch {
      *         opened; never fails, since a board may come later. An agent that was stopped opens none.
      */
     public CompletableFuture<Void> openPort(String port, String board) {
-        if (!port.equals(NO_PORT)) {
-            return open(port, board);
+        boolean main = board.equals(BoardName.MAIN);
+        if (port.equals(NO_PORT) && !main) {
+            closePort(board);
+            return CompletableFuture.completedFuture(null);
         }
-        close(board);
-        return CompletableFuture.completedFuture(null);
-    }
-
-    private CompletableFuture<Void> open(String port, String board) {
         PlainLines.of(getAgName());
         if (!Charset.defaultCharset().equals(StandardCharsets.UTF_8)) {
             warnings.once("Java reads programs as " + Charset.defaultCharset() + " here, and letters beyond ASCII go"
@@ -208,11 +202,10 @@ public class Diffuser extends AgArch {
             if (ended) {
                 return CompletableFuture.completedFuture(null);
             }
-            boolean main = board.equals(BoardName.MAIN);
             BoardSettings wanted = main ? settings
                     : device(board).map(Device::settings).orElseGet(settings::withoutRadio);
             ExclusivePort link = new ExclusivePort(link(port),
-                    getAgName() + (main ? "" : " (board " + board + ")"), close(device(board)), time);
+                    getAgName() + (main ? "" : " (board " + board + ")"), closePort(board), time);
             Device opened = Device.open(link, portTerm(port), boardConfig().in(time), wanted,
                     new DeviceContext(getAgName(), board, (message, peer) -> inbox.put(message, peer, getAgName()),
                             hosts, warnings, this::wakeAgent, text -> printed.accept(text),
@@ -224,27 +217,20 @@ public class Diffuser extends AgArch {
         }
     }
 
-    /** Leaves the main board's port, if one was opened. */
-    public void closePort() {
-        close(BoardName.MAIN);
+    /** Leaves the port of that board, if it was opened; completes when it is free for another. */
+    public CompletableFuture<Void> closePort(String board) {
+        Device left = boards.remove(board);
+        return left == null ? CompletableFuture.completedFuture(null) : left.close();
     }
 
-    /** Leaves all boards but the main one, as they are not those of a mind that comes in the agent's place. */
+    /** Leaves all boards but the main one: a mind that comes in the agent's place does not know them. */
     public void closeNamed() {
-        boards.keySet().stream().filter(board -> !board.equals(BoardName.MAIN)).forEach(this::close);
-    }
-
-    private void close(String board) {
-        close(Optional.ofNullable(boards.remove(board)));
-    }
-
-    private static CompletableFuture<Void> close(Optional<Device> board) {
-        return board.map(Device::close).orElseGet(() -> CompletableFuture.completedFuture(null));
+        boards.keySet().stream().filter(board -> !board.equals(BoardName.MAIN)).forEach(this::closePort);
     }
 
     /** The board of that name, or all. */
-    private List<Device> boards(Optional<String> board) {
-        return board.map(name -> device(name).stream().toList()).orElseGet(() -> List.copyOf(boards.values()));
+    private Map<String, Device> boards(Optional<String> board) {
+        return board.map(name -> boards.subMap(name, true, name, true)).orElse(boards);
     }
 
     /** Completes when the agent believes what there is to perceive now. For any thread. */
@@ -289,36 +275,28 @@ public class Diffuser extends AgArch {
      * Waits for a reading of the sensors that begins after this. For any thread.
      *
      * @param board    of which board; of all if there is none.
-     * @param patience how much later than now the reading may begin. There is no wait if {@link #limitPercepts} delays
+     * @param patience how much later than now the reading may begin. There is no wait if its limit delays
      *                 it longer, if sensors are not read, or if there is no board.
      * @return completes when the agent believes the reading, or after {@link #longestReading}; never fails.
      */
     protected CompletableFuture<Void> reading(Optional<String> board, Duration patience) {
-        CompletableFuture<Void> read = CompletableFuture.allOf(boards(board).stream()
+        CompletableFuture<Void> read = CompletableFuture.allOf(boards(board).values().stream()
                 .map(each -> each.reading(patience)).toArray(CompletableFuture[]::new));
         return time.completeOnTimeout(read, null, longestReading(patience)).thenCompose(done -> believed());
     }
 
-    /** Adds a filter of one or all boards: the agent believes only percepts that all filters let pass. */
-    public void filter(Optional<String> board, Filter filter) {
-        change(board, old -> old.withFilter(filter));
-    }
-
-    /** Removes all filters of these kinds of one or all boards. */
-    public void removeFilters(Optional<String> board, Filter.Kind... kinds) {
-        change(board, old -> old.withoutFilters(List.of(kinds)));
-    }
-
-    /** Sets the least time between two readings of one or all boards; zero for a reading at each poll. */
-    public void limitPercepts(Optional<String> board, Duration least) {
-        change(board, old -> old.withLimit(least));
-    }
-
     /**
-     * Sets how long the radio may hear nobody before communicability counts as lost; zero, the default, for ever.
+     * Changes what is wished of a board: now if it is there, or else as soon as it comes.
+     *
+     * @param board which; all, also those that are opened later, if there is none.
      */
-    public void limitSilence(Duration longest) {
-        change(old -> old.withSilence(longest));
+    public void change(Optional<String> board, UnaryOperator<BoardSettings> change) {
+        if (board.orElse(BoardName.MAIN).equals(BoardName.MAIN)) {
+            settings = change.apply(settings);
+        }
+        boards(board).forEach((name, each) -> each
+                .apply(name.equals(BoardName.MAIN) ? settings : change.apply(each.settings())));
+        recordSettings();
     }
 
     /**
@@ -375,41 +353,23 @@ public class Diffuser extends AgArch {
 
     /** Sets the device's address: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> setRfId(Address id) {
-        change(old -> old.withRfId(id));
+        change(MAIN, old -> old.withRfId(id));
         return whereThere(board -> board.setRfId(id));
     }
 
     /** Switches the reception of radio messages on or off: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> openRadio(boolean open) {
-        change(old -> old.withRadio(open));
+        change(MAIN, old -> old.withRadio(open));
         return whereThere(board -> board.radio(open));
     }
 
     /**
-     * An action as {@link #perform} takes it.
+     * An action as the board reads it: what a string holds, or a literal.
      *
      * @return nothing if the term is no action.
-     * @throws JasonException wrong_arguments if a variable in it has no value, or a board is named without an action.
-     */
-    public final Optional<String> action(Term term) throws JasonException {
-        boolean plain = term instanceof Literal literal && !literal.negated()
-                && literal.getNS().equals(Literal.DefaultNS);
-        if (!plain || !hasBoard(((Literal) term).getFunctor())) {
-            return action(BoardName.MAIN, term);
-        }
-        Literal named = (Literal) term;
-        String board = named.getFunctor();
-        Optional<String> own = named.getArity() == 1 ? action(board, named.getTerm(0)) : Optional.empty();
-        return Optional.of(board + "(" + own.orElseThrow(() -> new JasonException(board + " is a board: an action of"
-                + " it is written " + board + "(close), not '" + term + "'", JasonException.WRONG_ARGS)) + ")");
-    }
-
-    /**
-     * An action as its board reads it: what a string holds, or a literal; nothing if the term is no action.
-     *
      * @throws JasonException wrong_arguments if a variable in it has no value.
      */
-    protected Optional<String> action(String board, Term term) throws JasonException {
+    public Optional<String> action(Term term) throws JasonException {
         if (term instanceof StringTerm string) {
             return Optional.of(string.getString()).filter(text -> !text.isEmpty());
         }
@@ -553,9 +513,9 @@ public class Diffuser extends AgArch {
         return device().map(board -> board.performs(action)).orElse(false);
     }
 
-    /** Whether a board's sketch names no actions, and reads by itself what it is to do, as far as is known. */
-    protected boolean readsActions(String board) {
-        return device(board).map(Device::readsActions).orElse(false);
+    /** Whether the board's sketch names no actions, and reads by itself what it is to do, as far as is known. */
+    protected boolean readsActions() {
+        return device().map(Device::readsActions).orElse(false);
     }
 
     /** Whether the board, if one was opened, has a radio, as far as is known. */
@@ -566,11 +526,6 @@ public class Diffuser extends AgArch {
     /** The main board, if a port was opened. */
     Optional<Device> device() {
         return device(BoardName.MAIN);
-    }
-
-    /** Whether a board of that name was opened. */
-    public boolean hasBoard(String name) {
-        return boards.containsKey(name);
     }
 
     /** @throws JasonException no_port if no board of that name was opened. */
@@ -688,8 +643,6 @@ public class Diffuser extends AgArch {
             status.put("portOn", board.isOnline());
             status.put("hostMessagesNotSent", board.sender().notSent());
         });
-        status.put("boardsOn", boards.entrySet().stream().filter(each -> each.getValue().isOnline())
-                .map(Map.Entry::getKey).filter(name -> !name.equals(BoardName.MAIN)).toList());
         status.put("perceptsMalformed", boards.values().stream().mapToLong(Device::malformedPercepts).sum());
         return status;
     }
@@ -712,21 +665,6 @@ public class Diffuser extends AgArch {
         return new Failure("no_port", "agent " + getAgName() + " has no board " + (main ? "yet" : board)
                 + "; open one with .port, such as .port(\"/dev/ttyACM0\"" + (main ? ")" : ", " + board + ")"))
                 .toException();
-    }
-
-    private void change(UnaryOperator<BoardSettings> change) {
-        settings = change.apply(settings);
-        device().ifPresent(board -> board.apply(settings));
-        recordSettings();
-    }
-
-    /** The same for all boards, or for one. */
-    private void change(Optional<String> board, UnaryOperator<BoardSettings> change) {
-        if (board.isEmpty()) {
-            change(change);
-        }
-        boards(board).stream().filter(each -> each != boards.get(BoardName.MAIN))
-                .forEach(each -> each.apply(change.apply(each.settings())));
     }
 
     /** Asks the board in any case; waits for its answer only if it is there. */

@@ -39,12 +39,12 @@ public class Argo extends Diffuser {
     }
 
     @Override
-    public CompletableFuture<Void> openPort(String port) {
-        if (!port.equals(NO_PORT)) {
-            return super.openPort(port);
+    public CompletableFuture<Void> openPort(String port, String board) {
+        if (!port.equals(NO_PORT) || !board.equals(BoardName.MAIN)) {
+            return super.openPort(port, board);
         }
-        sense(Optional.of(BoardName.MAIN), SensorMode.HELD);
-        closePort();
+        sense(Optional.of(board), SensorMode.HELD);
+        closePort(board);
         return CompletableFuture.completedFuture(null);
     }
 
@@ -54,9 +54,9 @@ public class Argo extends Diffuser {
     }
 
     @Override
-    protected Optional<String> action(String board, Term term) throws JasonException {
-        boolean asWritten = readsActions(board) && !term.isLiteral() && term.isGround();
-        return asWritten ? Optional.of(term.toString()) : super.action(board, term);
+    public Optional<String> action(Term term) throws JasonException {
+        boolean asWritten = readsActions() && !term.isLiteral() && term.isGround();
+        return asWritten ? Optional.of(term.toString()) : super.action(term);
     }
 
     @Override

@@ -131,7 +131,7 @@ class PortTest {
         Diffuser diffuser = agent.diffuser();
         agent.close();
         Device last = diffuser.device().orElseThrow();
-        diffuser.openPort("right").join();
+        diffuser.openPort("right", "").join();
         assertSame(last, diffuser.device().orElseThrow());
     }
 

@@ -9,36 +9,25 @@ import jason.asSyntax.Atom;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
 
-import diffuser.gate.Gate;
-import diffuser.gate.MalformedTextException;
-
 /** The names of an agent's boards: their percepts and actions are within it, as in {@code arm(light(5))}. */
 public final class BoardName {
 
     /** Of the main board, whose percepts and actions are in no name. */
     public static final String MAIN = "";
 
-    private static final Pattern PLAIN = Pattern.compile("[a-z][A-Za-z0-9_]*");
+    /** Without two underlines, as names with them may mean something to Jason. */
+    private static final Pattern PLAIN = Pattern.compile("[a-z](_?[A-Za-z0-9])*");
     /** What a filter, or Jason, would read otherwise. */
     private static final Set<String> TAKEN = Set.of("except", "only", "value", "remove", "true", "false");
 
     private BoardName() {
     }
 
-    /** The name that a term is; none if it is no plain atom, or has another meaning to the architecture or to Jason. */
+    /** The name that a term is; none if it is no plain atom, or has another meaning. */
     public static Optional<String> of(Term term) {
-        String name = term.isAtom() ? ((Atom) term).getFunctor() : MAIN;
-        return PLAIN.matcher(name).matches() && !TAKEN.contains(name) && !Percepts.isOwn(name) && passes(name)
-                ? Optional.of(name) : Optional.empty();
-    }
-
-    private static boolean passes(String name) {
-        try {
-            Percepts.admitted(name + "(x)");
-            return true;
-        } catch (MalformedTextException | Gate.RefusedException e) {
-            return false;
-        }
+        return Optional.of(term).filter(Term::isAtom).map(atom -> ((Atom) atom).getFunctor()).filter(
+                name -> PLAIN.matcher(name).matches() && !TAKEN.contains(name)
+                        && Percepts.OWN.stream().noneMatch(own -> own.startsWith(name + "/")));
     }
 
     /** A percept of that board as the agent believes it. Its annotations are the belief's, where plans ask for them. */
@@ -49,9 +38,7 @@ public final class BoardName {
         Literal plain = percept.copy();
         plain.clearAnnots();
         Literal belief = ASSyntax.createLiteral(board, plain);
-        if (percept.hasAnnot()) {
-            belief.setAnnots(percept.getAnnots().cloneLT());
-        }
+        belief.setAnnots(percept.getAnnots());
         return belief;
     }
 }

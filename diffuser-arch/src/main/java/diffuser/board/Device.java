@@ -287,7 +287,8 @@ public final class Device implements BoardListener {
             context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }
         if (board.hasRadio() && !isMain()) {
-            // A main board before may have left it open.
+            context.warnings().once("the radio of the board " + context.board() + " stays closed: an agent has that of"
+                    + " its main board only; for a second one use another agent");
             session().radio(false);
         }
         boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());

@@ -26,7 +26,7 @@ import diffuser.report.Warnings;
 final class Percepts {
 
     /** Percepts of this architecture and of the libraries for it, not of a sketch. */
-    private static final Set<String> OWN = Set.of("port/2", "openness/1", "peer/2", "delivered/3", "undelivered/3",
+    static final Set<String> OWN = Set.of("port/2", "openness/1", "peer/2", "delivered/3", "undelivered/3",
             "movedIn/2", "movedOut/2", "movingIn/3", "movingOut/3");
 
     private final Term port;
@@ -120,11 +120,6 @@ final class Percepts {
             throw new Gate.RefusedException("the agent's architecture itself tells that");
         }
         return percept;
-    }
-
-    /** Whether percepts of that name, with so many arguments or others, are this architecture's. */
-    static boolean isOwn(String name) {
-        return OWN.stream().anyMatch(own -> own.startsWith(name + "/"));
     }
 
     /** How many percepts were left out as malformed or refused. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 import jason.JasonException;
 import jason.asSyntax.ListTerm;
@@ -13,9 +14,11 @@ import jason.asSyntax.LogicalFormula;
 import jason.asSyntax.RelExpr;
 import jason.asSyntax.Term;
 
+import diffuser.Arguments;
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
 import diffuser.board.BoardName;
+import diffuser.board.BoardSettings;
 import diffuser.board.Filter;
 import diffuser.gate.Names;
 
@@ -50,38 +53,37 @@ public class filter extends DiffuserAction {
 
     @Override
     protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
-        Optional<String> board = BoardName.of(args[0]).filter(name -> args.length > 1 && diffuser.hasBoard(name));
-        if (board.isEmpty() && args.length == getMaxArgs()) {
-            throw JasonException.createWrongArgumentNb(this);
-        }
-        perform(diffuser, board, board.isPresent() ? Arrays.copyOfRange(args, 1, args.length) : args);
+        boolean named = args.length > 1 && BoardName.of(args[0]).isPresent();
+        UnaryOperator<BoardSettings> change = change(named ? Arrays.copyOfRange(args, 1, args.length) : args);
+        diffuser.change(named ? Arguments.boardBefore(this, diffuser, args) : Optional.empty(), change);
     }
 
-    private void perform(Diffuser diffuser, Optional<String> board, Term[] args) throws JasonException {
-        switch (Names.of(args[0]).orElse("")) {
-            case "except" -> diffuser.filter(board, read(Filter.Kind.EXCEPT, args));
-            case "only", "value" -> diffuser.filter(board, read(Filter.Kind.ONLY, args));
-            case "remove" -> remove(diffuser, board, args);
+    private UnaryOperator<BoardSettings> change(Term[] args) throws JasonException {
+        return switch (Names.of(args[0]).orElse("")) {
+            case "except" -> adding(Filter.Kind.EXCEPT, args);
+            case "only", "value" -> adding(Filter.Kind.ONLY, args);
+            case "remove" -> removing(args);
             default -> throw unknown(args[0]);
-        }
+        };
     }
 
-    private void remove(Diffuser diffuser, Optional<String> board, Term[] args) throws JasonException {
-        switch (args.length == 1 ? "all" : Names.of(args[1]).orElse("")) {
-            case "all" -> diffuser.removeFilters(board, Filter.Kind.values());
-            case "except" -> diffuser.removeFilters(board, Filter.Kind.EXCEPT);
-            case "only", "value" -> diffuser.removeFilters(board, Filter.Kind.ONLY);
+    private UnaryOperator<BoardSettings> removing(Term[] args) throws JasonException {
+        return switch (args.length == 1 ? "all" : Names.of(args[1]).orElse("")) {
+            case "all" -> old -> old.withoutFilters(List.of(Filter.Kind.values()));
+            case "except" -> old -> old.withoutFilters(List.of(Filter.Kind.EXCEPT));
+            case "only", "value" -> old -> old.withoutFilters(List.of(Filter.Kind.ONLY));
             default -> throw JasonException.createWrongArgument(this,
                     "all, except or only was expected after remove, not '" + args[1] + "'.");
-        }
+        };
     }
 
-    private Filter read(Filter.Kind kind, Term[] args) throws JasonException {
-        if (args.length == 1) {
-            throw JasonException.createWrongArgument(this, "a percept was expected too, such as .filter(" + args[0]
-                    + ", light(_)).");
+    private UnaryOperator<BoardSettings> adding(Filter.Kind kind, Term[] args) throws JasonException {
+        if (args.length == 1 || args.length == getMaxArgs()) {
+            throw JasonException.createWrongArgument(this, "a percept, and perhaps a comparison, was expected too, such"
+                    + " as .filter(" + args[0] + ", light(_)).");
         }
-        return new Filter(kind, patterns(args[1]), args.length == 2 ? Literal.LTrue : condition(args[2]));
+        Filter filter = new Filter(kind, patterns(args[1]), args.length == 2 ? Literal.LTrue : condition(args[2]));
+        return old -> old.withFilter(filter);
     }
 
     private List<Literal> patterns(Term percepts) throws JasonException {
@@ -112,8 +114,8 @@ public class filter extends DiffuserAction {
     }
 
     private JasonException unknown(Term kind) {
-        return JasonException.createWrongArgument(this, "except, only, remove or the name of a board that was"
-                + " opened was expected, not '" + kind + "'; filters are not read from files: write .filter(except, light(_)) to believe light alone, or"
+        return JasonException.createWrongArgument(this, "except, only or remove was expected, not '" + kind
+                + "'; filters are not read from files: write .filter(except, light(_)) to believe light alone, or"
                 + " .filter(only, light(_)) to believe all but light.");
     }
 }

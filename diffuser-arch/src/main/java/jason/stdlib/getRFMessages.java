@@ -32,13 +32,7 @@ public class getRFMessages extends BoardAction {
     private static final long serialVersionUID = 1L;
 
     @Override
-    public int getMaxArgs() {
-        return 2;
-    }
-
-    @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        Arguments.expectMain(this, args);
         return diffuser.openRadio(Arguments.isOpen(this, args[0]));
     }
 }

@@ -1,5 +1,7 @@
 package jason.stdlib;
 
+import java.time.Duration;
+
 import jason.JasonException;
 import jason.asSyntax.Term;
 
@@ -34,7 +36,7 @@ public class limit extends DiffuserAction {
 
     @Override
     protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
-        diffuser.limitPercepts(Arguments.boardBefore(this, diffuser, args),
-                Arguments.milliseconds(this, args[args.length - 1]));
+        Duration least = Arguments.milliseconds(this, args[args.length - 1]);
+        diffuser.change(Arguments.boardBefore(this, diffuser, args), old -> old.withLimit(least));
     }
 }

@@ -8,6 +8,7 @@ import jason.asSyntax.Term;
 import diffuser.Arguments;
 import diffuser.BoardAction;
 import diffuser.Diffuser;
+import diffuser.board.BoardName;
 import diffuser.gate.Names;
 
 /**
@@ -22,9 +23,8 @@ import diffuser.gate.Names;
  *
  * <p>Parameters:<ul>
  * <li>+ P (string, atom or the name of a variable without value): a path, or the system's name of the port.
- * <li>+ B (atom, optional): the name of another board than the agent's main one, such as <code>arm</code>. It has
- * percepts, believed as <code>arm(light(5))</code>, and actions, <code>.act(arm(close))</code>, but no radio.
- * <code>.port(none, arm)</code> leaves it.
+ * <li>+ B (atom, optional): the name of a board beside the main one, with percepts (<code>arm(light(5))</code>) and
+ * actions (<code>arm(close)</code>) only; P is <code>none</code> to leave it.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -44,6 +44,6 @@ public class port extends BoardAction {
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         String port = Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
                 "a port's name such as \"/dev/ttyACM0\" or \"COM5\" was expected, not '" + args[0] + "'."));
-        return args.length == 1 ? diffuser.openPort(port) : diffuser.openPort(port, Arguments.board(this, args[1]));
+        return diffuser.openPort(port, args.length == 1 ? BoardName.MAIN : Arguments.board(this, args[1]));
     }
 }

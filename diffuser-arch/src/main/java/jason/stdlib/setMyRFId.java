@@ -5,7 +5,6 @@ import java.util.concurrent.CompletableFuture;
 import jason.JasonException;
 import jason.asSyntax.Term;
 
-import diffuser.Arguments;
 import diffuser.BoardAction;
 import diffuser.Diffuser;
 import diffuser.mind.Destinations;
@@ -30,13 +29,7 @@ public class setMyRFId extends BoardAction {
     private static final long serialVersionUID = 1L;
 
     @Override
-    public int getMaxArgs() {
-        return 2;
-    }
-
-    @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        Arguments.expectMain(this, args);
         return diffuser.setRfId(Destinations.device(args[0]));
     }
 }

@@ -17,6 +17,6 @@ public class port extends jason.stdlib.port {
 
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        return super.start(diffuser, new Term[]{args[0]});
+        return super.start(diffuser, new Term[] {args[0]});
     }
 }

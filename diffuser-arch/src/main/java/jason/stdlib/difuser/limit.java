@@ -4,9 +4,4 @@ package jason.stdlib.difuser;
 public class limit extends jason.stdlib.limit {
 
     private static final long serialVersionUID = 1L;
-
-    @Override
-    public int getMaxArgs() {
-        return 1;
-    }
 }
