@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Set;
 
 import javino.fake.FakeBoard;
+import javino.protocol.Bytes;
 import javino.protocol.Capability;
 import javino.protocol.Status;
 
@@ -128,17 +130,19 @@ class NamedBoardsTest {
     }
 
     @Test
-    void radio_ofANamedBoard_isClosedAndGetsNoAddress() {
+    void radio_ofANamedBoard_isClosedAndGetsNoAddressNorTellsKeys() {
         FakeBoard another = new FakeBoard("crane");
+        another.keys.set("SUPO", Bytes.of(1, 2, 3));
         RunningAgent agent = RunningAgent.run("""
                 !start.
                 +!start <- .port(crane, arm); .setMyRFId("ROMA"); .getRFMessages(open); .silence(1000); .port(body);
-                    .act(arm(close)).
+                    .act(arm(close)); .port(none, arm); .port(crane, leg); .act(leg(close)); diffuser.note(ready).
+                +peer(S,_) <- diffuser.note(S).
                 """, body, another);
-        RunningAgent.asked(another, "radio 0");
+        agent.notes("ready");
         agent.warns("the radio of the board arm stays closed: an agent has that of its main board only; for a second"
                 + " one use another agent");
-        RunningAgent.asked(another, "act close");
+        assertEquals(Set.of("radio 0", "act close"), Set.copyOf(another.requests));
     }
 
     @Test
