@@ -41,7 +41,7 @@ class WrongArgumentsTest {
             ".limit(-1)                        | wrong_arguments | not '-1'",
             ".limit(3600001)                   | wrong_arguments | not '3600001'",
             ".limit(X)                         | wrong_arguments | milliseconds from 0 to 3600000",
-            ".filter(only,a(X),X > 1,b)        | wrong_arguments | a percept, and perhaps a comparison, was expected too",
+            ".filter(only,a(X),X > 1,b)        | wrong_arguments | a percept, and perhaps a comparison, was",
             ".filter                           | wrong_arguments | From 1 to 4 arguments are expected",
             ".filter(except)                   | wrong_arguments | a percept, and perhaps a comparison, was expected",
             ".filter(light(X))                 | wrong_arguments | except, only or remove was expected, not 'light(X)'",

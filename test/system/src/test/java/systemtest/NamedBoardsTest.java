@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import trace.TraceEvent;
@@ -63,10 +64,12 @@ class NamedBoardsTest {
     private static final String RIVAL = """
             +!take <- .port("ports/body"); .print("asked").
             +port("ports/body", off) <- .kill_agent(robot).
-            +port("ports/body", on)  <- .port("ports/spare", arm); .percepts(open); .wait(arm(led(S))); .print("took ", S).
+            +port("ports/body", on) <-
+                .port("ports/spare", arm); .percepts(open); .wait(arm(led(S))); .print("took ", S).
             """;
 
     @Test
+    @Tag("verify")
     void namedBoard_unpluggedReplacedSwappedTakenByAnother_isAsTheMainOne(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario()
                 .board("body", "Vehicle", light(List.of(List.of(0, 300))))
@@ -98,7 +101,8 @@ class NamedBoardsTest {
             agents.await("[rival] took off");
             assertTrue(agents.lines().stream().noneMatch(line -> line.contains("heard 2")));
             assertSaid(agents, "the radio of the board arm stays closed", "ports/spare: agent robot (board arm) of this"
-                    + " MAS has it; give each board a port of its own", "ports/body: agent robot (board arm) of this MAS"
+                    + " MAS has it; give each board a port of its own",
+                    "ports/body: agent robot (board arm) of this MAS"
                             + " has it");
         }
     }
@@ -200,8 +204,10 @@ class NamedBoardsTest {
         }
         program.append("; .print(\"ready\").\n+light(L) : L < 500 <- headlightsOn.\n+light(_) <- headlightsOff.\n");
         for (int board = 1; board < BOARDS; board++) {
-            program.append("+b%1$d(light(L)) : L < 500 <- b%1$d(headlightsOn).\n+b%1$d(light(_)) <- b%1$d(headlightsOff).\n"
-                    .formatted(board));
+            program.append("""
+                    +b%1$d(light(L)) : L < 500 <- b%1$d(headlightsOn).
+                    +b%1$d(light(_)) <- b%1$d(headlightsOff).
+                    """.formatted(board));
         }
         if (unplugging) {
             scenario.fault(UNPLUGGED, "b" + (BOARDS - 1), "unplug");
