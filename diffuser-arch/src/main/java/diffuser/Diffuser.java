@@ -94,8 +94,6 @@ public class Diffuser extends AgArch {
 
     private static final long serialVersionUID = 1L;
 
-    private static final Optional<String> MAIN = Optional.of(BoardName.MAIN);
-
     /** About as long as a board that speaks the older protocol takes to be asked. */
     private static final Duration SHORT = Duration.ofMillis(100);
 
@@ -353,13 +351,13 @@ public class Diffuser extends AgArch {
 
     /** Sets the device's address: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> setRfId(Address id) {
-        change(MAIN, old -> old.withRfId(id));
+        change(Optional.of(BoardName.MAIN), old -> old.withRfId(id));
         return whereThere(board -> board.setRfId(id));
     }
 
     /** Switches the reception of radio messages on or off: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> openRadio(boolean open) {
-        change(MAIN, old -> old.withRadio(open));
+        change(Optional.of(BoardName.MAIN), old -> old.withRadio(open));
         return whereThere(board -> board.radio(open));
     }
 

@@ -1,7 +1,6 @@
 package diffuser.board;
 
 import java.util.Optional;
-import java.util.Set;
 import java.util.regex.Pattern;
 
 import jason.asSyntax.ASSyntax;
@@ -15,18 +14,17 @@ public final class BoardName {
     /** Of the main board, whose percepts and actions are in no name. */
     public static final String MAIN = "";
 
-    /** Without two underlines, as names with them may mean something to Jason. */
-    private static final Pattern PLAIN = Pattern.compile("[a-z](_?[A-Za-z0-9])*");
-    /** What a filter, or Jason, would read otherwise. */
-    private static final Set<String> TAKEN = Set.of("except", "only", "value", "remove", "true", "false");
+    /** Not what a filter or Jason would read otherwise; nor with two underlines, which may mean something to Jason. */
+    private static final Pattern PLAIN =
+            Pattern.compile("(?!(except|only|value|remove|true|false)$)[a-z](_?[A-Za-z0-9])*");
 
     private BoardName() {
     }
 
     /** The name that a term is; none if it is no plain atom, or has another meaning. */
     public static Optional<String> of(Term term) {
-        return Optional.of(term).filter(Term::isAtom).map(atom -> ((Atom) atom).getFunctor()).filter(
-                name -> PLAIN.matcher(name).matches() && !TAKEN.contains(name)
+        return Optional.of(term).filter(Term::isAtom).map(atom -> ((Atom) atom).getFunctor())
+                .filter(name -> PLAIN.matcher(name).matches()
                         && Percepts.OWN.stream().noneMatch(own -> own.startsWith(name + "/")));
     }
 
