@@ -22,10 +22,10 @@ import diffuser.report.Warnings;
 /**
  * Decides who performs a plain external action: a board, or what is behind it (an environment, CArtAgO).
  *
- * <p>What is in the name of a board is that board's. The main board's is what its sketch has named: a board tells the names when it is greeted, and they hold while it is
- * away. While it is not known yet whether a board is there, a plain action waits, for 5 s at most. All else goes
- * behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace from the intention that
- * is selected then. If nothing is behind, the board is asked in any case.
+ * <p>What is in a board's name is that board's. Else the main board's is what its sketch has named: a board tells the
+ * names when it is greeted, and they hold while it is away. While it is not known yet whether a board is there, a plain
+ * action waits, for 5 s at most. All else goes behind, within the call by which Jason asks: JaCaMo's architecture takes
+ * the workspace from the intention that is selected then. If nothing is behind, the board is asked in any case.
  */
 final class ActionRouter {
 

@@ -138,14 +138,14 @@ class NamedBoardsTest {
                 .send(rival, achieve, take); !!kick; !leave.
             +!kick <- .act(leg(kick)).
             -!kick[error(E)]  <- .print("cannot kick: ", E); !leave.
-            +!leave <- .moveOut("SUBB", mutualism); .print("arrived").
+            +!leave <- .moveOut("SUBB", predation); .print("arrived").
             -!leave[error(E)] <- .print("cannot leave: ", E).
             """;
 
     @Test
     void agentWithNamedBoards_moves_leavesThemAndNotWhileAnActionWaits(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("home", "Station").board("away", "Station")
-                .board("arm", "Blink", UNO);
+                .board("arm", "Blink", UNO).board("spare", "Blink", UNO);
         Path home = Files.createDirectories(folder.resolve("mas"));
         Path away = Files.createDirectories(folder.resolve("other"));
         Files.writeString(home.resolve("mas.mas2j"), """
@@ -161,8 +161,8 @@ class NamedBoardsTest {
                 .formatted(away.resolve("moves"), "agentArchClass diffuser.Diffuser"));
         Files.writeString(away.resolve("door.asl"), """
                 !start.
-                +!start <- .port("ports/away"); .setMyRFId("SUBB"); .getRFMessages(open).
-                +!moveIn(_, mutualism)[cast(unicast, From)] : .term2string(From, "SUSS").
+                +!start <- .port("ports/away"); .port("ports/spare", arm); .setMyRFId("SUBB"); .getRFMessages(open).
+                +!moveIn(_, predation)[cast(unicast, From)] : .term2string(From, "SUSS").
                 """);
         try (Emulator emulator = scenario.start(folder)) {
             Host.of(emulator, "home").as("SUSS", Map.of("SUBB", TestKeys.PAIR)).close();
@@ -173,7 +173,10 @@ class NamedBoardsTest {
                         "[robot] cannot kick: port_off", "[rival] the arm is on")) {
                     agents.await(line);
                 }
-                others.await("[robot] arrived");
+                // It lives on in the agent with the board, and does not know the other boards there.
+                others.await("[door] arrived");
+                emulator.await("the end of a board's port",
+                        event -> event.is("port", "spare") && event.text("state").equals("closed"));
             }
         }
     }
