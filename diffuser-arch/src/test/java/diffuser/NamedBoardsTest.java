@@ -55,6 +55,15 @@ class NamedBoardsTest {
     }
 
     @Test
+    void form_ofOneBoard_leavesTheOtherNamedOneAsItIs() {
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(
+                ".port(lift, leg); .percepts(open); .percepts(arm, block); ?leg(light(L)); diffuser.note(L)"), body,
+                arm, new FakeBoard("lift").perceive("light(4)"));
+        agent.notes("4");
+        agent.notes("[1] [] [] 3");
+    }
+
+    @Test
     void percept_ofANamedBoard_keepsItsAnnotationsOutside() {
         arm.perceive("battery(80)[interoception]", "~door(open)", "pressed");
         run(".percepts(open); ?arm(battery(X))[A]; ?arm(~door(open))[source(percept)]; ?arm(pressed);"
