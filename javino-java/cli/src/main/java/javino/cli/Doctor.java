@@ -6,6 +6,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardListener;
@@ -94,6 +96,7 @@ final class Doctor {
                     traffic.examine(listen);
                 }
                 traffic.examinePrints(told.print);
+                told.leftOut.forEach(what -> findings.trouble("percept", what));
                 if (told.timer != null) {
                     findings.trouble("timer", told.timer);
                 }
@@ -108,11 +111,19 @@ final class Doctor {
         return findings.troubles();
     }
 
-    /** Remembers what the sketch has printed last, and that the radio's timer is taken. */
+    /** Remembers what the sketch has printed last, which percepts are left out, and that the radio's timer is taken. */
     private static final class Told implements BoardListener {
 
         private volatile String print;
         private volatile String timer;
+        private final Queue<String> leftOut = new ConcurrentLinkedQueue<>();
+
+        @Override
+        public void warning(String what) {
+            if (what.contains(" left out")) {
+                leftOut.add(what);
+            }
+        }
 
         @Override
         public void printed(String text) {

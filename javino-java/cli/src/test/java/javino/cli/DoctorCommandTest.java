@@ -436,6 +436,12 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void percept_thatIsNoNumber_isNamed() {
+        fake.perceive("celsius(NaN)", "light(3)");
+        assertTrouble("percept", "percept celsius is left out: it is no number (NaN), as of a sensor that does not");
+    }
+
+    @Test
     void firmware_commandsForTheTerminal_areWritten() {
         fake.setFirmware("\033[2J");
         assertEquals(0, examine(), out.toString());
