@@ -1,5 +1,6 @@
 package diffuser;
 
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 
@@ -19,12 +20,12 @@ import diffuser.report.Failure;
 import diffuser.report.Warnings;
 
 /**
- * Decides who performs a plain external action: the board, or what is behind it (an environment, CArtAgO).
+ * Decides who performs a plain external action: a board, or what is behind it (an environment, CArtAgO).
  *
- * <p>The board's is what its sketch has named: a board tells the names when it is greeted, and they hold while it is
- * away. While it is not known yet whether a board is there, a plain action waits, for 5 s at most. All else goes
- * behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace from the intention that
- * is selected then. If nothing is behind, the board is asked in any case.
+ * <p>What is in a board's name is that board's. Else the main board's is what its sketch has named: a board tells the
+ * names when it is greeted, and they hold while it is away. While it is not known yet whether a board is there, a plain
+ * action waits, for 5 s at most. All else goes behind, within the call by which Jason asks: JaCaMo's architecture takes
+ * the workspace from the intention that is selected then. If nothing is behind, the board is asked in any case.
  */
 final class ActionRouter {
 
@@ -44,21 +45,23 @@ final class ActionRouter {
     }
 
     void act(ActionExec action) {
-        Device device = diffuser.device().orElse(null);
         Structure term = action.getActionTerm();
+        Optional<Device> named = diffuser.device(term.getFunctor());
+        Device device = named.or(diffuser::device).orElse(null);
         if (term.getFunctor().startsWith(".")) {
             // Jason has found no class of that name.
             finish(action, new Failure("no_internal_action", InternalActions.unknown(term.getFunctor())));
             return;
         }
-        boolean other = device == null || isOfAnArtifact(term);
-        if (!other && somethingIsBehind() && !device.decided().isDone()) {
+        boolean other = device == null || isOfAnArtifact(term) || somethingIsBehind() && !isForABoard(term);
+        boolean choosing = somethingIsBehind() && named.isEmpty();
+        if (!other && choosing && !device.decided().isDone()) {
             postpone(action, device);
         } else if (other) {
             behind.accept(action);
-        } else if (somethingIsBehind() && !device.isKnown()) {
+        } else if (choosing && !device.isKnown()) {
             behind.accept(withoutBoard(action, device.port()));
-        } else if (somethingIsBehind() && !isBoards(term, device)) {
+        } else if (choosing && !device.hasAction(term.getFunctor())) {
             behind.accept(action);
         } else if (device.isLegacy()) {
             String text = term.toString();
@@ -99,10 +102,9 @@ final class ActionRouter {
         };
     }
 
-    /** Whether the sketch has the action, and the board can be asked for it. */
-    private static boolean isBoards(Structure action, Device device) {
-        return device.hasAction(action.getFunctor()) && action.isGround() && !action.negated()
-                && action.getNS().equals(Literal.DefaultNS);
+    /** Whether a board can be asked for the action. */
+    private static boolean isForABoard(Structure action) {
+        return action.isGround() && !action.negated() && action.getNS().equals(Literal.DefaultNS);
     }
 
     private static boolean isOfAnArtifact(Structure action) {

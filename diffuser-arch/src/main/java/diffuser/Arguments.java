@@ -1,12 +1,14 @@
 package diffuser;
 
 import java.time.Duration;
+import java.util.Optional;
 
 import jason.JasonException;
 import jason.asSemantics.InternalAction;
 import jason.asSyntax.NumberTerm;
 import jason.asSyntax.Term;
 
+import diffuser.board.BoardName;
 import diffuser.gate.Names;
 
 /** Reads arguments that several internal actions share. */
@@ -29,6 +31,21 @@ public final class Arguments {
             default -> throw JasonException.createWrongArgument(action,
                     "open or block was expected, not '" + argument + "'.");
         };
+    }
+
+    /** A board's name. @throws JasonException wrong_arguments if it is none. */
+    public static String board(InternalAction action, Term argument) throws JasonException {
+        return BoardName.of(argument).orElseThrow(() -> JasonException.createWrongArgument(action,
+                "a board's name such as arm was expected, not '" + argument + "'."));
+    }
+
+    /** The board that is the first argument, and was opened; none, for all boards, if there is only one argument. */
+    public static Optional<String> boardBefore(InternalAction action, Diffuser diffuser, Term[] args)
+            throws JasonException {
+        if (args.length > 1) {
+            diffuser.requireDevice(board(action, args[0]));
+        }
+        return args.length == 1 ? Optional.empty() : BoardName.of(args[0]);
     }
 
     /**

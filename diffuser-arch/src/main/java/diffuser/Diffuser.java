@@ -7,12 +7,14 @@ import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -34,11 +36,11 @@ import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
+import diffuser.board.BoardName;
 import diffuser.board.BoardSettings;
 import diffuser.board.Device;
 import diffuser.board.DeviceContext;
 import diffuser.board.ExclusivePort;
-import diffuser.board.Filter;
 import diffuser.board.HostMessages;
 import diffuser.board.HostService;
 import diffuser.board.KeyService;
@@ -89,6 +91,9 @@ public class Diffuser extends AgArch {
     /** The longest that a plan waits for a reading. */
     protected static final Duration LONGEST = Duration.ofSeconds(5);
 
+    /** The port by which a board is left and none opened. */
+    protected static final String NO_PORT = "none";
+
     private static final long serialVersionUID = 1L;
 
     /** About as long as a board that speaks the older protocol takes to be asked. */
@@ -108,8 +113,8 @@ public class Diffuser extends AgArch {
     private transient Time time;
     private transient Time.Timer timer;
     private transient BoardSettings settings = BoardSettings.NONE;
-    /** Also asked by threads that stop the agent, or show its status. */
-    private transient volatile Device device;
+    /** By their names, the main one first. Also asked by threads that stop the agent, or show its status. */
+    private final transient NavigableMap<String, Device> boards = new ConcurrentSkipListMap<>();
     /** Guards {@link #ended}: whoever stops the agent may do so while its own thread opens a port. */
     private final transient Object ending = new Object();
     private transient boolean ended;
@@ -174,13 +179,20 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Looks for a board on a port, and leaves the port before.
+     * Looks for a board on a port, and leaves the port that it had before.
      *
-     * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
+     * @param board its name; a board beside the main one has percepts and actions only.
+     * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it;
+     *             {@code none} only leaves a board that is not the main one.
      * @return completes when the agent believes whether a board is there and what it perceives, or when another port is
      *         opened; never fails, since a board may come later. An agent that was stopped opens none.
      */
-    public CompletableFuture<Void> openPort(String port) {
+    public CompletableFuture<Void> openPort(String port, String board) {
+        boolean main = board.equals(BoardName.MAIN);
+        if (port.equals(NO_PORT) && !main) {
+            closePort(board);
+            return CompletableFuture.completedFuture(null);
+        }
         PlainLines.of(getAgName());
         if (!Charset.defaultCharset().equals(StandardCharsets.UTF_8)) {
             warnings.once("Java reads programs as " + Charset.defaultCharset() + " here, and letters beyond ASCII go"
@@ -190,21 +202,35 @@ public class Diffuser extends AgArch {
             if (ended) {
                 return CompletableFuture.completedFuture(null);
             }
-            ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice(), time);
-            device = Device.open(link, portTerm(port), boardConfig().in(time), settings,
-                    new DeviceContext(getAgName(), (message, peer) -> inbox.put(message, peer, getAgName()), hosts,
-                            warnings, this::wakeAgent,
-                            text -> printed.accept(text), service(KeyService.class)));
+            BoardSettings wanted = main ? settings
+                    : device(board).map(Device::settings).orElseGet(settings::withoutRadio);
+            ExclusivePort link = new ExclusivePort(link(port),
+                    getAgName() + (main ? "" : " (board " + board + ")"), closePort(board), time);
+            Device opened = Device.open(link, portTerm(port), boardConfig().in(time), wanted,
+                    new DeviceContext(getAgName(), board, (message, peer) -> inbox.put(message, peer, getAgName()),
+                            hosts, warnings, this::wakeAgent, text -> printed.accept(text),
+                            service(KeyService.class)));
+            boards.put(board, opened);
             recordSettings();
             Duration patience = patience();
-            return device.decided().thenCompose(decided -> reading(patience));
+            return opened.decided().thenCompose(decided -> reading(Optional.of(board), patience));
         }
     }
 
-    /** Leaves the port, if one was opened; then the agent has no board. */
-    public void closePort() {
-        closeDevice();
-        device = null;
+    /** Leaves the port of that board, if it was opened; completes when it is free for another. */
+    public CompletableFuture<Void> closePort(String board) {
+        Device left = boards.remove(board);
+        return left == null ? CompletableFuture.completedFuture(null) : left.close();
+    }
+
+    /** Leaves all boards but the main one: a mind that comes in the agent's place does not know them. */
+    public void closeNamed() {
+        boards.keySet().stream().filter(board -> !board.equals(BoardName.MAIN)).forEach(this::closePort);
+    }
+
+    /** The board of that name, or all. */
+    private Map<String, Device> boards(Optional<String> board) {
+        return board.map(name -> boards.subMap(name, true, name, true)).orElse(boards);
     }
 
     /** Completes when the agent believes what there is to perceive now. For any thread. */
@@ -217,12 +243,13 @@ public class Diffuser extends AgArch {
     /**
      * Sets whether the sensors' percepts are beliefs.
      *
+     * @param board of which board; of all, also of those that come, if there is none.
      * @return completes when the agent believes a reading that is due within the {@link #patience()} of its plan; at
      *         once without a board; never fails.
      */
-    public CompletableFuture<Void> sense(SensorMode wanted) {
-        change(old -> old.withPercepts(wanted));
-        return reading(patience());
+    public CompletableFuture<Void> sense(Optional<String> board, SensorMode wanted) {
+        change(board, old -> old.withPercepts(wanted));
+        return reading(board, patience());
     }
 
     /**
@@ -247,36 +274,29 @@ public class Diffuser extends AgArch {
     /**
      * Waits for a reading of the sensors that begins after this. For any thread.
      *
-     * @param patience how much later than now the reading may begin. There is no wait if {@link #limitPercepts} delays
+     * @param board    of which board; of all if there is none.
+     * @param patience how much later than now the reading may begin. There is no wait if its limit delays
      *                 it longer, if sensors are not read, or if there is no board.
      * @return completes when the agent believes the reading, or after {@link #longestReading}; never fails.
      */
-    protected CompletableFuture<Void> reading(Duration patience) {
-        CompletableFuture<Void> read = device().map(board -> board.reading(patience))
-                .orElseGet(() -> CompletableFuture.completedFuture(null));
+    protected CompletableFuture<Void> reading(Optional<String> board, Duration patience) {
+        CompletableFuture<Void> read = CompletableFuture.allOf(boards(board).values().stream()
+                .map(each -> each.reading(patience)).toArray(CompletableFuture[]::new));
         return time.completeOnTimeout(read, null, longestReading(patience)).thenCompose(done -> believed());
     }
 
-    /** Adds a filter: the agent believes only percepts that all filters let pass. */
-    public void filter(Filter filter) {
-        change(old -> old.withFilter(filter));
-    }
-
-    /** Removes all filters of these kinds. */
-    public void removeFilters(Filter.Kind... kinds) {
-        change(old -> old.withoutFilters(List.of(kinds)));
-    }
-
-    /** Sets the least time between two readings of the sensors; zero for a reading at each poll. */
-    public void limitPercepts(Duration least) {
-        change(old -> old.withLimit(least));
-    }
-
     /**
-     * Sets how long the radio may hear nobody before communicability counts as lost; zero, the default, for ever.
+     * Changes what is wished of a board: now if it is there, or else as soon as it comes.
+     *
+     * @param board which; all, also those that are opened later, if there is none.
      */
-    public void limitSilence(Duration longest) {
-        change(old -> old.withSilence(longest));
+    public void change(Optional<String> board, UnaryOperator<BoardSettings> change) {
+        if (board.orElse(BoardName.MAIN).equals(BoardName.MAIN)) {
+            settings = change.apply(settings);
+        }
+        boards(board).forEach((name, each) -> each
+                .apply(name.equals(BoardName.MAIN) ? settings : change.apply(each.settings())));
+        recordSettings();
     }
 
     /**
@@ -344,13 +364,13 @@ public class Diffuser extends AgArch {
 
     /** Sets the device's address: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> setRfId(Address id) {
-        change(old -> old.withRfId(id));
+        change(Optional.of(BoardName.MAIN), old -> old.withRfId(id));
         return whereThere(board -> board.setRfId(id));
     }
 
     /** Switches the reception of radio messages on or off: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> openRadio(boolean open) {
-        change(old -> old.withRadio(open));
+        change(Optional.of(BoardName.MAIN), old -> old.withRadio(open));
         return whereThere(board -> board.radio(open));
     }
 
@@ -368,17 +388,23 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Makes the board perform an action.
+     * Makes a board perform an action.
      *
-     * @param action {@code name} or {@code name(arguments)}.
+     * @param action {@code name} or {@code name(arguments)}; within the name of a board that is not the main one.
      * @return the number that the action returns, if it returns one; fails with an exception that {@link Failure#of}
      *         reads.
      * @throws JasonException no_port if no port was opened; too_long if the action fits no request.
      */
     public CompletableFuture<OptionalInt> perform(String action) throws JasonException {
-        Device board = requireDevice();
+        String name = boardOf(action);
+        Device board = requireDevice(name);
+        String own = name.equals(BoardName.MAIN) ? action : action.substring(name.length() + 1, action.length() - 1);
+        if (!own.equals(action) && device().map(main -> main.hasAction(name)).orElse(false)) {
+            warnings.once("the sketch on " + device().get().port() + " has an action " + name + ", too; " + action
+                    + " goes to the board " + name);
+        }
         try {
-            CompletableFuture<OptionalInt> outcome = board.act(action);
+            CompletableFuture<OptionalInt> outcome = board.act(own);
             int request = recorder.map(each -> each.asks(action, outcome)).orElse(0);
             performed.asked(action, request, outcome);
             return outcome;
@@ -392,22 +418,28 @@ public class Diffuser extends AgArch {
      * and as a rule performs nothing, if the board speaks the older protocol, in which it cannot return any.
      */
     public CompletableFuture<Integer> measure(String action) throws JasonException {
-        if (requireDevice().isLegacy()) {
-            throw withoutNumber(action).toException();
+        Device board = requireDevice(boardOf(action));
+        if (board.isLegacy()) {
+            throw withoutNumber(board, action).toException();
         }
         return perform(action).thenApply(number -> {
             if (number.isEmpty()) {
-                throw new CompletionException(withoutNumber(action).toException());
+                throw new CompletionException(withoutNumber(board, action).toException());
             }
             return number.getAsInt();
         });
     }
 
-    private Failure withoutNumber(String action) {
-        return device().map(Device::isLegacy).orElse(false)
-                ? Failure.of(new LegacyBoardException("act " + action + ", for a number,"))
+    private static Failure withoutNumber(Device board, String action) {
+        return board.isLegacy() ? Failure.of(new LegacyBoardException("act " + action + ", for a number,"))
                 : new Failure("no_value", "act " + action + " was performed, and returned no number of 24 bits; to"
                         + " return one, its function in the sketch calls number() of a JavinoResult");
+    }
+
+    /** The board in whose name an action is, as in {@code arm(close)}; the main one if there is none of that name. */
+    protected String boardOf(String action) {
+        String name = action.substring(0, Math.max(0, action.indexOf('(')));
+        return action.endsWith(")") && boards.containsKey(name) ? name : BoardName.MAIN;
     }
 
     /** A message for the radio, as {@link OutgoingMessage#of} reads it. */
@@ -422,7 +454,7 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_port if no port was opened.
      */
     public CompletableFuture<?> diffuse(OutgoingMessage outgoing) throws JasonException {
-        Device board = requireDevice();
+        Device board = requireDevice(BoardName.MAIN);
         questions.remember(outgoing);
         return outbox.diffuse(outgoing, board);
     }
@@ -435,7 +467,7 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_port if no port was opened.
      */
     public CompletableFuture<?> deliver(OutgoingMessage outgoing) throws JasonException {
-        Device board = requireDevice();
+        Device board = requireDevice(BoardName.MAIN);
         questions.remember(outgoing);
         return outbox.deliver(outgoing, board);
     }
@@ -456,7 +488,7 @@ public class Diffuser extends AgArch {
      */
     public Transmission transmit(Address to, javino.protocol.Message message) {
         return device().map(board -> board.transmit(to, message)).orElseGet(() -> {
-            JasonException none = noPort();
+            JasonException none = noPort(BoardName.MAIN);
             return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
         });
     }
@@ -526,9 +558,18 @@ public class Diffuser extends AgArch {
         return device().map(Device::hasRadio).orElse(true);
     }
 
-    /** The board, if a port was opened. */
+    /** The main board, if a port was opened. */
     Optional<Device> device() {
-        return Optional.ofNullable(device);
+        return device(BoardName.MAIN);
+    }
+
+    /** @throws JasonException no_port if no board of that name was opened. */
+    Device requireDevice(String name) throws JasonException {
+        return device(name).orElseThrow(() -> noPort(name));
+    }
+
+    Optional<Device> device(String board) {
+        return Optional.ofNullable(boards.get(board));
     }
 
     // The hooks of the reasoning cycle.
@@ -567,7 +608,7 @@ public class Diffuser extends AgArch {
         try {
             super.sendMsg(message);
         } catch (ReceiverNotFoundException e) {
-            if (device == null || Destinations.find(message.getReceiver()).isEmpty()) {
+            if (device().isEmpty() || Destinations.find(message.getReceiver()).isEmpty()) {
                 intentions.forget(message.getMsgId());
                 throw e;
             }
@@ -585,6 +626,7 @@ public class Diffuser extends AgArch {
     }
 
     private void sendByRadio(Message message, Optional<Intentions.Waiting> waiting) throws JasonException {
+        Device device = requireDevice(BoardName.MAIN);
         Optional<IncomingQuestion> question = IncomingQuestion.of(message.getInReplyTo());
         if (message.isAsk()) {
             questions.ask(message, waiting, device);
@@ -613,7 +655,8 @@ public class Diffuser extends AgArch {
         CompletableFuture<Void> closed;
         synchronized (ending) {
             ended = true;
-            closed = closeDevice();
+            closed = CompletableFuture
+                    .allOf(boards.values().stream().map(Device::close).toArray(CompletableFuture[]::new));
         }
         ExclusivePort.await(closed, time);
     }
@@ -634,44 +677,35 @@ public class Diffuser extends AgArch {
             status.put("port", board.port());
             status.put("portOn", board.isOnline());
             status.put("hostMessagesNotSent", board.sender().notSent());
-            status.put("perceptsMalformed", board.malformedPercepts());
         });
+        status.put("perceptsMalformed", boards.values().stream().mapToLong(Device::malformedPercepts).sum());
         return status;
     }
 
     private CombinedPercepts.Now perceivedHere() {
-        return device == null ? new CombinedPercepts.Now(List.of(), infrastructures.belief(Set.of()))
-                : new CombinedPercepts.Now(device.perceived(), infrastructures.belief(byRadio()));
+        return new CombinedPercepts.Now(boards.values().stream().map(Device::perceived).toList(),
+                infrastructures.belief(byRadio()));
     }
 
     private Set<Ability> byRadio() {
-        if (!device.communicates()) {
+        if (!device().map(Device::communicates).orElse(false)) {
             return Set.of();
         }
         boolean mobile = moves.map(MoveService::admits).orElse(false);
         return mobile ? Set.of(Ability.COM, Ability.MOB) : Set.of(Ability.COM);
     }
 
-    private Device requireDevice() throws JasonException {
-        return device().orElseThrow(this::noPort);
-    }
-
-    private JasonException noPort() {
-        return new Failure("no_port",
-                "agent " + getAgName() + " has no board yet; open one with .port, such as .port(\"/dev/ttyACM0\")")
+    private JasonException noPort(String board) {
+        boolean main = board.equals(BoardName.MAIN);
+        return new Failure("no_port", "agent " + getAgName() + " has no board " + (main ? "yet" : board)
+                + "; open one with .port, such as .port(\"/dev/ttyACM0\"" + (main ? ")" : ", " + board + ")"))
                 .toException();
-    }
-
-    private void change(UnaryOperator<BoardSettings> change) {
-        settings = change.apply(settings);
-        device().ifPresent(board -> board.apply(settings));
-        recordSettings();
     }
 
     /** Asks the board in any case; waits for its answer only if it is there. */
     private CompletableFuture<Void> whereThere(Function<Device, CompletableFuture<Void>> request) {
         Optional<CompletableFuture<Void>> answer = device().map(request);
-        boolean waiting = answer.isPresent() && device.isOnline();
+        boolean waiting = device().map(Device::isOnline).orElse(false);
         return waiting ? answer.get() : CompletableFuture.completedFuture(null);
     }
 
@@ -688,9 +722,5 @@ public class Diffuser extends AgArch {
 
     private void wakeAgent() {
         getTS().getAgArch().wakeUpSense();
-    }
-
-    private CompletableFuture<Void> closeDevice() {
-        return device().map(Device::close).orElseGet(() -> CompletableFuture.completedFuture(null));
     }
 }

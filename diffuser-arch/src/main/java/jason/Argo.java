@@ -10,6 +10,7 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
+import diffuser.board.BoardName;
 import diffuser.board.SensorMode;
 
 /**
@@ -30,7 +31,6 @@ public class Argo extends Diffuser {
 
     private static final long serialVersionUID = 1L;
 
-    private static final String NO_PORT = "none";
     private static final Pattern ATOM = Pattern.compile("[a-z][A-Za-z0-9_]*");
 
     @Override
@@ -40,18 +40,18 @@ public class Argo extends Diffuser {
     }
 
     @Override
-    public CompletableFuture<Void> openPort(String port) {
-        if (!port.equals(NO_PORT)) {
-            return super.openPort(port);
+    public CompletableFuture<Void> openPort(String port, String board) {
+        if (!port.equals(NO_PORT) || !board.equals(BoardName.MAIN)) {
+            return super.openPort(port, board);
         }
-        super.sense(SensorMode.HELD);
-        closePort();
+        sense(Optional.of(board), SensorMode.HELD);
+        closePort(board);
         return CompletableFuture.completedFuture(null);
     }
 
     @Override
-    public CompletableFuture<Void> sense(SensorMode wanted) {
-        return super.sense(wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
+    public CompletableFuture<Void> sense(Optional<String> board, SensorMode wanted) {
+        return super.sense(board, wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
     }
 
     @Override
@@ -63,7 +63,8 @@ public class Argo extends Diffuser {
     @Override
     public CompletableFuture<OptionalInt> perform(String action) throws JasonException {
         Duration patience = patience();
-        return super.perform(action).thenCompose(number -> reading(patience).thenApply(read -> number));
+        Optional<String> board = Optional.of(boardOf(action));
+        return super.perform(action).thenCompose(number -> reading(board, patience).thenApply(read -> number));
     }
 
     /** {@inheritDoc} Its agents rely on a reading that is due, whatever their plans do next. */

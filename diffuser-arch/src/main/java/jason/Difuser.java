@@ -1,5 +1,6 @@
 package jason;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 
 import jason.asSyntax.ASSyntax;
@@ -41,7 +42,7 @@ public class Difuser extends Argo {
 
     /** Hears messages, as percepts and by radio, or not. */
     public CompletableFuture<?> listen(boolean open) {
-        CompletableFuture<Void> sensed = sense(open ? SensorMode.OPEN : SensorMode.HELD);
+        CompletableFuture<Void> sensed = sense(Optional.empty(), open ? SensorMode.OPEN : SensorMode.HELD);
         return hasRadio() ? CompletableFuture.allOf(sensed, openRadio(open)) : sensed;
     }
 

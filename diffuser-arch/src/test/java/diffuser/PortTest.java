@@ -131,7 +131,7 @@ class PortTest {
         Diffuser diffuser = agent.diffuser();
         agent.close();
         Device last = diffuser.device().orElseThrow();
-        diffuser.openPort("right").join();
+        diffuser.openPort("right", "").join();
         assertSame(last, diffuser.device().orElseThrow());
     }
 
@@ -167,8 +167,8 @@ class PortTest {
         one.notesAll("left on", "ready");
         RunningAgent other = RunningAgent.run(PROGRAM);
         other.warns(
-                "the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
-                        + " its own, or end that agent first");
+                "the board is off: left: agent " + one.name() + " of this MAS has it; give each board a port of"
+                        + " its own, or have it left there first");
         other.notesAll("left off", "ready");
         assertEquals(1, left.port.mostOpen());
         one.close();

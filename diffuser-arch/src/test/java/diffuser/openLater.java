@@ -23,7 +23,7 @@ public class openLater extends DefaultInternalAction {
         CompletableFuture<Void> done = opened;
         Intentions.inNextCycle(ts, () -> {
             try {
-                diffuser.openPort("board").thenRun(() -> done.complete(null));
+                diffuser.openPort("board", "").thenRun(() -> done.complete(null));
             } catch (RuntimeException e) {
                 done.completeExceptionally(e);
             }

@@ -24,6 +24,11 @@ public record BoardSettings(Optional<Address> rfId, boolean radio, SensorMode pe
     public static final BoardSettings NONE = new BoardSettings(Optional.empty(), false, SensorMode.BLOCKED, List.of(),
             Duration.ZERO, Duration.ZERO);
 
+    /** Those of a board that has no radio for its agent. */
+    public BoardSettings withoutRadio() {
+        return new BoardSettings(Optional.empty(), false, percepts, filters, limit, Duration.ZERO);
+    }
+
     public BoardSettings withRfId(Address id) {
         return new BoardSettings(Optional.of(id), radio, percepts, filters, limit, silence);
     }

@@ -63,7 +63,7 @@ public final class Device implements BoardListener {
         this.time = time;
         this.settings = settings;
         this.context = context;
-        this.percepts = new Percepts(term, settings.percepts(), context.warnings());
+        this.percepts = new Percepts(term, context.board(), settings.percepts(), context.warnings());
         this.keys = new BoardKeys(this, this::session, context);
         this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings(), time);
     }
@@ -112,9 +112,13 @@ public final class Device implements BoardListener {
         return info.map(BoardInfo::isLegacy).orElse(false);
     }
 
-    /** Whether the board has a radio, as far as is known. */
+    /** Whether the board has a radio, as far as is known. An agent has only that of its main board. */
     public boolean hasRadio() {
-        return info.map(BoardInfo::hasRadio).orElse(true);
+        return isMain() && info.map(BoardInfo::hasRadio).orElse(true);
+    }
+
+    private boolean isMain() {
+        return context.board().equals(BoardName.MAIN);
     }
 
     /** Whether the board has sealed unicasts only, as far as is known. */
@@ -197,6 +201,11 @@ public final class Device implements BoardListener {
         board.perceptInterval(wanted.percepts() == SensorMode.HELD ? NEVER : wanted.limit());
         board.percepts(wanted.percepts() != SensorMode.BLOCKED);
         communicability.silence(wanted.silence());
+    }
+
+    /** What the agent wishes of the board. */
+    public BoardSettings settings() {
+        return settings;
     }
 
     /** Sets the board's address. */
@@ -282,6 +291,11 @@ public final class Device implements BoardListener {
         } else if (!board.hasRadio() && (wanted.radio() || wanted.rfId().isPresent())) {
             context.warnings().once(port() + ": " + Status.NO_RADIO.explanation());
         }
+        if (board.hasRadio() && !isMain()) {
+            context.warnings().once("the radio of the board " + context.board() + " stays closed: an agent has that of"
+                    + " its main board only; for a second one use another agent");
+            session().radio(false);
+        }
         boolean other = board.hasRadio() && wanted.rfId().isPresent() && !wanted.rfId().equals(board.rfId());
         // The session's thread waits here for the one that has begun it: so these requests go before the first poll.
         Board open = session();
@@ -341,7 +355,7 @@ public final class Device implements BoardListener {
         communicability.offline();
         percepts.port(false);
         if (!closed) {
-            context.warnings().always("the board is off: " + why);
+            context.warnings().always("the board " + (isMain() ? "" : context.board() + " ") + "is off: " + why);
         }
         decided.complete(null);
         tellAgent();

@@ -13,6 +13,7 @@ import javino.board.ReceivedMessage;
  * The agent around a device.
  *
  * @param agent    its name.
+ * @param board    the name of its board.
  * @param messages takes its messages, with the trust level of each sender.
  * @param hosts    takes messages of hosts.
  * @param warnings tells its user what went wrong.
@@ -20,7 +21,7 @@ import javino.board.ReceivedMessage;
  * @param printed  is told what the sketch prints.
  * @param keyService agrees on keys, if that library is there.
  */
-public record DeviceContext(String agent, BiConsumer<ReceivedMessage, TrustLevel> messages, HostMessages hosts,
-        Warnings warnings, Runnable wake,
-        Consumer<String> printed, Optional<KeyService> keyService) {
+public record DeviceContext(String agent, String board, BiConsumer<ReceivedMessage, TrustLevel> messages,
+        HostMessages hosts, Warnings warnings, Runnable wake, Consumer<String> printed,
+        Optional<KeyService> keyService) {
 }

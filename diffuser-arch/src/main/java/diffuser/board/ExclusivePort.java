@@ -43,7 +43,7 @@ public final class ExclusivePort implements LinkOpener {
      * A turn at a port, which lasts from its first opening until {@link #leave}.
      *
      * @param next   how the link is opened.
-     * @param agent  the agent that has the turn.
+     * @param agent  the agent that has the turn, and for which of its boards.
      * @param before completes when the agent's port before is free.
      * @param time   of the agent, and of all who may have that port.
      */
@@ -66,9 +66,8 @@ public final class ExclusivePort implements LinkOpener {
         }
         hasWaited = true;
         if (holder != this) {
-            throw new LinkException(name(),
-                    "agent " + holder.agent + " of this MAS has it; give each agent a board of its"
-                            + " own, or end that agent first");
+            throw new LinkException(name(), "agent " + holder.agent + " of this MAS has it; give each board a port of"
+                    + " its own, or have it left there first");
         }
         return next.open();
     }

@@ -26,10 +26,11 @@ import diffuser.report.Warnings;
 final class Percepts {
 
     /** Percepts of this architecture and of the libraries for it, not of a sketch. */
-    private static final Set<String> OWN = Set.of("port/2", "openness/1", "peer/2", "delivered/3", "undelivered/3",
+    static final Set<String> OWN = Set.of("port/2", "openness/1", "peer/2", "delivered/3", "undelivered/3",
             "movedIn/2", "movedOut/2", "movingIn/3", "movingOut/3");
 
     private final Term port;
+    private final String board;
     private final Warnings warnings;
     private final AtomicLong malformed = new AtomicLong();
     private List<Literal> state = List.of();
@@ -44,10 +45,12 @@ final class Percepts {
 
     /**
      * @param port    as beliefs name it.
+     * @param board   its name, in which the sensors' percepts are.
      * @param sensing the mode of the sensors.
      */
-    Percepts(Term port, SensorMode sensing, Warnings warnings) {
+    Percepts(Term port, String board, SensorMode sensing, Warnings warnings) {
         this.port = port;
+        this.board = board;
         this.sensing = sensing;
         this.warnings = warnings;
     }
@@ -127,7 +130,8 @@ final class Percepts {
     private void compose() {
         shown = switch (sensing) {
             case OPEN -> sensors.values().stream()
-                    .filter(sensor -> filters.stream().allMatch(filter -> filter.passes(sensor))).toList();
+                    .filter(sensor -> filters.stream().allMatch(filter -> filter.passes(sensor)))
+                    .map(sensor -> BoardName.within(board, sensor)).toList();
             case HELD -> shown;
             case BLOCKED -> List.of();
         };

@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.stream.IntStream;
 
 import jason.asSyntax.Literal;
 
-/** Percepts of an agent's board, of its MAS's openness, and of the architectures behind it, as one. */
+/** Percepts of an agent's boards, of its MAS's openness, and of the architectures behind it, as one. */
 public final class CombinedPercepts {
 
     /** They answer null as long as it has not changed. */
@@ -22,13 +23,14 @@ public final class CombinedPercepts {
     /**
      * The percepts here; as long as they are the same, they are the same objects.
      *
-     * @param board    those of the board.
+     * @param boards   those of each board.
      * @param openness how open the MAS is.
      */
-    public record Now(List<Literal> board, Literal openness) {
+    public record Now(List<List<Literal>> boards, Literal openness) {
 
         private boolean is(Now other) {
-            return board == other.board && openness == other.openness;
+            return openness == other.openness && boards.size() == other.boards.size()
+                    && IntStream.range(0, boards.size()).allMatch(i -> boards.get(i) == other.boards.get(i));
         }
     }
 
@@ -71,7 +73,7 @@ public final class CombinedPercepts {
         }
         now = present;
         Collection<Literal> all = new ArrayList<>(others);
-        all.addAll(now.board());
+        now.boards().forEach(all::addAll);
         all.add(now.openness());
         return all;
     }

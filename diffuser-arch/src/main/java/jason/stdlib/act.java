@@ -23,12 +23,14 @@ import diffuser.mind.Intentions;
  * <p>Parameters:<ul>
  * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some. An agent for
  * Argo may send any term to a board that names no actions.
+ * An action of a named board is within that name.
  * <li>+/- V (number or variable, optional): the number that the action returns, -8388608 to 8388607.
  * </ul>
  *
  * <p>Examples:<ul>
  * <li> <code>.act(stop)</code>
  * <li> <code>.act(speed(80))</code>
+ * <li> <code>.act(arm(close))</code>: the action <code>close</code> of the board <code>arm</code>.
  * <li> <code>.act(distance, D)</code>
  * </ul>
  */

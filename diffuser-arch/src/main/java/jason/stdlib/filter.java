@@ -1,7 +1,10 @@
 package jason.stdlib;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 import jason.JasonException;
 import jason.asSyntax.ListTerm;
@@ -11,21 +14,25 @@ import jason.asSyntax.LogicalFormula;
 import jason.asSyntax.RelExpr;
 import jason.asSyntax.Term;
 
+import diffuser.Arguments;
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
+import diffuser.board.BoardName;
+import diffuser.board.BoardSettings;
 import diffuser.board.Filter;
 import diffuser.gate.Names;
 
 /**
- * <p>Internal action: <b><code>.filter(<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.
+ * <p>Internal action: <b><code>.filter(<i>B</i>,<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.
  *
  * <p>Description: chooses which of the board's percepts are believed. Several filters hold at the same time. The belief
  * <code>port(_,_)</code> is no percept of a sensor, and stays. The action can be called before there is a board.
  *
  * <p>Parameters:<ul>
+ * <li>+ B (atom, optional): the board of that name; without it all boards are meant.
  * <li>+ Kind (atom): <code>except</code>: only these percepts are believed; <code>only</code> or <code>value</code>:
  *     only these are not; <code>remove</code>, alone or with a kind or <code>all</code>: removes these filters.
- * <li>+ Percepts (literal or list of literals): patterns, whose variables match any value.
+ * <li>+ Percepts (literal or list of literals): patterns of what the sketch says, whose variables match any value.
  * <li>+ Condition (comparison, optional): a percept matches only if the comparison holds for the pattern's variables.
  * </ul>
  *
@@ -41,35 +48,42 @@ public class filter extends DiffuserAction {
 
     @Override
     public int getMaxArgs() {
-        return 3;
+        return 4;
     }
 
     @Override
     protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
-        switch (Names.of(args[0]).orElse("")) {
-            case "except" -> diffuser.filter(read(Filter.Kind.EXCEPT, args));
-            case "only", "value" -> diffuser.filter(read(Filter.Kind.ONLY, args));
-            case "remove" -> remove(diffuser, args);
-            default -> throw unknown(args[0]);
-        }
+        boolean named = args.length > 1 && BoardName.of(args[0]).isPresent();
+        UnaryOperator<BoardSettings> change = change(named ? Arrays.copyOfRange(args, 1, args.length) : args);
+        diffuser.change(named ? Arguments.boardBefore(this, diffuser, args) : Optional.empty(), change);
     }
 
-    private void remove(Diffuser diffuser, Term[] args) throws JasonException {
-        switch (args.length == 1 ? "all" : Names.of(args[1]).orElse("")) {
-            case "all" -> diffuser.removeFilters(Filter.Kind.values());
-            case "except" -> diffuser.removeFilters(Filter.Kind.EXCEPT);
-            case "only", "value" -> diffuser.removeFilters(Filter.Kind.ONLY);
+    private UnaryOperator<BoardSettings> change(Term[] args) throws JasonException {
+        return switch (Names.of(args[0]).orElse("")) {
+            case "except" -> adding(Filter.Kind.EXCEPT, args);
+            case "only", "value" -> adding(Filter.Kind.ONLY, args);
+            case "remove" -> removing(args);
+            default -> throw unknown(args[0]);
+        };
+    }
+
+    private UnaryOperator<BoardSettings> removing(Term[] args) throws JasonException {
+        return switch (args.length == 1 ? "all" : Names.of(args[1]).orElse("")) {
+            case "all" -> old -> old.withoutFilters(List.of(Filter.Kind.values()));
+            case "except" -> old -> old.withoutFilters(List.of(Filter.Kind.EXCEPT));
+            case "only", "value" -> old -> old.withoutFilters(List.of(Filter.Kind.ONLY));
             default -> throw JasonException.createWrongArgument(this,
                     "all, except or only was expected after remove, not '" + args[1] + "'.");
-        }
+        };
     }
 
-    private Filter read(Filter.Kind kind, Term[] args) throws JasonException {
-        if (args.length == 1) {
-            throw JasonException.createWrongArgument(this, "a percept was expected too, such as .filter(" + args[0]
-                    + ", light(_)).");
+    private UnaryOperator<BoardSettings> adding(Filter.Kind kind, Term[] args) throws JasonException {
+        if (args.length == 1 || args.length == getMaxArgs()) {
+            throw JasonException.createWrongArgument(this, "a percept, and perhaps a comparison, was expected too, such"
+                    + " as .filter(" + args[0] + ", light(_)).");
         }
-        return new Filter(kind, patterns(args[1]), args.length == 2 ? Literal.LTrue : condition(args[2]));
+        Filter filter = new Filter(kind, patterns(args[1]), args.length == 2 ? Literal.LTrue : condition(args[2]));
+        return old -> old.withFilter(filter);
     }
 
     private List<Literal> patterns(Term percepts) throws JasonException {

@@ -5,12 +5,14 @@ import java.util.concurrent.CompletableFuture;
 import jason.JasonException;
 import jason.asSyntax.Term;
 
+import diffuser.Arguments;
 import diffuser.BoardAction;
 import diffuser.Diffuser;
+import diffuser.board.BoardName;
 import diffuser.gate.Names;
 
 /**
- * <p>Internal action: <b><code>.port(<i>P</i>)</code></b>.
+ * <p>Internal action: <b><code>.port(<i>P</i>,<i>B</i>)</code></b>.
  *
  * <p>Description: looks for the agent's board on a port, and leaves any port opened before. The belief
  * <code>port(<i>P</i>,on)</code> or <code>port(<i>P</i>,off)</code>, <i>P</i> as a string, follows the board from then
@@ -21,6 +23,8 @@ import diffuser.gate.Names;
  *
  * <p>Parameters:<ul>
  * <li>+ P (string, atom or the name of a variable without value): a path, or the system's name of the port.
+ * <li>+ B (atom, optional): the name of a board beside the main one, with percepts (<code>arm(light(5))</code>) and
+ * actions (<code>arm(close)</code>) only; P is <code>none</code> to leave it.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -32,8 +36,14 @@ public class port extends BoardAction {
     private static final long serialVersionUID = 1L;
 
     @Override
+    public int getMaxArgs() {
+        return 2;
+    }
+
+    @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        return diffuser.openPort(Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
-                "a port's name such as \"/dev/ttyACM0\" or \"COM5\" was expected, not '" + args[0] + "'.")));
+        String port = Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
+                "a port's name such as \"/dev/ttyACM0\" or \"COM5\" was expected, not '" + args[0] + "'."));
+        return diffuser.openPort(port, args.length == 1 ? BoardName.MAIN : Arguments.board(this, args[1]));
     }
 }

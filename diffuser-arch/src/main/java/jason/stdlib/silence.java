@@ -1,11 +1,15 @@
 package jason.stdlib;
 
+import java.time.Duration;
+import java.util.Optional;
+
 import jason.JasonException;
 import jason.asSyntax.Term;
 
 import diffuser.Arguments;
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
+import diffuser.board.BoardName;
 
 /**
  * <p>Internal action: <b><code>.silence(<i>Ms</i>)</code></b>.
@@ -31,6 +35,7 @@ public class silence extends DiffuserAction {
 
     @Override
     protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
-        diffuser.limitSilence(Arguments.milliseconds(this, args[0]));
+        Duration longest = Arguments.milliseconds(this, args[0]);
+        diffuser.change(Optional.of(BoardName.MAIN), old -> old.withSilence(longest));
     }
 }

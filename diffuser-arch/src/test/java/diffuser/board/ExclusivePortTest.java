@@ -83,7 +83,7 @@ class ExclusivePortTest {
         first.open().close();
         LinkException refused = (LinkException) assertThrows(CompletionException.class,
                 () -> opening(second).join()).getCause();
-        assertEquals(PORT + ": agent first of this MAS has it; give each agent a board of its own, or end that agent"
-                + " first", refused.getMessage());
+        assertEquals(PORT + ": agent first of this MAS has it; give each board a port of its own, or have it left"
+                + " there first", refused.getMessage());
     }
 }

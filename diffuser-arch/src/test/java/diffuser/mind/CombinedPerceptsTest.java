@@ -47,13 +47,13 @@ class CombinedPerceptsTest {
         Literal time = Literal.parseLiteral("time(3)");
         Literal open = Literal.parseLiteral("port(open,open)");
         Literal blocked = Literal.parseLiteral("port(open,blocked)");
-        CombinedPercepts.Now first = new CombinedPercepts.Now(List.of(dark), open);
+        CombinedPercepts.Now first = new CombinedPercepts.Now(List.of(List.of(dark)), open);
         assertEquals(List.of(time, dark, open), percepts.perceive(List.of(time), first));
         assertNull(percepts.perceive(null, first));
         CombinedPercepts.Now second = new CombinedPercepts.Now(List.of(), open);
         assertEquals(List.of(time, open), percepts.perceive(null, second));
         assertEquals(List.of(time, blocked),
-                percepts.perceive(null, new CombinedPercepts.Now(second.board(), blocked)));
+                percepts.perceive(null, new CombinedPercepts.Now(second.boards(), blocked)));
         assertEquals(List.of(dark, open), percepts.perceive(List.of(), first));
     }
 

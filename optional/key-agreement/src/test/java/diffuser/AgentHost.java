@@ -39,7 +39,7 @@ public final class AgentHost implements AutoCloseable {
     public AgentHost(LinkOpener link, Address id, BoundedClock clock, KeyService keyService) {
         BoardConfig usual = new Diffuser().boardConfig();
         Warnings warnings = new Warnings(() -> SILENT);
-        DeviceContext context = new DeviceContext("agent", (message, peer) -> {},
+        DeviceContext context = new DeviceContext("agent", "", (message, peer) -> {},
                 new HostMessages(List.of(keyService), warnings::once), warnings, () -> {}, text -> {},
                 Optional.of(keyService));
         BoardSettings settings = BoardSettings.NONE.withRfId(id).withRadio(true);

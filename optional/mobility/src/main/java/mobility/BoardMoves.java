@@ -18,6 +18,7 @@ import jason.bb.BeliefBase;
 
 import diffuser.BoardService;
 import diffuser.Diffuser;
+import diffuser.board.BoardName;
 import diffuser.board.MoveService;
 import diffuser.gate.Policy;
 import diffuser.gate.Provenance;
@@ -79,7 +80,7 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
         opened();
         if (boardOnly) {
             folder.board((port, address) -> Intentions.inNextCycle(ts(), () -> {
-                diffuser.openPort(port);
+                diffuser.openPort(port, BoardName.MAIN);
                 diffuser.setRfId(address);
                 diffuser.openRadio(true);
             }));
@@ -226,6 +227,9 @@ public final class BoardMoves implements BoardService, MoveService, Mas {
     @Override
     public void left(Move move) {
         remove(move);
+        if (move.name().equals(name())) {
+            Intentions.inNextCycle(ts(), diffuser::closeNamed);
+        }
         tell("movedOut", move.name(), move.key().peer());
     }
 

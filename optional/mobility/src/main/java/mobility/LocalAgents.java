@@ -188,6 +188,9 @@ record LocalAgents(Diffuser diffuser) {
         Intentions.inNextCycle(diffuser.getTS(), () -> {
             Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
+            if (why.isEmpty()) {
+                diffuser.closeNamed();
+            }
             state.enter(diffuser.getTS(), why);
             Mobile.perceiveAnew(diffuser.getTS());
         });

@@ -60,7 +60,7 @@ class NewProjectTest {
         onMega = projects.resolve("my-robot");
         onUno = projects.resolve("my-uno");
         assertEquals(0, newProject(onMega).waitFor());
-        assertEquals(0, newProject(onUno, "--board", "uno").waitFor());
+        assertEquals(0, newProject(onUno, "--boards", "2").waitFor());
         // The project's library goes before the other of its name; the published library does not go before ours, which
         // has the Javino.h too if JavinoBDI.h is included first.
         Path sketchbook = projects.resolve("Arduino/libraries");
@@ -235,6 +235,12 @@ class NewProjectTest {
             assertEquals(List.of(), jars.map(jar -> jar.getFileName().toString())
                     .filter(jar -> jar.matches("(features|lockstep|trace|cucumber).*")).toList());
         }
+    }
+
+    @Test
+    void test_ofTwoBoards_playsTheFeature() throws Exception {
+        String said = gradleSays(onUno, "test");
+        assertTrue(said.startsWith("0\n") && said.contains("scenarios: 4 passed"), said);
     }
 
     /**

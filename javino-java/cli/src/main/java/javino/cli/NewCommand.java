@@ -32,9 +32,14 @@ final class NewCommand implements Callable<Integer> {
     @ArgGroup
     private Which which = new Which();
 
-    @Option(names = "--board", paramLabel = "BOARD", defaultValue = "mega", converter = ModelByName.class,
+    @Option(names = "--board", paramLabel = "BOARD", converter = ModelByName.class,
             description = "The board: mega (the default), uno, nano, nano-old (flashed at 57600 baud) or pro-mini.")
     private NewProject.Model model;
+
+    @Option(names = "--boards", paramLabel = "1|2", defaultValue = "1",
+            description = "How many boards the agent has: 1 (the default), or 2: a sensor (an Uno, unless --board says"
+                    + " otherwise) and an arm (a Mega).")
+    private int boards;
 
     @Spec
     private CommandSpec spec;
@@ -66,8 +71,13 @@ final class NewCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "a project is named by letters, digits, - and _, a letter first, not " + folder);
         }
+        if (boards < 1 || boards > 2) {
+            throw new ParameterException(spec.commandLine(), "a new project has 1 or 2 boards, not " + boards);
+        }
+        NewProject.Model usual = boards == 1 ? NewProject.Model.MEGA : NewProject.Model.UNO;
         NewProject.Kind kind = which.jacamo ? NewProject.Kind.JACAMO : NewProject.Kind.JASON;
-        new NewProject(name.toString(), kind, model, NewProject.installed()).write(folder);
+        new NewProject(name.toString(), kind, model == null ? usual : model, boards == 2, NewProject.installed())
+                .write(folder);
         spec.commandLine().getOut().println("project " + name + " written; next: cd " + folder + " && gradle run");
         return 0;
     }

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -20,13 +21,16 @@ import javino.JavinoException;
  * @param name       its name.
  * @param kind       the platform that runs its agent.
  * @param model      its board.
+ * @param hasArm     whether its agent has a second board.
  * @param javinoHome Javino's folder, from which the project has the emulator and the library for sketches.
  */
-record NewProject(String name, Kind kind, Model model, Path javinoHome) {
+record NewProject(String name, Kind kind, Model model, boolean hasArm, Path javinoHome) {
 
     private static final List<String> COMMON =
             List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
                     ".gitignore", "logging.properties", "board.json", "sketch/Robot/Robot.ino");
+
+    private static final String ARM = "sketch/Arm/Arm.ino";
 
     /** The platform that runs the agent of a project. */
     enum Kind {
@@ -117,12 +121,21 @@ record NewProject(String name, Kind kind, Model model, Path javinoHome) {
         for (String file : kind.files) {
             write(folder.resolve(file), template(kind.resources, file));
         }
+        if (hasArm) {
+            write(folder.resolve(ARM), template("common", ARM));
+        }
     }
 
     private void write(Path file, String template) throws IOException {
         Files.createDirectories(file.getParent());
+        Properties arm = new Properties();
+        arm.load(new StringReader(template("common", "arm.properties")));
+        String words = template;
+        for (String word : arm.stringPropertyNames()) {
+            words = words.replace("@" + word + "@", hasArm ? arm.getProperty(word) : "");
+        }
         Files.writeString(file,
-                template.replace("@name@", name).replace("@masFile@", kind.masFile)
+                words.replace("@name@", name).replace("@masFile@", kind.masFile)
                         .replace("@board@", model.title).replace("@fqbn@", model.fqbn)
                         .replace("@model@", model.emulated).replace("@programmer@", model.programmer)
                         .replace("@moreFiles@", kind.moreFiles)

@@ -93,6 +93,28 @@ class NewCommandTest extends CommandFixture {
                 readme);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"--jason", "--jacamo"})
+    void new_twoBoards_areASensorUnoAndAnArmMega(String kind) throws IOException {
+        Path project = folder.resolve("robot");
+        assertEquals(0, run("new", kind, "--boards", "2", project.toString()), err.toString());
+        for (Path file : files(project)) {
+            assertFalse(text(project.resolve(file)).matches("(?s).*@\\w+@.*"), file.toString());
+        }
+        String gradle = text(project.resolve("javino.gradle"));
+        assertTrue(gradle.contains("builds(it, 'Robot', 'arduino:avr:uno')")
+                && gradle.contains("builds(it, 'Arm', 'arduino:avr:mega:cpu=atmega2560')"), gradle);
+        assertTrue(text(project.resolve("src/agt/robot.asl")).contains("\n    .port(\"ports/arm\", arm);"));
+        assertTrue(text(project.resolve("sketch/Arm/Arm.ino")).contains("F(\"close\")"));
+        assertTrue(text(project.resolve("README.md")).contains("`sketch/Arm/Arm.ino`"));
+    }
+
+    @Test
+    void new_threeBoards_isWrongUsage() {
+        assertFails(2, "a new project has 1 or 2 boards, not 3", "new", "--boards", "3",
+                folder.resolve("robot").toString());
+    }
+
     @Test
     void new_unknownBoard_isWrongUsageAndNamesThoseThatThereAre() {
         assertFails(2, "the boards are mega, uno, nano, nano-old and pro-mini, not due", "new", "--board", "due",
@@ -134,7 +156,7 @@ class NewCommandTest extends CommandFixture {
     void newProject_folderWithOddLetters_isReadBackFromTheProperties() throws IOException {
         Path project = folder.resolve("robot");
         Path home = Path.of("/home/josé/a=b\\c #d");
-        new NewProject("robot", NewProject.Kind.JASON, NewProject.Model.MEGA, home).write(project);
+        new NewProject("robot", NewProject.Kind.JASON, NewProject.Model.MEGA, false, home).write(project);
         Properties properties = new Properties();
         try (Reader lines = Files.newBufferedReader(project.resolve("gradle.properties"))) {
             properties.load(lines);

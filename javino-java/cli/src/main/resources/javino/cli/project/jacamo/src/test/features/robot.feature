@@ -17,3 +17,4 @@ Feature: a diary of the night
     When robot's board is unplugged for 2 s
     Then the agent robot believes port("ports/robot", off)
     And within 1 s of its return it believes port("ports/robot", on)
+@armScenario@
