@@ -56,6 +56,7 @@ public final class ObservedAgent extends AgArch {
     private transient volatile Optional<ObservedBoard> board = Optional.empty();
     /** What was decided since the last look; texts are made between two cycles. */
     private final transient Deque<Supplier<String>> lines = new ArrayDeque<>();
+    private final transient Consumer<Supplier<String>> recording = this::add;
     private boolean recorded;
     private volatile boolean cycles;
     /** So many lines were forgotten. */
@@ -95,9 +96,9 @@ public final class ObservedAgent extends AgArch {
         if (recorded != mas.records()) {
             recorded = mas.records();
             if (recorded) {
-                diffuser.ifPresent(each -> each.record(this::add));
+                diffuser.ifPresent(each -> each.record(recording));
             } else {
-                diffuser.ifPresent(Diffuser::endRecord);
+                diffuser.ifPresent(each -> each.endRecord(recording));
             }
         }
         cycles = true;

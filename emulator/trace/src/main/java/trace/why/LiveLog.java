@@ -20,7 +20,7 @@ import trace.TraceEvent;
 public final class LiveLog {
 
     /** Of the trace's lines, and of the agents'. */
-    public static final int MOST_LINES = RunLog.MOST_LINES;
+    public static final int MOST_LINES = RunLog.KEPT_LINES;
     private static final Set<String> OF_TRACE = Set.of("scenario", "pin", "command", "fault", "port", "reset", "place",
             "percepts", "rf-tx", "rf-rx", "rf-damaged", "host-action", "host-transmit", "host-handed");
     private static final Set<String> POINTS = Set.of("TURN", "QUEUED", "COUNT");
