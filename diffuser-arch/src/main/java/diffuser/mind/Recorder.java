@@ -126,7 +126,8 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     /** An event that was added. */
     private final class Added extends Line {
 
-        private final Event of;
+        /** As long as it waits: lines are kept longer than the agent keeps its events. */
+        private Event of;
         private final int number;
         private final Trigger trigger;
         private final String origin;
@@ -389,6 +390,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             Added added = each.next();
             if (added.of == event) {
                 each.remove();
+                added.of = null;
                 return added.number;
             }
         }
@@ -478,7 +480,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         }
         Event first = waiting.isEmpty() ? null : ts.getC().getEvents().peek();
         while (!waiting.isEmpty() && waiting.peek().of != first && !waiting.peek().of.isAtomic()) {
-            waiting.remove();
+            waiting.remove().of = null;
         }
         if (waiting.size() > mostWaiting) {
             Set<Event> still = Collections.newSetFromMap(new IdentityHashMap<>());
