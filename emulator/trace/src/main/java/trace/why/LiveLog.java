@@ -29,7 +29,7 @@ public final class LiveLog {
             Set.of("scenario", "place", "agent-plan", "agent-settings", "agent-believes");
     private static final int MOST_LASTING = 2000;
     /** So much later than the trace's is the place of an agent's line, in ns: longer than the trace's way takes. */
-    private static final long AGENTS_LATER = 300_000_000;
+    private static final long AGENTS_LATER = 1_000_000_000;
 
     /** A line, and its place among all. */
     private record Line(long at, TraceEvent event) {}

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import trace.TraceEvent;
 
@@ -338,11 +339,14 @@ public final class Why {
             lost(event, board);
             return;
         }
-        List<TraceEvent> readings = history.onBoard(board, "percepts").filter(history.before(event)).toList();
-        int at = readings.size() - 1;
+        List<TraceEvent> readings = history.onBoard(board, "percepts").toList();
+        int at = (int) readings.stream().filter(history.before(event)).count() - 1;
         while (at >= 0 && !tells(readings.get(at), trigger)) {
             at--;
         }
+        // Its first one may have come after the agent's line.
+        at = at >= 0 ? at : IntStream.range(0, readings.size()).filter(i -> tells(readings.get(i), trigger)).findFirst()
+                .orElse(-1);
         while (at > 0 && tells(readings.get(at - 1), trigger)) {
             at--;
         }
@@ -393,9 +397,13 @@ public final class Why {
     private void message(TraceEvent message) {
         String agent = message.text("agent");
         link(message, "the gate passed " + message.text("content") + " from " + message.text("from"));
-        Optional<TraceEvent> handed = History.last(history.onBoard(history.boardOf(agent), "host-handed")
-                .filter(history.before(message)).filter(each -> each.text("id").equals(message.text("id"))
-                        && each.textOrEmpty("content").equals(message.text("content"))));
+        List<TraceEvent> all = history.onBoard(history.boardOf(agent), "host-handed")
+                .filter(each -> each.text("id").equals(message.text("id"))
+                        && each.textOrEmpty("content").equals(message.text("content")))
+                .toList();
+        // An agent's line may come before the board's, which takes another way.
+        Optional<TraceEvent> handed = History.last(all.stream().filter(history.before(message)))
+                .or(() -> all.stream().findFirst());
         Optional<TraceEvent> packet = handed.flatMap(history::packet);
         handed.ifPresent(each -> link(each, each.board() + "'s board handed it over, number " + each.text("number")));
         if (packet.isEmpty()) {

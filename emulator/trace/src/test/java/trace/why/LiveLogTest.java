@@ -105,13 +105,29 @@ class LiveLogTest {
         come(2, "'event':'percepts','board':'robot','percepts':[]");
         nanos = 2 * SECOND;
         come(2.5, "'event':'agent-event','agent':'one','number':1,'trigger':'+dark[source(percept)]'");
-        nanos += SECOND / 10;
+        nanos += SECOND / 2;
         come(3, "'event':'command','do':'sensor','board':'robot','pin':'A0','value':7",
                 "'event':'percepts','board':'robot','percepts':['dark']");
 
         assertEquals(List.of("    3.0000 s  one believes dark", "    3.0000 s  robot's board tells dark",
                 "    3.0000 s  the sensor changed before that reading",
                 "first cause: the sensor at robot's A0 was set to 7"), new Why(log.events()).answer("dark", ""));
+    }
+
+    @Test
+    void message_whoseBoardIsToldOfMuchLater_isKnownByItsId() {
+        begin();
+        come(1, "'event':'agent-message','agent':'one','from':'ROMA','id':'000007','content':'tell;help','how':'passed'");
+        nanos = 100 * SECOND;
+        come(1, "'event':'point','board':'robot','name':'QUEUED','packet':5",
+                "'event':'rf-tx','board':'bus','packet':5,'sealed':true,'kind':'unicast'",
+                "'event':'host-handed','board':'robot','number':0,'id':'000007','content':'tell;help'",
+                "'event':'percepts','board':'robot','percepts':['dark']");
+
+        List<String> answer = why("{'event':'agent-message','agent':'one'}");
+        assertTrue(answer.get(2).endsWith("packet 5 of bus, sealed"), answer::toString);
+        come(2, "'event':'agent-event','agent':'one','number':1,'trigger':'+dark[source(percept)]'");
+        assertTrue(new Why(log.events()).answer("dark", "").get(1).endsWith("robot's board tells dark"));
     }
 
     @Test
