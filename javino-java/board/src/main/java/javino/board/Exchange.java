@@ -65,7 +65,7 @@ final class Exchange {
     /** When the board counts as lost, whatever of the last request's attempts is left. */
     private Deadline bound;
     private boolean warned;
-    /** What the sketch has printed since the board took the last request. */
+    /** What the sketch has printed since the board took the last request, if that is no poll. */
     private final List<String> said = new ArrayList<>();
     private Optional<String> reason = Optional.empty();
 
@@ -292,7 +292,7 @@ final class Exchange {
                 } else if (result instanceof PacketDecoder.Empty empty) {
                     take(empty);
                 } else if (result instanceof PacketDecoder.Printed printed) {
-                    print(printed.text(), taken && reply == null);
+                    print(printed.text(), hold.isZero() && taken && reply == null);
                 } else {
                     counters.count(SessionCounter.DAMAGED_PACKETS);
                     damaged = true;
