@@ -16,7 +16,8 @@ class HistoryTest {
     }
 
     private static List<TraceEvent> actions(String name, double... times) {
-        return IntStream.range(0, times.length).mapToObj(n -> event(times[n], name, ",\"n\":" + n)).toList();
+        return IntStream.range(0, times.length).mapToObj(n -> event(times[n], name,
+                ",\"board\":\"b\",\"agent\":\"A\",\"request\":" + n + ",\"action\":\"go\"")).toList();
     }
 
     @Test
