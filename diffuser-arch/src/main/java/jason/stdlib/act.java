@@ -20,7 +20,6 @@ import diffuser.Diffuser;
  * <p>Parameters:<ul>
  * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some. An agent for
  * Argo may send any term to a board that names no actions.
- * An action of a named board is within that name.
  * </ul>
  *
  * <p>Examples:<ul>
