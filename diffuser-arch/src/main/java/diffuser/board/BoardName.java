@@ -35,8 +35,6 @@ public final class BoardName {
         }
         Literal plain = percept.copy();
         plain.clearAnnots();
-        Literal belief = ASSyntax.createLiteral(board, plain);
-        belief.setAnnots(percept.getAnnots());
-        return belief;
+        return ASSyntax.createLiteral(board, plain).setAnnots(percept.getAnnots());
     }
 }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.stream.IntStream;
 
 import jason.asSyntax.Literal;
 
@@ -21,22 +20,17 @@ public final class CombinedPercepts {
     private final List<CompletableFuture<Void>> perceived = new ArrayList<>();
 
     /**
-     * The percepts here; as long as they are the same, they are the same objects.
+     * The percepts here.
      *
      * @param boards   those of each board.
      * @param openness how open the MAS is.
      */
     public record Now(List<List<Literal>> boards, Literal openness) {
-
-        private boolean is(Now other) {
-            return openness == other.openness && boards.size() == other.boards.size()
-                    && IntStream.range(0, boards.size()).allMatch(i -> boards.get(i) == other.boards.get(i));
-        }
     }
 
     /** Whether nothing has changed here since it was perceived, and nobody waits for the next perception. */
     public boolean knows(Now present) {
-        return now.is(present) && waiting.isEmpty();
+        return now.equals(present) && waiting.isEmpty();
     }
 
     /** Completes once all that is here now is believed. For any thread; the agent is to be woken. */
@@ -65,7 +59,7 @@ public final class CombinedPercepts {
      * @param elsewhere percepts of the architectures behind; null if they have not changed.
      */
     public Collection<Literal> perceive(Collection<Literal> elsewhere, Now present) {
-        if (elsewhere == null && now.is(present)) {
+        if (elsewhere == null && now.equals(present)) {
             return null;
         }
         if (elsewhere != null) {

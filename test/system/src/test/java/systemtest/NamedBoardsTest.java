@@ -30,7 +30,7 @@ class NamedBoardsTest {
     private static final int BOARDS = 8;
     private static final double FIRST = 4;
     private static final double STEP = 0.3;
-    private static final int CHANGES = 12;
+    private static final int CHANGES = 8;
     private static final double UNPLUGGED = 5.05;
     private static final double LATEST = 0.02;
 
