@@ -84,7 +84,8 @@ class RecordTest {
 
     /** For which goals a choice was told that names its event. */
     private static List<Integer> told(List<Supplier<String>> lines) {
-        return with(lines, "agent-choice").stream().filter(line -> line.contains("+!go(") && !line.contains("number\":0"))
+        return with(lines, "agent-choice").stream()
+                .filter(line -> line.contains("+!go(") && !line.contains("number\":0"))
                 .map(line -> Integer.valueOf(line.replaceFirst(".*\"\\+!go\\((\\d+)\\).*", "$1"))).toList();
     }
 }

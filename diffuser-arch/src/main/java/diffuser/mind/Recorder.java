@@ -130,14 +130,17 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         private Event of;
         private final int number;
         private final Trigger trigger;
+        /** A belief's annotations change with it. */
+        private final List<Term> annotations;
         private final String origin;
         private final Place place;
 
         /** @param origin where it is from, if that is no plan; @param place of the intention that made it, or null. */
-        Added(Event of, Trigger trigger, String origin, Place place) {
+        Added(Event of, String origin, Place place) {
             super("event", now());
             this.of = of;
-            this.trigger = trigger;
+            trigger = of.getTrigger();
+            annotations = trigger.getLiteral().hasAnnot() ? List.copyOf(trigger.getLiteral().getAnnots()) : List.of();
             this.origin = origin;
             this.place = place;
             number = ++events;
@@ -145,8 +148,13 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
 
         @Override
         void put(Map<String, Object> line) {
+            Trigger then = trigger.clone();
+            if (!annotations.isEmpty()) {
+                then.getLiteral().clearAnnots();
+                then.getLiteral().addAnnots(annotations);
+            }
             line.put("number", number);
-            line.put("trigger", trigger.toString());
+            line.put("trigger", then.toString());
             if (!origin.isEmpty()) {
                 line.put("origin", origin);
             } else if (place != null) {
@@ -305,8 +313,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
     }
 
     private void added(Event event, String origin) {
-        // A belief's annotations change with it.
-        Trigger trigger = event.getTrigger().isGoal() ? event.getTrigger() : event.getTrigger().clone();
+        Trigger trigger = event.getTrigger();
         Intention from = event.getIntention();
         boolean internal = from != null && from != Intention.EmptyInt;
         if (internal) {
@@ -314,7 +321,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
         }
         Intention by = internal ? from : isBy(ts.getC().getSelectedIntention(), trigger)
                 ? ts.getC().getSelectedIntention() : null;
-        Added added = new Added(event, trigger, origin, by == null || !origin.isEmpty() ? null : Place.of(by));
+        Added added = new Added(event, origin, by == null || !origin.isEmpty() ? null : Place.of(by));
         waiting.add(added);
         tell(added);
     }
