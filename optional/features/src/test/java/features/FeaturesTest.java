@@ -194,11 +194,16 @@ class FeaturesTest {
 
     @Test
     void servo_isSeenByItsPulses(@TempDir Path folder) throws IOException {
-        String agent = "!start. +!start <- .port(\"ports/robot\"). +!go(A) <- .act(turn(A)).";
+        String agent = "!start. +!start <- .port(\"ports/robot\"). +!go(A) <- .act(turn(A),T); .print(by(T)). "
+                + "-!go(A)[reason(R)] <- .print(R).";
         String go = "When the agent robot gets the goal go(120) / Then within 1 s the servo at robot's pin 9 is at ";
         try (Project arm = new Project(folder, "servo/Servo", agent)) {
             assertEquals(0, arm.play("Then the servo at robot's pin 9 is at 90 degrees / " + go + "120 degrees / "
-                    + "When 100 ms pass / Then the servo at its pin 9 is at 120 degrees"), arm.said());
+                    + "Then within 1 s the agent robot prints \"by(30)\" / "
+                    + "When 100 ms pass / Then the servo at its pin 9 is at 120 degrees / "
+                    + "When it gets the goal go(200) / "
+                    + "Then within 1 s it fails to perform turn(200) with action_failed / "
+                    + "And within 1 s it prints \"beyond(180)\""), arm.said());
             assertEquals(1, arm.play(go + "90 degrees"), arm.said());
             assertTrue(arm.said().contains("the servo at robot's pin 9 does not turn to 90 degrees"), arm.said());
             assertTrue(arm.said().contains("robot's servo at pin 9 turns to 1"), arm.said());
