@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads an ELF file that was built for a model's chip, and a boot loader beside it.
+// Loads an ELF file that was built for a model's chip, or Intel HEX, and a boot loader beside it.
 #ifndef JAVINO_FIRMWARE_H
 #define JAVINO_FIRMWARE_H
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-static int digit(char c) {
+int hex_digit(char c) {
   static const char DIGITS[] = "0123456789abcdef";
   const char *found = c ? strchr(DIGITS, c >= 'A' && c <= 'F' ? c - 'A' + 'a' : c) : NULL;
   return found ? (int)(found - DIGITS) : -1;
@@ -13,7 +13,7 @@ int hex_read(uint8_t *bytes, size_t size, const char *text) {
   size_t length = text ? strlen(text) : 1;
   if (length % 2 != 0 || length > 2 * size) return -1;
   for (size_t i = 0; i < length; i += 2) {
-    int high = digit(text[i]), low = digit(text[i + 1]);
+    int high = hex_digit(text[i]), low = hex_digit(text[i + 1]);
     if (high < 0 || low < 0) return -1;
     bytes[i / 2] = (uint8_t)(high << 4 | low);
   }

@@ -162,7 +162,7 @@ TEST(Board, firmware_for_something_else_is_refused) {
   char error[512];
   std::string text = scratch.write("text.elf", "no program");
   EXPECT_EQ(board_init(&b, &MEGA, text.c_str(), {}, error, sizeof error), -1);
-  EXPECT_EQ(error, text + " is no ELF file; expected the .elf that the AVR compiler writes, not the .hex");
+  EXPECT_EQ(error, text + " is neither ELF nor Intel HEX; expected the .elf or .hex of a build for an AVR");
   board_release(&b);
   EXPECT_EQ(board_init(&b, &MEGA, EMULATOR, {}, error, sizeof error), -1);
   EXPECT_NE(std::string(error).find("is built for another processor"), std::string::npos) << error;
