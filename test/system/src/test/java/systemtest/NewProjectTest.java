@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.google.gson.Gson;
+import com.google.gson.JsonObject;
 import harness.AgentProcess;
 import harness.Platform;
 import java.io.IOException;
@@ -131,6 +133,41 @@ class NewProjectTest {
                 answer.contains("robot asks its board for lampOn") && answer.contains("first cause: !start is a goal")
                         || answer.contains("first cause: the board at ports/robot told it"),
                 answer);
+    }
+
+    /** As ChonIDE writes projects, with a sketch for the published library; the port is a link in the project. */
+    @Test
+    void import_ofAProjectOfChonIde_runsItUnchanged() throws Exception {
+        Path file = projects.resolve("light.chon");
+        Path project = projects.resolve("light");
+        JsonObject keeper = new JsonObject();
+        keeper.addProperty("name", "keeper");
+        keeper.addProperty("archClass", "jason.Argo");
+        keeper.addProperty("sourceCode", "serialPort(ttyUSB0). !start.\n"
+                + "+!start : serialPort(P) <- .argo.port(P); .argo.limit(500); .argo.percepts(open).\n"
+                + "+light(off) <- .argo.act(lightOn); .send(friend, tell, lit). +light(on) <- .argo.act(lightOff).\n");
+        JsonObject friend = new JsonObject();
+        friend.addProperty("name", "friend");
+        friend.addProperty("archClass", "Jason");
+        friend.addProperty("sourceCode", "+lit <- .print(\"there is light\").\n");
+        JsonObject sketch = new JsonObject();
+        sketch.addProperty("name", "light");
+        sketch.addProperty("sourceCode", "#include <Javino.h>\nJavino javino;\n"
+                + "void lightOn() { digitalWrite(13, HIGH); }\nvoid lightOff() { digitalWrite(13, LOW); }\n"
+                + "void see() { javino.addPercept(digitalRead(13) ? \"light(on)\" : \"light(off)\"); }\n"
+                + "void setup() { pinMode(13, OUTPUT); javino.act[\"lightOn\"] = lightOn;\n"
+                + "  javino.act[\"lightOff\"] = lightOff; javino.perceive(see); javino.start(9600); }\n"
+                + "void loop() { javino.run(); }\n");
+        JsonObject chon = new JsonObject();
+        chon.add("agents", new Gson().toJsonTree(List.of(keeper, friend)));
+        chon.add("firmwares", new Gson().toJsonTree(List.of(sketch)));
+        Files.writeString(file, chon.toString());
+        assertEquals(0, javino(List.of("import", file.toString(), project.toString())).waitFor());
+
+        try (AgentProcess gradle = AgentProcess.start(gradle("run").directory(project.toFile()))) {
+            gradle.await("[friend] there is light");
+        }
+        awaitGone(project.resolve("ttyUSB0"));
     }
 
     @Test
@@ -483,8 +520,12 @@ class NewProjectTest {
     }
 
     private static Process newProject(Path folder, String... options) throws IOException {
-        ProcessBuilder javino = new ProcessBuilder(home.resolve("bin/javino").toString(), "new", folder.toString());
-        javino.command().addAll(List.of(options));
+        return javino(Stream.concat(Stream.of("new", folder.toString()), Stream.of(options)).toList());
+    }
+
+    private static Process javino(List<String> words) throws IOException {
+        ProcessBuilder javino = new ProcessBuilder(home.resolve("bin/javino").toString());
+        javino.command().addAll(words);
         javino.redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.INHERIT);
         javino.environment().put("JAVA_HOME", JAVA_HOME);
         return javino.start();

@@ -1,15 +1,12 @@
 package verdict;
 
-import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -20,7 +17,7 @@ import java.util.regex.Pattern;
 public final class JasonTests {
 
     private static final String MAS = "src/test/jason/unit_tests.mas2j";
-    private static final int MINUTES = 3;
+    private static final int SECONDS = 180;
     private static final int RUNS = 3;
     private static final String ALL_PASSED = "End of Jason unit tests: PASSED";
     /** Such as {@code [send] assert_equals on event 'test_send' PASSED}. */
@@ -66,23 +63,9 @@ public final class JasonTests {
 
     private static List<String> run(Path sources, String java, String classes, String... program)
             throws IOException, InterruptedException {
-        File log = File.createTempFile("verdict", ".log");
         List<String> words = new ArrayList<>(List.of(java, "-cp", classes));
         words.addAll(List.of(program));
         words.addAll(List.of(MAS, "--log-conf", "src/test/jason/logging.properties", "--no-net"));
-        Process process = new ProcessBuilder(words).directory(sources.toFile()).redirectErrorStream(true)
-                .redirectOutput(log).start();
-        try {
-            if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {
-                throw new IOException("Jason's tests do not end; their log is " + log);
-            }
-        } finally {
-            process.destroyForcibly().waitFor();
-        }
-        List<String> lines = Files.readAllLines(log.toPath(), StandardCharsets.UTF_8);
-        if (!log.delete()) {
-            throw new IOException("there is still " + log);
-        }
-        return lines;
+        return Log.of(sources, SECONDS, words);
     }
 }

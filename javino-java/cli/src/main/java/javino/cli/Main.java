@@ -22,7 +22,8 @@ import picocli.CommandLine.Spec;
 @Command(name = "javino", description = "Sets up, inspects and controls Javino boards.",
         versionProvider = Main.Version.class,
         subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, HelpCommand.class,
-                InfoCommand.class, KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,
+                ImportCommand.class, InfoCommand.class, KeygenCommand.class, MonitorCommand.class, NewCommand.class,
+                PerceptsCommand.class,
                 PortsCommand.class, ProvisionCommand.class, RelayCommand.class, SendCommand.class})
 public final class Main implements Callable<Integer> {
 

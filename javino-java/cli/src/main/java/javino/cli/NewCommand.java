@@ -3,7 +3,6 @@ package javino.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javino.JavinoException;
 import picocli.CommandLine.ArgGroup;
@@ -21,8 +20,6 @@ import picocli.CommandLine.TypeConversionException;
         "Writes a new project: an agent, its board's sketch, and a build that runs them on an emulated board.",
         "Then call 'gradle run' in its folder. Its README says the rest."})
 final class NewCommand implements Callable<Integer> {
-
-    private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]*");
 
     @Parameters(index = "0", paramLabel = "FOLDER",
             description = "The project's new folder; it must not exist yet. Its last part is the project's name: "
@@ -54,7 +51,7 @@ final class NewCommand implements Callable<Integer> {
         private boolean jacamo;
     }
 
-    private static final class ModelByName implements ITypeConverter<NewProject.Model> {
+    static final class ModelByName implements ITypeConverter<NewProject.Model> {
 
         @Override
         public NewProject.Model convert(String name) {
@@ -67,7 +64,7 @@ final class NewCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, JavinoException {
         Path name = folder.getFileName();
-        if (name == null || !NAME.matcher(name.toString()).matches()) {
+        if (name == null || !ProjectFiles.isName(name.toString())) {
             throw new ParameterException(spec.commandLine(),
                     "a project is named by letters, digits, - and _, a letter first, not " + folder);
         }
@@ -76,8 +73,7 @@ final class NewCommand implements Callable<Integer> {
         }
         NewProject.Model usual = boards == 1 ? NewProject.Model.MEGA : NewProject.Model.UNO;
         NewProject.Kind kind = which.jacamo ? NewProject.Kind.JACAMO : NewProject.Kind.JASON;
-        new NewProject(name.toString(), kind, model == null ? usual : model, boards == 2, NewProject.installed())
-                .write(folder);
+        new NewProject(name.toString(), kind, model == null ? usual : model, boards == 2).write(folder);
         spec.commandLine().getOut().println("project " + name + " written; next: cd " + folder + " && gradle run");
         return 0;
     }

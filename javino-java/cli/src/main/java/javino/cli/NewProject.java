@@ -1,18 +1,14 @@
 package javino.cli;
 
-import java.io.ByteArrayOutputStream;
-import java.io.FileNotFoundException;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.StringReader;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystemException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Properties;
+import java.util.stream.Stream;
 import javino.JavinoException;
 
 /**
@@ -22,13 +18,15 @@ import javino.JavinoException;
  * @param kind       the platform that runs its agent.
  * @param model      its board.
  * @param hasArm     whether its agent has a second board.
- * @param javinoHome Javino's folder, from which the project has the emulator and the library for sketches.
  */
-record NewProject(String name, Kind kind, Model model, boolean hasArm, Path javinoHome) {
+record NewProject(String name, Kind kind, Model model, boolean hasArm) {
+
+    /** The files by which any project is built. */
+    static final List<String> BUILD =
+            List.of("settings.gradle", "gradle.properties", "javino.gradle", ".gitignore", "logging.properties");
 
     private static final List<String> COMMON =
-            List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
-                    ".gitignore", "logging.properties", "board.json", "sketch/Robot/Robot.ino");
+            Stream.concat(Stream.of("README.md", "board.json", "sketch/Robot/Robot.ino"), BUILD.stream()).toList();
 
     private static final String ARM = "sketch/Arm/Arm.ino";
 
@@ -68,9 +66,9 @@ record NewProject(String name, Kind kind, Model model, boolean hasArm, Path javi
 
         private final String title;
         /** The board's name for arduino-cli. */
-        private final String fqbn;
+        final String fqbn;
         /** The board's name for the emulator. */
-        private final String emulated;
+        final String emulated;
         /** The options for avrdude. */
         private final String programmer;
 
@@ -88,81 +86,27 @@ record NewProject(String name, Kind kind, Model model, boolean hasArm, Path javi
     }
 
     /**
-     * The folder that this command was installed in, which its start script tells.
-     *
-     * @throws JavinoException if it was started otherwise.
-     */
-    static Path installed() throws JavinoException {
-        String home = System.getProperty("javino.home");
-        if (home == null) {
-            throw new JavinoException(
-                    "a project needs Javino's folder; call bin/javino in it, as 'gradle install' or a "
-                            + "release's archive makes it");
-        }
-        return Path.of(home);
-    }
-
-    /**
      * Writes all files into a new folder.
      *
      * @throws IOException if there is such a folder already, or it cannot be written.
      */
-    void write(Path folder) throws IOException {
-        try {
-            Files.createDirectories(folder.toAbsolutePath().getParent());
-            Files.createDirectory(folder);
-        } catch (NoSuchFileException e) {
-            // A system's own folder, such as /proc, takes none; it is there nevertheless.
-            throw new FileSystemException(folder.toString(), null, "no folder can be made there; choose another place");
-        }
+    void write(Path folder) throws IOException, JavinoException {
+        Map<String, String> words = new HashMap<>();
+        Properties arm = new Properties();
+        arm.load(new StringReader(ProjectFiles.template("common", "arm.properties")));
+        arm.stringPropertyNames().forEach(word -> words.put(word, hasArm ? arm.getProperty(word) : ""));
+        words.putAll(Map.of("name", name, "masFile", kind.masFile, "board", model.title, "fqbn", model.fqbn, "model",
+                model.emulated, "programmer", model.programmer, "moreFiles", kind.moreFiles, "javinoHome",
+                ProjectFiles.installed()));
+        ProjectFiles files = ProjectFiles.in(folder, words);
         for (String file : COMMON) {
-            write(folder.resolve(file), template("common", file));
+            files.copy("common", file);
         }
         for (String file : kind.files) {
-            write(folder.resolve(file), template(kind.resources, file));
+            files.copy(kind.resources, file);
         }
         if (hasArm) {
-            write(folder.resolve(ARM), template("common", ARM));
+            files.copy("common", ARM);
         }
-    }
-
-    private void write(Path file, String template) throws IOException {
-        Files.createDirectories(file.getParent());
-        Properties arm = new Properties();
-        arm.load(new StringReader(template("common", "arm.properties")));
-        String words = template;
-        for (String word : arm.stringPropertyNames()) {
-            words = words.replace("@" + word + "@", hasArm ? arm.getProperty(word) : "");
-        }
-        Files.writeString(file,
-                words.replace("@name@", name).replace("@masFile@", kind.masFile)
-                        .replace("@board@", model.title).replace("@fqbn@", model.fqbn)
-                        .replace("@model@", model.emulated).replace("@programmer@", model.programmer)
-                        .replace("@moreFiles@", kind.moreFiles)
-                        .replace("@javinoHome@", property("javinoHome", javinoHome.toString())));
-    }
-
-    /**
-     * The resource of a file; what is hidden in a project is not among the resources, as builds leave such files out.
-     */
-    private static String template(String folder, String file) throws IOException {
-        String resource = "project/" + folder + "/" + (file.startsWith(".") ? file.substring(1) : file);
-        try (InputStream template = NewProject.class.getResourceAsStream(resource)) {
-            if (template == null) {
-                throw new FileNotFoundException(resource);
-            }
-            return new String(template.readAllBytes(), StandardCharsets.UTF_8);
-        }
-    }
-
-    /** A line of a properties file, with what is special there escaped. */
-    private static String property(String key, String value) throws IOException {
-        Properties properties = new Properties();
-        properties.setProperty(key, value);
-        ByteArrayOutputStream lines = new ByteArrayOutputStream();
-        properties.store(lines, null);
-        // The property comes after a comment with the date.
-        return lines.toString(StandardCharsets.ISO_8859_1).lines().filter(line -> !line.startsWith("#")).findFirst()
-                .orElseThrow();
     }
 }

@@ -38,7 +38,8 @@ final class CommandLines {
             Map.entry("on|off", "on"), Map.entry("BOARD", "uno"), Map.entry("N", "0"),
             Map.entry("FOLDER", "{new}"), Map.entry("DAY", "2099-01-01"), Map.entry("FINGERPRINT", "0123456789abcdef"),
             Map.entry("NAME", "west"), Map.entry("PREFIX", "javino"), Map.entry("URL", "mqtts://127.0.0.1:1"),
-            Map.entry("why FILE", "{run}"), Map.entry("why WHAT", "!go"), Map.entry("--at", "6.2"),
+            Map.entry("why FILE", "{run}"), Map.entry("import FILE", "{chon}"), Map.entry("why WHAT", "!go"),
+            Map.entry("--at", "6.2"),
             Map.entry("why --from", "robot"),
             Map.entry("--out", "{new}"), Map.entry("--write", "{new}"), Map.entry("--record", "{new}"),
             Map.entry("--renew", "{keyring}"),
@@ -74,7 +75,8 @@ final class CommandLines {
         Files.createDirectory(originals.resolve("folder"));
         Files.createDirectory(originals.resolve("home"));
         for (Map.Entry<String, String> file : Map.of("zeros", "\0".repeat(64), "empty", "", "word", "maybe",
-                "key", HexFormat.of().formatHex(new byte[16]), "trace", EVENT, "run", SETTINGS).entrySet()) {
+                "key", HexFormat.of().formatHex(new byte[16]), "trace", EVENT, "run", SETTINGS,
+                "chon", "{\"agents\":[],\"firmwares\":[]}").entrySet()) {
             PrivateFile.create(originals.resolve(file.getKey()), file.getValue());
         }
         for (String line : List.of("keygen --out {keyring} --pair ROMA,SUPO --group SU", "ca init --ca {authority}",

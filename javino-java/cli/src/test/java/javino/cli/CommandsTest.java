@@ -274,7 +274,8 @@ class CommandsTest {
     @Test
     void main_alone_listsItsSubcommands() {
         assertEquals(2, run());
-        for (String command : List.of("act", "doctor", "forget", "info", "keygen", "monitor", "new", "percepts",
+        for (String command : List.of("act", "doctor", "forget", "import", "info", "keygen", "monitor", "new",
+                "percepts",
                 "ports",
                 "provision", "send")) {
             assertTrue(err.toString().contains(command), err.toString());

@@ -86,7 +86,7 @@ class NewCommandTest extends CommandFixture {
             throws IOException {
         Path project = folder.resolve("robot");
         assertEquals(0, run("new", "--board", board, project.toString()), err.toString());
-        assertTrue(text(project.resolve("javino.gradle")).contains("'" + fqbn + "'"));
+        assertTrue(text(project.resolve("build.gradle")).contains("[Robot: '" + fqbn + "']"));
         assertTrue(text(project.resolve("board.json")).contains("\"model\": \"" + emulated + "\""));
         String readme = text(project.resolve("README.md"));
         assertTrue(readme.contains("## With a real " + title + "\n") && readme.contains("avrdude -p " + chip + " "),
@@ -101,9 +101,8 @@ class NewCommandTest extends CommandFixture {
         for (Path file : files(project)) {
             assertFalse(text(project.resolve(file)).matches("(?s).*@\\w+@.*"), file.toString());
         }
-        String gradle = text(project.resolve("javino.gradle"));
-        assertTrue(gradle.contains("builds(it, 'Robot', 'arduino:avr:uno')")
-                && gradle.contains("builds(it, 'Arm', 'arduino:avr:mega:cpu=atmega2560')"), gradle);
+        String gradle = text(project.resolve("build.gradle"));
+        assertTrue(gradle.contains("[Robot: 'arduino:avr:uno', Arm: 'arduino:avr:mega:cpu=atmega2560']"), gradle);
         assertTrue(text(project.resolve("src/agt/robot.asl")).contains("\n    .port(\"ports/arm\", arm);"));
         assertTrue(text(project.resolve("sketch/Arm/Arm.ino")).contains("F(\"close\")"));
         assertTrue(text(project.resolve("README.md")).contains("`sketch/Arm/Arm.ino`"));
@@ -153,15 +152,19 @@ class NewCommandTest extends CommandFixture {
     }
 
     @Test
-    void newProject_folderWithOddLetters_isReadBackFromTheProperties() throws IOException {
+    void new_folderOfJavinoWithOddLetters_isReadBackFromTheProperties() throws IOException {
         Path project = folder.resolve("robot");
-        Path home = Path.of("/home/josé/a=b\\c #d");
-        new NewProject("robot", NewProject.Kind.JASON, NewProject.Model.MEGA, false, home).write(project);
+        String usual = System.setProperty("javino.home", "/home/josé/a=b\\c #d");
+        try {
+            assertEquals(0, run("new", project.toString()), err.toString());
+        } finally {
+            System.setProperty("javino.home", usual);
+        }
         Properties properties = new Properties();
         try (Reader lines = Files.newBufferedReader(project.resolve("gradle.properties"))) {
             properties.load(lines);
         }
-        assertEquals(home.toString(), properties.getProperty("javinoHome"));
+        assertEquals("/home/josé/a=b\\c #d", properties.getProperty("javinoHome"));
     }
 
     @Test

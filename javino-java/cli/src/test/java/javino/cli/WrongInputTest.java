@@ -49,9 +49,10 @@ class WrongInputTest {
     private static final Set<String> ANY_WORD = Set.of("act ACTION", "act ARGUMENT", "gateway --user",
             "gateway --topic", "gateway --cell", "watch --control", "why WHAT");
     /** Others that are right: a new folder, a file that is written over, an empty trace, any password. */
-    private static final Set<String> RIGHT = Set.of("new FOLDER ABSENT", "enroll --folder ABSENT",
-            "enroll --folder FOLDER", "enroll --request ZEROS", "capture --write ZEROS",
-            "watch --record ZEROS", "gateway --password-file WORD_IN_A_FILE");
+    private static final Set<String> RIGHT =
+            Set.of("new FOLDER ABSENT", "import FOLDER ABSENT", "enroll --folder ABSENT",
+                    "enroll --folder FOLDER", "enroll --request ZEROS", "capture --write ZEROS",
+                    "watch --record ZEROS", "gateway --password-file WORD_IN_A_FILE");
     static final Pattern NOT_OURS = Pattern.compile("Exception|\\bat [a-z]+\\.|Invalid value|[Uu]nmatched"
             + "|could not convert|should be|Expected|Unknown|Missing required|mutually|system error|one of \\["
             + "|case-sensitive|is not an? [a-z]+\\b|Error:|null|java\\.");
