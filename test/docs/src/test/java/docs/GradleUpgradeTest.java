@@ -90,7 +90,8 @@ class GradleUpgradeTest {
         String templates = "javino-java/cli/src/main/resources/javino/cli/project/";
         assertTrue(names.containsAll(List.of("build.gradle", "settings.gradle", "gradle/style.gradle",
                 "test/docs/build.gradle", templates + "common/javino.gradle", templates + "jacamo/build.gradle",
-                templates + "jason/build.gradle", templates + "common/settings.gradle")), names::toString);
+                templates + "jason/build.gradle", templates + "imported/build.gradle",
+                templates + "common/settings.gradle")), names::toString);
     }
 
     @ParameterizedTest

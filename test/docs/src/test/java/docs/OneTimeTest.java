@@ -225,7 +225,7 @@ class OneTimeTest {
         assertEquals(List.of("optional/features/build.gradle", "test/harness/build.gradle"),
                 buildFilesWith("':test:lockstep'").stream().filter(file -> !file.startsWith("test/docs/")).toList());
         // Of a project that javino new writes, its tests alone.
-        List<String> projects = Stream.of("jacamo", "jason")
+        List<String> projects = Stream.of("imported", "jacamo", "jason")
                 .map(kind -> "javino-java/cli/src/main/resources/javino/cli/project/" + kind + "/build.gradle")
                 .toList();
         assertEquals(projects, buildFilesWith("org.javino:features"));

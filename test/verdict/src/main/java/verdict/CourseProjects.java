@@ -28,7 +28,7 @@ public final class CourseProjects {
     private CourseProjects() {
     }
 
-    /** @param arguments the projects' folder and version, the command {@code javino}, a Gradle, and libraries' folder. */
+    /** @param arguments the projects' folder and version, the command {@code javino}, a Gradle, libraries' folder. */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         List<Path> projects;
         try (Stream<Path> files = Files.walk(Path.of(arguments[0]).toRealPath())) {

@@ -153,12 +153,15 @@ record ChonProject(List<Agent> agents, List<Sketch> sketches) {
             check(sketches.stream().map(Sketch::name).toList(), "a sketch", ProjectFiles.NAME);
             return new ChonProject(agents, sketches);
         } catch (Refused e) {
-            throw new JavinoException(file + ": no project of ChonIDE: " + e.getMessage());
+            throw refused(file, e.getMessage());
         } catch (JsonParseException e) {
             Matcher place = PLACE.matcher(String.valueOf(e.getMessage()));
-            throw new JavinoException(
-                    file + ": no project of ChonIDE: it is no JSON" + (place.find() ? " " + place.group() : ""));
+            throw refused(file, place.find() ? "no JSON " + place.group() : "no JSON");
         }
+    }
+
+    private static JavinoException refused(Path file, String why) {
+        return new JavinoException(file + ": no project of ChonIDE: " + why);
     }
 
     private static JsonArray list(JsonObject project, String name) {
