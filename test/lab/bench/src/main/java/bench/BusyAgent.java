@@ -33,9 +33,8 @@ public final class BusyAgent implements Subject {
 
     /**
      * How the board behaves; plain: there is none, nor an architecture; believing: as plain, but the agent has waited
-     * once, and believes as much as with a board; changing: as at once, with a new percept at each reading; counting: an
-     * agent without a board, with beliefs, a rule and contexts; recorded: all that it decides is kept to be asked
-     * why.
+     * once, and believes as much as with a board; changing: as at once, with a new percept at each reading; counting:
+     * an agent without a board, with beliefs, a rule and contexts; recorded: what it decides is kept to be asked why.
      */
     private enum Kind {
         PLAIN, BELIEVING, AT_ONCE, LATE, SILENT, CHANGING, AT_ONCE_RECORDED, COUNTING, COUNTING_RECORDED
