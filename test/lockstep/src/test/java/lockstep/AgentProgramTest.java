@@ -97,7 +97,8 @@ class AgentProgramTest {
         Files.writeString(folder.resolve("two.asl"), """
                 n(0). n(1). n(2). !start.
                 wide(X) :- n(X) & X > 0.
-                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; !!outer; .wait(200); !never; +end.
+                +!start <- .port("ports/board"); .percepts(open); !count(3); !plans; !!late; !!outer; .wait(200);
+                    !never; +end.
                 -!never[error(E)] <- .print("failed ", E).
                 +!count(N) : N > 0 & n(X) & .print("asked ", X) & X > 1
                     <- .print(N, X); .random(R); .print(R); !count(N-1).

@@ -157,8 +157,8 @@ public final class RunLog {
     }
 
     /**
-     * The boards' time by what the agents' clock shows: not earlier than it was, as nobody believes what a board has yet
-     * to tell. A busy emulator lags behind for moments, so the least lag nearby counts.
+     * The boards' time by what the agents' clock shows: not earlier than it was, as nobody believes what a board has
+     * yet to tell. A busy emulator lags behind for moments, so the least lag nearby counts.
      */
     private double seconds(double shown, NavigableMap<Double, Double> told) {
         if (told.isEmpty()) {

@@ -36,9 +36,8 @@ public final class BusyAgent implements Subject {
 
     /**
      * How the board behaves; plain: there is none, nor an architecture; believing: as plain, but the agent has waited
-     * once, and believes as much as with a board; changing: as at once, with a new percept at each reading; counting and
-     * loop: without a port, with beliefs, a rule and contexts or none; recorded: all that it decides is kept for {@code javino
-     * why}.
+     * once, and believes as much as with a board; changing: as at once, with a new percept at each reading. Without a
+     * port: counting, with beliefs, a rule and a context; loop; recorded: all that it decides is kept.
      */
     private enum Kind {
         PLAIN, BELIEVING, AT_ONCE, LATE, SILENT, CHANGING, COUNTING, COUNTING_RECORDED, LOOP, LOOP_RECORDED
