@@ -265,7 +265,8 @@ final class Scenario implements AutoCloseable {
     /** Says who takes part, and what is to be observed; the page knows nothing of highways. */
     private void introduce() {
         tell("about", "text", "Each vehicle has an agent, a board and a radio. There is no network: what they tell"
-                + " each other, everybody near can hear.", "roads", List.of(0), "aside", Stream.concat(ASIDE.stream(),
+                + " each other, everybody near can hear.", "roads", List.of(0), "aside",
+                Stream.concat(ASIDE.stream(),
                         Arrays.stream(Device.values()).map(device -> "My board at ports/" + device.id() + " is on"))
                         .toList());
         for (Device device : Device.values()) {

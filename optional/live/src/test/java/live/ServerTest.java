@@ -141,7 +141,8 @@ class ServerTest extends ServerFixture {
     @Test
     void question_isAnsweredByTheLog() throws IOException {
         assertEquals("{\"error\":\"nothing can be asked here: there is no log\"}", why("{'what':'dark'}"));
-        for (String line : List.of("'t':1,'event':'agent-plan','agent':'one','place':'a.asl:1','trigger':'+!go','body':''",
+        for (String line : List.of(
+                "'t':1,'event':'agent-plan','agent':'one','place':'a.asl:1','trigger':'+!go','body':''",
                 "'t':2.5,'event':'agent-event','agent':'one','number':1,'trigger':'+dark[source(page)]'")) {
             log.add(TraceEvent.parse(0, "{" + line.replace('\'', '"') + "}"));
         }

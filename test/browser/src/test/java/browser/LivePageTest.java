@@ -259,9 +259,11 @@ class LivePageTest {
         List<String> links = page.all("#why li").stream().map(WebElement::getText).toList();
         int at = 0;
         for (String link : List.of("bus believes helpComing", "the gate passed tell;helpComing from SUPO", "packet ",
-                "police sends tell;helpComing", "support sends tell;helpComing", "hospital sends tell;ambulanceIsComing",
+                "police sends tell;helpComing", "support sends tell;helpComing",
+                "hospital sends tell;ambulanceIsComing",
                 "ambulance chose the plan (ambulance.asl:12) for +someoneNeedAmbulance", "packet 1 of bus, not sealed",
-                "bus sends tell;help", "bus's board tells proximity(", "first cause: bus's board told it, by its sensors")) {
+                "bus sends tell;help", "bus's board tells proximity(",
+                "first cause: bus's board told it, by its sensors")) {
             while (at < links.size() && !links.get(at).contains(link)) {
                 at++;
             }
@@ -294,7 +296,8 @@ class LivePageTest {
         page.await("a line to be asked: " + text, driver -> Boolean.TRUE.equals(page.script(
                 "const all = [...document.querySelectorAll(arguments[0])];"
                         + "const one = all.find((each) => each.innerText.includes(arguments[1]));"
-                        + "one?.click(); return one !== undefined;", css, text)));
+                        + "one?.click(); return one !== undefined;",
+                css, text)));
         page.awaitText("#why h3", text);
         page.await("#why .cause");
     }

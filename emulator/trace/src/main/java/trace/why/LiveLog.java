@@ -14,8 +14,8 @@ import trace.MalformedEventException;
 import trace.TraceEvent;
 
 /**
- * The log of a run that goes on: the last lines of its boards' trace and of its agents that {@link Why} needs. An agent's
- * lines may come before those of what it has read, as they take another way.
+ * The log of a run that goes on: the last lines of its boards' trace and of its agents that {@link Why} needs. An
+ * agent's lines may come before those of what it has read, as they take another way.
  */
 public final class LiveLog {
 

@@ -9,8 +9,8 @@ import java.util.function.Predicate;
 import trace.TraceEvent;
 
 /**
- * Numbers what both an agent and its board tell: the n-th request of one kind is the same for both, and the n-th message
- * that a board has queued is the n-th that it hands over. Older lines may be forgotten then.
+ * Numbers what both an agent and its board tell: the n-th request of one kind is the same for both, and the n-th
+ * message that a board has queued is the n-th that it hands over. Older lines may be forgotten then.
  */
 final class Ordinals {
 

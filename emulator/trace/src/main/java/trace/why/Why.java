@@ -110,8 +110,9 @@ public final class Why {
      */
     public List<String> of(JsonObject fields) {
         answer = new ArrayList<>();
-        chain(history.like(fields).filter(each -> ASKED.contains(each.name())).orElseThrow(() -> new IllegalArgumentException(
-                "the log does not have that line, or no longer: ask for what is newer")));
+        chain(history.like(fields).filter(each -> ASKED.contains(each.name()))
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "the log does not have that line, or no longer: ask for what is newer")));
         return texts();
     }
 
@@ -255,7 +256,8 @@ public final class Why {
                 return;
             }
         }
-        cause(history.agentsOf(board).isEmpty() ? board + "'s host asked for " + what + "; the log tells of no agent there"
+        cause(history.agentsOf(board).isEmpty()
+                ? board + "'s host asked for " + what + "; the log tells of no agent there"
                 : "no agent of the log asked for " + what + ": another host did, or it was before the recording");
     }
 

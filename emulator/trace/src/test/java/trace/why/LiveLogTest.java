@@ -36,7 +36,8 @@ class LiveLogTest {
         come(seconds + 0.1, "'event':'pin','board':'robot','pin':13,'name':'lamp','level':" + number % 2);
         come(seconds + 0.2, "'event':'host-action','board':'robot','action':'flip','asked':" + (seconds + 0.1)
                 + ",'replied':" + (seconds + 0.2) + ",'done':true");
-        come(seconds + 0.2, "'event':'agent-performed','agent':'one','request':" + number + ",'error':'" + answer + "'");
+        come(seconds + 0.2,
+                "'event':'agent-performed','agent':'one','request':" + number + ",'error':'" + answer + "'");
     }
 
     private void decides(int number, double seconds) {
@@ -93,7 +94,8 @@ class LiveLogTest {
         assertTurned(1, 3.1);
         assertEquals(1, log.events().stream().filter(each -> each.is("agent-action")).count());
         List<String> answer = why("{'event':'pin','board':'robot','pin':13,'t':1.1}");
-        assertEquals("first cause: no agent of the log asked for flip: another host did, or it was before the recording",
+        assertEquals(
+                "first cause: no agent of the log asked for flip: another host did, or it was before the recording",
                 answer.get(2));
     }
 
@@ -117,7 +119,8 @@ class LiveLogTest {
     @Test
     void message_whoseBoardIsToldOfMuchLater_isKnownByItsId() {
         begin();
-        come(1, "'event':'agent-message','agent':'one','from':'ROMA','id':'000007','content':'tell;help','how':'passed'");
+        come(1, "'event':'agent-message','agent':'one','from':'ROMA','id':'000007','content':'tell;help',"
+                + "'how':'passed'");
         nanos = 100 * SECOND;
         come(1, "'event':'point','board':'robot','name':'QUEUED','packet':5",
                 "'event':'rf-tx','board':'bus','packet':5,'sealed':true,'kind':'unicast'",
