@@ -230,6 +230,7 @@ public final class Recorder implements CircumstanceListener, RecordedContext.Lis
             }
         }
         plans.forEach(plan -> tell(plan, List.of(to)));
+        waiting.forEach(to);
     }
 
     private void recordAll() {

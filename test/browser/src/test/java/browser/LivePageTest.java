@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
+import org.openqa.selenium.Dimension;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
@@ -268,6 +269,14 @@ class LivePageTest {
             }
             assertTrue(at < links.size(), () -> link + " is not in its place among " + links);
         }
+        // docs/live.png: the answer, and the page at the time of one of its links.
+        page.size(new Dimension(1280, 720));
+        page.script("[...document.querySelectorAll('#why li')].find((each) => each.innerText.includes('packet '))"
+                + ".querySelector('button').click()");
+        page.awaitText("#labels", "to Bus");
+        page.awaitText("#story", "Police sends to Bus alone.");
+        page.screenshot("live");
+        click(page, "follow");
         answer(page, "section.agent[data-board='bus'] .lamp .ask", "buzzer");
         page.awaitText("#why li", "because of accidentAlert, within which the pin changed");
         page.screenshot("why-highway");

@@ -337,16 +337,16 @@ function drawText() {
 
 let opened = '';
 
-/** The menu opens beside what was chosen, and stays there; while something is dragged it is not in the way. */
+/** The menu opens beside what was chosen, and stays there while there is as much room; while something is dragged it is not in the way. */
 function placeMenu() {
   const box = $('menu');
-  const key = ui.chosen && !ui.held?.down ? ui.chosen.kind + ' ' + ui.chosen.name : '';
+  const room = $('scene');
+  const key = ui.chosen && !ui.held?.down ? [ui.chosen.kind, ui.chosen.name, room.clientWidth, room.clientHeight].join(' ') : '';
   box.hidden = key === '' || box.childElementCount === 0;
   if (box.hidden) opened = '';
   if (box.hidden || key === opened) return;
   opened = key;
   const [x, y] = road.pixels(ui.chosen) ?? [0, 0];
-  const room = $('scene');
   const left = x + MENU_AWAY + box.offsetWidth < room.clientWidth ? x + MENU_AWAY : x - MENU_AWAY - box.offsetWidth;
   box.style.left = Math.max(2, Math.min(left, room.clientWidth - box.offsetWidth - 2)) + 'px';
   box.style.top = Math.max(2, Math.min(y - box.offsetHeight / 2, room.clientHeight - box.offsetHeight - 2)) + 'px';
