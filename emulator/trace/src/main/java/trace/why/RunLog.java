@@ -115,7 +115,8 @@ public final class RunLog {
     /**
      * Writes all events of the run.
      *
-     * @param trace the boards', if there is one; what is no event there, as a line that is cut off, is not written.
+     * @param trace the boards', if there is one; what is no event there, as a line that is cut off, is not written, nor
+     *              the agents' lines that a page's server has put there, too.
      * @param into  appears as a whole.
      */
     public synchronized void write(Path trace, Path into) throws IOException {
@@ -125,6 +126,9 @@ public final class RunLog {
         try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(part))) {
             if (boards) {
                 TraceReader.read(Files.newInputStream(trace), event -> {
+                    if (event.name().startsWith("agent-")) {
+                        return;
+                    }
                     while (!own.isEmpty() && own.peek().seconds() < event.seconds()) {
                         out.println(own.remove().line());
                     }
