@@ -57,9 +57,7 @@ final class ImportCommand implements Callable<Integer> {
         List<Agent> agents = running(project, remarks);
         List<Sketch> sketches = sketches(project, remarks);
         Map<String, String> words = Map.of("name", name.toString(), "javinoHome", home, "masFile", name + ".mas2j",
-                "boards",
-                sketches.isEmpty() ? ":" : sketches.stream().map(sketch -> sketch.name() + ": '" + model.fqbn + "'")
-                        .collect(Collectors.joining(", ")));
+                "fqbn", model.fqbn, "sketches", sketches.stream().map(Sketch::name).collect(Collectors.joining(" ")));
         ProjectFiles files = ProjectFiles.in(folder, words);
         for (String each : NewProject.BUILD) {
             files.copy("common", each);

@@ -68,7 +68,8 @@ class ImportCommandTest extends CommandFixture {
         assertEquals(program, text(project.resolve("src/agt/bob.asl")));
         assertEquals(SKETCH, text(project.resolve("sketch/light/light.ino")));
         assertTrue(text(project.resolve("course.mas2j")).contains("bob agentArchClass jason.Argo;"));
-        assertTrue(text(project.resolve("build.gradle")).contains("ext.boards = [light: 'arduino:avr:uno']"));
+        assertTrue(text(project.resolve("build.gradle"))
+                .contains("'light'.tokenize().collectEntries { [it, 'arduino:avr:uno'] }"));
         JsonObject board = JsonParser.parseString(text(project.resolve("board.json"))).getAsJsonObject()
                 .getAsJsonArray("boards").get(0).getAsJsonObject();
         assertEquals("ttyUSB3", board.get("port").getAsString());
@@ -84,7 +85,7 @@ class ImportCommandTest extends CommandFixture {
         Path project = imported(Map.of("alice", new String[] {"!hello.", "Jason"}), Map.of());
         assertFalse(Files.exists(project.resolve("board.json")));
         assertTrue(text(project.resolve("course.mas2j")).contains(" alice;"));
-        assertTrue(text(project.resolve("build.gradle")).contains("ext.boards = [:]"));
+        assertTrue(text(project.resolve("build.gradle")).contains("ext.boards = ''."));
     }
 
     @Test
