@@ -37,6 +37,8 @@ public final class CourseProjects {
         // Most of a run is waiting.
         ExecutorService threads = Executors.newFixedThreadPool(AT_ONCE);
         try (Judge judge = new Judge("Projects of ChonIDE's course", arguments[1], "`javino import`")) {
+            judge.know("their plan for port(P,on) needs percepts, which with us come only after .percepts(open)",
+                    "kombi.chon", "trator.chon");
             List<Future<Optional<Boolean>>> ends = new ArrayList<>();
             for (Path project : projects) {
                 ends.add(threads.submit(() -> judge(project, arguments)));
@@ -44,7 +46,7 @@ public final class CourseProjects {
             for (int i = 0; i < ends.size(); i++) {
                 Optional<Boolean> right = ends.get(i).get();
                 if (right.isPresent()) {
-                    judge.judge(projects.get(i).toString(), right.get());
+                    judge.judge(projects.get(i).getFileName().toString(), right.get());
                 } else {
                     judge.skip("their Communicator or wallet needs a server on the Internet");
                 }

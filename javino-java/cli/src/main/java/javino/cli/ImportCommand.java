@@ -133,7 +133,7 @@ final class ImportCommand implements Callable<Integer> {
                 """);
         percepts.forEach((name, values) -> {
             List<String> all = List.copyOf(values);
-            sketch.append(all.isEmpty() ? "  percepts.number(F(\"" + name + "\"), 50);\n"
+            sketch.append(all.isEmpty() ? "  percepts.add(F(\"" + name + "\"), 50);\n"
                     : "  percepts.literal(lampIsOn ? F(\"" + name + "(" + all.get(all.size() - 1) + ")\") : F(\"" + name
                             + "(" + all.get(0) + ")\"));\n");
         });
