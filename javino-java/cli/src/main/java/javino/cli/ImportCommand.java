@@ -17,7 +17,6 @@ import javino.cli.ChonProject.Sketch;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -46,24 +45,20 @@ final class ImportCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, JavinoException {
-        Path name = folder.getFileName();
-        if (name == null || !ProjectFiles.isName(name.toString())) {
-            throw new ParameterException(spec.commandLine(),
-                    "a project is named by letters, digits, - and _, a letter first, not " + folder);
-        }
+        String name = ProjectFiles.nameOf(spec.commandLine(), folder);
         ChonProject project = ChonProject.read(file);
         String home = ProjectFiles.installed();
         List<String> remarks = new ArrayList<>();
         List<Agent> agents = running(project, remarks);
         List<Sketch> sketches = sketches(project, remarks);
-        Map<String, String> words = Map.of("name", name.toString(), "javinoHome", home, "masFile", name + ".mas2j",
+        Map<String, String> words = Map.of("name", name, "javinoHome", home, "masFile", name + ".mas2j",
                 "fqbn", model.fqbn, "sketches", sketches.stream().map(Sketch::name).collect(Collectors.joining(" ")));
         ProjectFiles files = ProjectFiles.in(folder, words);
         for (String each : NewProject.BUILD) {
             files.copy("common", each);
         }
         files.copy("imported", "build.gradle");
-        files.write(name + ".mas2j", mas(name.toString(), agents));
+        files.write(name + ".mas2j", mas(name, agents));
         for (Agent agent : project.agents()) {
             files.write("src/agt/" + agent.name() + ".asl", agent.program());
         }

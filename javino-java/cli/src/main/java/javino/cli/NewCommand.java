@@ -63,17 +63,13 @@ final class NewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, JavinoException {
-        Path name = folder.getFileName();
-        if (name == null || !ProjectFiles.isName(name.toString())) {
-            throw new ParameterException(spec.commandLine(),
-                    "a project is named by letters, digits, - and _, a letter first, not " + folder);
-        }
+        String name = ProjectFiles.nameOf(spec.commandLine(), folder);
         if (boards < 1 || boards > 2) {
             throw new ParameterException(spec.commandLine(), "a new project has 1 or 2 boards, not " + boards);
         }
         NewProject.Model usual = boards == 1 ? NewProject.Model.MEGA : NewProject.Model.UNO;
         NewProject.Kind kind = which.jacamo ? NewProject.Kind.JACAMO : NewProject.Kind.JASON;
-        new NewProject(name.toString(), kind, model == null ? usual : model, boards == 2).write(folder);
+        new NewProject(name, kind, model == null ? usual : model, boards == 2).write(folder);
         spec.commandLine().getOut().println("project " + name + " written; next: cd " + folder + " && gradle run");
         return 0;
     }

@@ -13,6 +13,8 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.regex.Pattern;
 import javino.JavinoException;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
 
 /**
  * The files of a project in a new folder, some of them made of the resources under {@code project/}.
@@ -41,9 +43,18 @@ record ProjectFiles(Path folder, Map<String, String> words) {
         return new ProjectFiles(folder, words);
     }
 
-    /** Whether that is a name for a project, a sketch: letters, digits, - and _, a letter first. */
-    static boolean isName(String name) {
-        return NAME.matcher(name).matches();
+    /**
+     * The name of a project in that folder.
+     *
+     * @throws ParameterException if its last part is none: letters, digits, - and _, a letter first.
+     */
+    static String nameOf(CommandLine command, Path folder) {
+        Path name = folder.getFileName();
+        if (name == null || !NAME.matcher(name.toString()).matches()) {
+            throw new ParameterException(command,
+                    "a project is named by letters, digits, - and _, a letter first, not " + folder);
+        }
+        return name.toString();
     }
 
     /** Writes a file as a resource of this name says. */
