@@ -165,6 +165,21 @@ class ReleaseTest {
         }
     }
 
+    /** As unpacked; {@code .ci/packages} installs them. */
+    @Test
+    void debianPackages_haveCommandEmulatorCompletionAndManual() throws Exception {
+        Release.run("dpkg-deb", "-x", Release.file("javino_", "_all\\.deb").toString(), folder.toString());
+        Release.run("dpkg-deb", "-x", Release.file("javino-emulator_", "_\\w+\\.deb").toString(), folder.toString());
+        Release.run(folder + "/usr/bin/javino", "--version");
+        Release.run(folder + "/usr/share/javino/bin/javino-emulator", "--help");
+        for (String command : List.of("", "-new", "-why", "-enroll")) {
+            assertTrue(Files.size(folder.resolve("usr/share/man/man1/javino" + command + ".1.gz")) > 0);
+        }
+        Release.run("bash", "-c", "source '" + folder + "/usr/share/bash-completion/completions/javino' && "
+                + "COMP_WORDS=(javino wh) COMP_CWORD=1 && _complete_javino && [ \"${COMPREPLY[*]}\" = why ]");
+        assertTrue(files(folder).stream().allMatch(file -> file.matches("usr/(bin|share)/.*")));
+    }
+
     @Test
     void billOfMaterials_isOfCycloneDxAndHasEachJarOfTheCommand() throws Exception {
         Path file = Release.file("javino-", "\\.cdx\\.json");
