@@ -51,8 +51,9 @@ class ReleaseTest {
             }
         }
         for (String sum : List.of("md5", "sha1", "sha256")) {
-            Release.run("bash", "-c", "cd '" + folder + "/maven' && find . -name '*." + sum + "' | while read -r file; do "
-                    + "echo \"$(cat \"$file\")  ${file%.*}\"; done | " + sum + "sum --quiet -c -");
+            Release.run("bash", "-c",
+                    "cd '" + folder + "/maven' && find . -name '*." + sum + "' | while read -r file; do "
+                            + "echo \"$(cat \"$file\")  ${file%.*}\"; done | " + sum + "sum --quiet -c -");
         }
     }
 
@@ -75,15 +76,18 @@ class ReleaseTest {
                 PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
         String gpg = "export GNUPGHOME='" + home + "'; ";
         try {
-            Release.run("bash", "-ec", gpg + "gpg --batch --quiet --passphrase '' --quick-generate-key tester rsa2048 sign; "
-                    + "'" + SketchBuild.ROOT + "/gradle/sign' '" + libraries + "' tester; "
-                    + "find '" + libraries + "' -name '*.asc' | while read -r file; do "
-                    + "gpg --batch --quiet --verify \"$file\" \"${file%.asc}\" 2>> '" + folder + "/said'; done");
+            Release.run("bash", "-ec",
+                    gpg + "gpg --batch --quiet --passphrase '' --quick-generate-key tester rsa2048 sign; "
+                            + "'" + SketchBuild.ROOT + "/gradle/sign' '" + libraries + "' tester; "
+                            + "find '" + libraries + "' -name '*.asc' | while read -r file; do "
+                            + "gpg --batch --quiet --verify \"$file\" \"${file%.asc}\" 2>> '" + folder
+                            + "/said'; done");
         } finally {
             Release.run("bash", "-c", gpg + "gpgconf --kill gpg-agent");
         }
         Set<String> expected = new TreeSet<>(files);
-        files.stream().filter(file -> file.matches(".*\\.(jar|pom|module)")).forEach(file -> expected.add(file + ".asc"));
+        files.stream().filter(file -> file.matches(".*\\.(jar|pom|module)"))
+                .forEach(file -> expected.add(file + ".asc"));
         assertEquals(expected, files(libraries));
     }
 
