@@ -31,6 +31,7 @@ openssl                  certificates for it
 socat                    a page's commands to the emulator
 tshark                   the tests of captures, and of the dissector for Wireshark
 python3                  the second checker of the models
+asciidoctor              the manual's pages, in Debian's package
 chromium                 the tests of the live page
 chromium-driver          drives it
 fonts-dejavu-core        letters for it

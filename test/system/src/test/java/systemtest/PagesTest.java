@@ -32,7 +32,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The commands of all pages, as printed: page by page in one folder, as a reader does them who has no hardware.
+ * The commands of all pages, as printed: page by page in one folder, as a reader does them who has no hardware, and
+ * whose path only the page itself changes.
  *
  * <p>A block {@code sh} is run to its end, {@code sh ends} until it has printed the block {@code text} that follows,
  * {@code sh runs} until the page ends or {@code <!-- ends WORD -->} names it. All others are exceptions, for a reason.
@@ -190,12 +191,13 @@ class PagesTest {
         boolean boards = blocks.stream().anyMatch(block -> isRun(block) && block.group(3).contains("/dev/ttyACM"));
         commandsRun += blocks.stream().filter(PagesTest::isRun).count();
         Map<String, String> ports = ports(text);
+        Files.writeString(folder.resolve("place"), clone.toString());
         if (boards && ports.isEmpty()) {
             String megas = read(ROOT.resolve(MEGAS));
             ports = ports(megas);
-            blocks.add(0, BLOCK.matcher(megas).results().filter(PagesTest::isRun).findFirst().orElseThrow());
+            follow(BLOCK.matcher(megas).results().filter(PagesTest::isRun).findFirst().orElseThrow(), "", MEGAS, ports);
         }
-        Files.writeString(folder.resolve("place"), clone.toString());
+        Files.writeString(folder.resolve("state"), "");
         if (text.contains(BROKER)) {
             start("/usr/sbin/mosquitto -p " + brokersPort);
         }

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -41,21 +42,75 @@ class ReleaseTest {
     }
 
     @Test
-    void libraries_haveSourcesJavadocAndPom() throws Exception {
-        for (String library : List.of("javino-protocol-", "javino-board-", "diffuser-arch-", "mobility-")) {
-            for (String end : List.of("\\.jar", "-sources\\.jar", "-javadoc\\.jar", "\\.pom")) {
-                assertTrue(Files.size(Release.file(library, end)) > 0);
+    void libraries_haveSourcesJavadocPomAndChecksums() throws Exception {
+        Set<String> files = files(unpackLibraries());
+        for (String library : List.of("javino-protocol", "javino-board", "diffuser-arch", "mobility")) {
+            for (String end : List.of(".jar", "-sources.jar", "-javadoc.jar", ".pom")) {
+                String file = "org/javino/%1$s/%2$s/%1$s-%2$s%3$s".formatted(library, version(), end);
+                assertTrue(files.containsAll(List.of(file, file + ".md5", file + ".sha1", file + ".sha256")), file);
             }
+        }
+        for (String sum : List.of("md5", "sha1", "sha256")) {
+            Release.run("bash", "-c",
+                    "cd '" + folder + "/maven' && find . -name '*." + sum + "' | while read -r file; do "
+                            + "echo \"$(cat \"$file\")  ${file%.*}\"; done | " + sum + "sum --quiet -c -");
         }
     }
 
     /** What Maven Central asks of a POM. */
     @Test
     void pom_hasWhatMavenCentralAsksFor() throws Exception {
-        String pom = Files.readString(Release.file("javino-board-", "\\.pom"));
+        String pom = Files.readString(unpackLibraries()
+                .resolve("org/javino/javino-board/%1$s/javino-board-%1$s.pom".formatted(version())));
         for (String element : List.of("name", "description", "url", "licenses", "developers", "scm")) {
             assertTrue(pom.contains("\n  <" + element + ">"), element + " in " + pom);
         }
+    }
+
+    /** As {@code -Psign=KEY} does it, by a key of its own. */
+    @Test
+    void libraries_signed_haveASignatureOfEachFile() throws Exception {
+        Path libraries = unpackLibraries();
+        Set<String> files = files(libraries);
+        Path home = Files.createDirectory(folder.resolve("gnupg"),
+                PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+        String gpg = "export GNUPGHOME='" + home + "'; ";
+        try {
+            Release.run("bash", "-ec",
+                    gpg + "gpg --batch --quiet --passphrase '' --quick-generate-key tester rsa2048 sign; "
+                            + "'" + SketchBuild.ROOT + "/gradle/sign' '" + libraries + "' tester; "
+                            + "find '" + libraries + "' -name '*.asc' | while read -r file; do "
+                            + "gpg --batch --quiet --verify \"$file\" \"${file%.asc}\" 2>> '" + folder
+                            + "/said'; done");
+        } finally {
+            Release.run("bash", "-c", gpg + "gpgconf --kill gpg-agent");
+        }
+        Set<String> expected = new TreeSet<>(files);
+        files.stream().filter(file -> file.matches(".*\\.(jar|pom|module)"))
+                .forEach(file -> expected.add(file + ".asc"));
+        assertEquals(expected, files(libraries));
+    }
+
+    private Path unpackLibraries() throws Exception {
+        Path libraries = Files.createDirectory(folder.resolve("maven"));
+        Release.run("cmake", "-E", "chdir", libraries.toString(), "cmake", "-E", "tar", "xf",
+                Release.file("javino-", "-maven\\.zip").toString());
+        return libraries;
+    }
+
+    private static String version() throws IOException {
+        return Release.file("JavinoBDI-", "\\.zip").getFileName().toString().replaceAll("JavinoBDI-|\\.zip", "");
+    }
+
+    /** The Library Manager takes the tags of a repository that has nothing else. */
+    @Test
+    void arduinoRepository_cloned_isTheLibraryAtATag() throws Exception {
+        Path library = folder.resolve("JavinoBDI");
+        Release.run("git", "-c", "advice.detachedHead=false", "clone", "--quiet", "--branch", version(),
+                Release.file("JavinoBDI-", "\\.bundle").toString(), library.toString());
+        Set<String> tracked = files(library).stream().filter(file -> !file.startsWith(".git/"))
+                .collect(Collectors.toCollection(TreeSet::new));
+        assertEquals(files(install()), tracked);
     }
 
     /** So that what is built and compiled without a warning here, all examples for all boards, is so there. */
@@ -163,6 +218,21 @@ class ReleaseTest {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** As unpacked; {@code .ci/packages} installs them. */
+    @Test
+    void debianPackages_haveCommandEmulatorCompletionAndManual() throws Exception {
+        Release.run("dpkg-deb", "-x", Release.file("javino_", "_all\\.deb").toString(), folder.toString());
+        Release.run("dpkg-deb", "-x", Release.file("javino-emulator_", "_\\w+\\.deb").toString(), folder.toString());
+        Release.run(folder + "/usr/bin/javino", "--version");
+        Release.run(folder + "/usr/share/javino/bin/javino-emulator", "--help");
+        for (String command : List.of("", "-new", "-why", "-enroll")) {
+            assertTrue(Files.size(folder.resolve("usr/share/man/man1/javino" + command + ".1.gz")) > 0);
+        }
+        Release.run("bash", "-c", "source '" + folder + "/usr/share/bash-completion/completions/javino' && "
+                + "COMP_WORDS=(javino wh) COMP_CWORD=1 && _complete_javino && [ \"${COMPREPLY[*]}\" = why ]");
+        assertTrue(files(folder).stream().allMatch(file -> file.matches("usr/(bin|share)/.*")));
     }
 
     @Test
