@@ -26,7 +26,7 @@ public interface KeyService extends HostService {
         /** Whether the board has broadcasts, by which devices agree on keys. */
         boolean hasBroadcasts();
 
-        /** In how many s the board's budget of airtime lets a new message go; 0 if it does, as far as is known. */
+        /** For how many s the board's airtime limit holds back a new message; 0: not at all, as far as is known. */
         long airtimeWait();
 
         /** Sends a message under the key that the board has, as {@link Sender#send}. */

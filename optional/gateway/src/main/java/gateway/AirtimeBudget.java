@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * How much of the air may be used: a share of each hour, and at most some seconds at once. What fills it within an hour
- * and what it holds at its beginning are that share together: as a board's own budget, and as laws count.
+ * and what it holds at its beginning are that share together: as a board's own limit has it, and as laws count.
  */
 final class AirtimeBudget {
 

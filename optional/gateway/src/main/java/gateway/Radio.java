@@ -10,7 +10,7 @@ interface Radio extends AutoCloseable {
 
     boolean isOnline();
 
-    /** For how many ms its own budget of airtime lets nothing new go; 0 if it does, and where there is none. */
+    /** For how many ms its own airtime limit holds back what is new; 0: not at all, or there is none. */
     default long airtimeWait() {
         return 0;
     }

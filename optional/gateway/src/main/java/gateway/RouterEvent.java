@@ -28,7 +28,7 @@ sealed interface RouterEvent {
     record Relayed(boolean sent) implements RouterEvent {
     }
 
-    /** The board's own budget of airtime is used: for so many ms it gets no frames of other cells. */
+    /** The board's own airtime limit is reached: for so many ms it gets no frames of other cells. */
     record AirtimeUsed(long millis) implements RouterEvent {
     }
 

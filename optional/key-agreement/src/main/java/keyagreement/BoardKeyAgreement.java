@@ -130,7 +130,7 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
         step(all -> send(all, message, toGroup));
     }
 
-    /** The messages that agree on a key wait at the board if its budget of airtime is used. */
+    /** The messages that agree on a key are held back, too, if the board has an airtime limit. */
     private void tellAirtime(Host board, PendingMessage message) {
         long wait = board.airtimeWait();
         if (message.isWaiting() && wait > 0) {

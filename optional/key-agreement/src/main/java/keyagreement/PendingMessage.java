@@ -67,7 +67,7 @@ record PendingMessage(Address to, Message message, Transmission transmission) {
         fail(new Failure(error, message).toException());
     }
 
-    /** It will not be sent, as the board lets nothing new go for so many s, not even what agrees on its key. */
+    /** It will not be sent, as an airtime limit holds back for so many s what agrees on its key. */
     void failForAirtime(long seconds) {
         fail(new AirtimeUsedException("transmit to " + to + ": " + message, seconds));
     }

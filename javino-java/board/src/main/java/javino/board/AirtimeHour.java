@@ -20,6 +20,8 @@ public final class AirtimeHour {
     private static final long SECOND = Duration.ofSeconds(1).toNanos();
     private static final double PERMILLE = 1000;
     private static final double PERCENT = 10;
+    /** A small chip counts no further (SPEC 4.5). */
+    private static final long SMALL_MOST = 0xFFFF;
 
     /** At least a minute apart; only the first one may be older than an hour. */
     private final List<Reading> readings = new ArrayList<>();
@@ -27,6 +29,7 @@ public final class AirtimeHour {
     private long counted;
     private double most;
     private long goesOn;
+    private boolean isStopped;
 
     /** @param sent since the first reading, in s. */
     private record Reading(long nanos, long sent) {
@@ -37,7 +40,7 @@ public final class AirtimeHour {
      *
      * @param share percent of the hour before, 0 to 100, in steps of 0.1; also if it was watched for a part of it only.
      * @param most  the most in any hour since the first reading.
-     * @param waitSeconds in how many s the board's budget lets a new message go; 0 if it does, or there is no budget.
+     * @param waitSeconds for how many s the board's airtime limit holds back a new message; 0: not at all.
      */
     public record Use(double share, double most, long waitSeconds) {
 
@@ -45,7 +48,7 @@ public final class AirtimeHour {
         @Override
         public String toString() {
             return String.format(Locale.ROOT, "%.1f %% of the last hour, at most %.1f %% of one", share, most)
-                    + (waitSeconds == 0 ? "" : "; its budget is used, new messages wait " + waitSeconds + " s");
+                    + (waitSeconds == 0 ? "" : "; its limit holds messages back for " + waitSeconds + " s");
         }
     }
 
@@ -55,6 +58,7 @@ public final class AirtimeHour {
         long count = counters.getOrDefault(Counter.RADIO_AIRTIME, 0L);
         long risen = count < counted ? count : count - counted;
         last = new Reading(nanos, last == null ? 0 : last.sent + risen);
+        isStopped = count == SMALL_MOST && count == counted;
         counted = count;
         if (readings.isEmpty() || nanos - readings.get(readings.size() - 1).nanos >= MINUTE) {
             readings.add(last);
@@ -66,9 +70,9 @@ public final class AirtimeHour {
         goesOn = nanos + counters.getOrDefault(Counter.AIRTIME_WAIT, 0L) * SECOND;
     }
 
-    /** The state; nothing before the first reading. */
+    /** The state; nothing before the first reading, and when the counter has stopped. */
     synchronized Optional<Use> use(long nanos) {
-        return Optional.ofNullable(last)
+        return Optional.ofNullable(last).filter(any -> !isStopped)
                 .map(known -> new Use(share(), most, Math.max(0, (goesOn - nanos + SECOND - 1) / SECOND)));
     }
 

@@ -2,7 +2,7 @@ package javino.board;
 
 import javino.JavinoException;
 
-/** The board has no room for a message, which is not sent: those before it wait there until its budget allows more airtime. */
+/** A message was refused, and not sent: the board has no room for it while its airtime limit holds back others. */
 public final class AirtimeUsedException extends JavinoException {
 
     private static final long serialVersionUID = 1L;
@@ -11,15 +11,15 @@ public final class AirtimeUsedException extends JavinoException {
 
     /**
      * @param request describes what was asked.
-     * @param seconds until the board lets the next message go.
+     * @param seconds until the board lets a new message go.
      */
     public AirtimeUsedException(String request, long seconds) {
-        super(request + " was not performed: the board's budget of airtime is used, and messages wait there; try again"
-                + " in " + seconds + " s");
+        super(request + " was not performed: the board's airtime limit holds messages back; try again in "
+                + seconds + " s");
         this.seconds = seconds;
     }
 
-    /** Until the board lets the next message go, in s. */
+    /** Until the board lets a new message go, in s. */
     public long seconds() {
         return seconds;
     }

@@ -78,13 +78,24 @@ class AirtimeHourTest {
     }
 
     @Test
+    void use_ofACounterThatHasStopped_isNotKnown() {
+        read(0, 65_500);
+        read(60, 65_535);
+        assertEquals(1, share());
+        read(120, 65_535);
+        assertEquals(Optional.empty(), hour.use(0));
+        read(180, 0);
+        assertEquals(1, share());
+    }
+
+    @Test
     void wait_countsDown() {
         hour.take(Map.of(Counter.AIRTIME_WAIT, 42L), 0);
         assertEquals(42, use(0).waitSeconds());
         assertEquals(42, hour.use(1).orElseThrow().waitSeconds());
         assertEquals(2, use(40).waitSeconds());
         assertEquals(0, use(60).waitSeconds());
-        assertEquals("0.0 % of the last hour, at most 0.0 % of one; its budget is used, new messages wait 42 s",
+        assertEquals("0.0 % of the last hour, at most 0.0 % of one; its limit holds messages back for 42 s",
                 use(0).toString());
     }
 

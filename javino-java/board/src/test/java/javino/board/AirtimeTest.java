@@ -14,7 +14,7 @@ import javino.protocol.Outcome;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 
-/** A session reads how long its board has sent, and tells when a budget keeps messages waiting (SPEC 4.5). */
+/** A session reads how long its board has sent, and tells when a limit holds messages back (SPEC 4.5). */
 class AirtimeTest extends BoardFixture {
 
     private void openAndAwaitOnline() throws Exception {
@@ -58,8 +58,8 @@ class AirtimeTest extends BoardFixture {
         Transmission transmission = board.transmit(SUPO, HELP);
         AirtimeUsedException used = failure(AirtimeUsedException.class, transmission.taken());
         assertEquals(42, used.seconds());
-        assertEquals("transmit to SUPO: tell;help was not performed: the board's budget of airtime is used, and"
-                + " messages wait there; try again in 42 s", used.getMessage());
+        assertEquals("transmit to SUPO: tell;help was not performed: the board's airtime limit holds messages"
+                + " back; try again in 42 s", used.getMessage());
         assertEquals(used, failure(AirtimeUsedException.class, transmission.end()));
         Frame frame = new Frame(SUPO, Address.parse("ROMA"), Bytes.ofText("x"));
         assertEquals(42, failure(AirtimeUsedException.class, board.relay(frame).end()).seconds());
