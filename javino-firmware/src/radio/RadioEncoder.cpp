@@ -39,7 +39,8 @@ uint8_t RadioEncoder::trailerLength(Trailer trailer, uint8_t length) {
 
 // Puts the trailer behind the packet. Returns its length.
 uint8_t RadioEncoder::addTrailer(Trailer trailer, uint8_t *packet, uint8_t length) {
-  packet[length] = trailer == Trailer::MARK ? linecode::TRAILER_MARK : linecode::TRAILER_PARITY;
+  if (trailer == Trailer::MARK) packet[length] = linecode::TRAILER_MARK;
+  if (trailer == Trailer::PARITY) packet[length] = linecode::TRAILER_PARITY;
   if (trailer == Trailer::PARITY) reedsolomon::encode(packet, length, packet + length + 1);
   return trailerLength(trailer, length);
 }

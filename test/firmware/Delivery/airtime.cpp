@@ -28,7 +28,7 @@ TEST(Airtime, is_that_of_all_packets_and_their_trailers_in_whole_seconds) {
   EXPECT_EQ(0u, board.counter(Counter::RADIO_AIRTIME));
   for (int message = 0; message < 12; message++) {
     board.transmit("SUHO", "SUPP", "tell;x");  // to an absent device: all but the first attempt have a mark
-    board.passSending(7000);
+    board.passSending(10000);
     ASSERT_EQ(airtimeOf(board.radio) / 1000, board.counter(Counter::RADIO_AIRTIME)) << message;
   }
   EXPECT_EQ(96u, board.radio.sent.size());
