@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "../radio/Radio.h"
+#include "../support/Trace.h"
 #include "../support/Zeroed.h"
 
 namespace javinolib {
@@ -18,7 +19,10 @@ class AirtimeLimit final : public Radio {
   // The radio outlives it. The percent of an hour: 1…100.
   AirtimeLimit(Radio &radio, uint8_t percent) : radio_(radio), percent_(percent) {}
 
-  bool begin() override { return radio_.begin(); }
+  bool begin() override {
+    trace::tell(trace::AIRTIME_LIMIT, percent_);
+    return radio_.begin();
+  }
   bool send(const uint8_t *payload, uint8_t length) override;
 #if JAVINO_LARGE
   uint8_t follow(Trailer trailer, uint8_t length) override { return follows_ = radio_.follow(trailer, length); }
