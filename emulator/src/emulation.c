@@ -439,7 +439,8 @@ bool emulation_serial_busy(const emulation *e) {
 }
 
 static void trace_counters(const emulation *e, const node *n) {
-  const sniffer_counters *radio = &e->listener.stations[n->index].counters;
+  const sniffer_station *station = &e->listener.stations[n->index];
+  const sniffer_counters *radio = &station->counters;
   trace_begin(e->out, e->now, n->config->name, "counters");
   trace_count(e->out, "resets", n->resets);
   trace_count(e->out, "powerCuts", n->power_cuts);
@@ -454,6 +455,7 @@ static void trace_counters(const emulation *e, const node *n) {
   trace_count(e->out, "radioDamaged", radio->damaged);
   trace_count(e->out, "radioCollisions", radio->collisions);
   trace_count(e->out, "radioNotFollowed", radio->not_followed);
+  if (station->hours > 0) trace_numbers(e->out, "airtime", station->airtime_s, station->hours);
   trace_end(e->out);
 }
 

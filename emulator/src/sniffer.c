@@ -9,6 +9,7 @@
 
 // How much later than the end of a packet a receiver's decoder may tell it.
 #define ARRIVAL_BITS 8
+#define CYCLES_PER_HOUR ((cycles_t)3600 * CYCLES_PER_SECOND)
 
 // The source behind the boards' is the injector's.
 static const char *board_name(const sniffer *s, size_t board) {
@@ -82,10 +83,33 @@ static void tx_whole(void *context, const line_packet *packet) {
     if (rf_bus_hears(s->bus, r, station->board)) expect(&s->stations[r], station->board, packet);
 }
 
+// Adds a packet's time to that of each hour in which it was on the air.
+static void add_airtime(sniffer_station *station, cycles_t start, cycles_t end) {
+  size_t hours = (size_t)(end / CYCLES_PER_HOUR) + 1;
+  if (hours > station->hours) {
+    double *grown = realloc(station->airtime_s, hours * sizeof *grown);
+    if (!grown) {
+      station->owner->out->failed = true;
+      return;
+    }
+    for (size_t i = station->hours; i < hours; i++) grown[i] = 0;
+    station->airtime_s = grown;
+    station->hours = hours;
+  }
+  while (start < end) {
+    size_t hour = (size_t)(start / CYCLES_PER_HOUR);
+    cycles_t next = (hour + 1) * CYCLES_PER_HOUR;
+    cycles_t until = next < end ? next : end;
+    station->airtime_s[hour] += cycles_to_seconds(until - start);
+    start = until;
+  }
+}
+
 static void tx_ended(void *context, const line_packet *packet) {
   sniffer_station *station = context;
   sniffer *s = station->owner;
   station->counters.sent++;
+  add_airtime(station, packet->start, packet->end);
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
   write_packet(s->out, station->sending, packet, s->config->radio.module.name);
   if (s->ending) trace_flag(s->out, "cut", true);
@@ -157,7 +181,10 @@ void sniffer_end(sniffer *s) {
   for (size_t i = 0; i < s->config->board_count; i++) line_decoder_end(&s->stations[i].rx);
 }
 
-void sniffer_release(sniffer *s) { free(s->stations); }
+void sniffer_release(sniffer *s) {
+  for (size_t i = 0; s->stations && i <= s->config->board_count; i++) free(s->stations[i].airtime_s);
+  free(s->stations);
+}
 
 void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at) {
   line_decoder_edge(&s->stations[board].tx, level, at);

@@ -47,6 +47,8 @@ typedef struct {
   line_error last_error;  // of the RX pin
   cycles_t last_error_at;
   sniffer_counters counters;
+  double *airtime_s;  // of the packets sent in each hour of the run, in seconds
+  size_t hours;
 } sniffer_station;
 
 typedef struct sniffer {

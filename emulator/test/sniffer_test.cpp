@@ -214,3 +214,21 @@ TEST(Sniffer, tells_what_is_reserved_and_what_is_no_frame) {
   EXPECT_EQ(sniffed("+GABCAFEAwHello!").text("kind"), "reserved");
   EXPECT_EQ(sniffed("Hello!").text("kind"), "no frame");
 }
+
+// One of 276 bits that begins 100 bits before the hour is over.
+TEST(Sniffer, tells_the_airtime_of_each_hour) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"},{"name":"b","firmware":"@blink"}]})");
+  sniffer *listener = &run.e.listener;
+  cycles_t at = (cycles_t)3600 * CYCLES_PER_SECOND - 100 * BIT;
+  for (char level : line_bits(PAYLOAD) + "0") {
+    sniffer_tx_edge(listener, 0, level == '1', at);
+    at += BIT;
+  }
+  sniffer_advance_tx(listener, at + 20 * BIT);
+  run.close();
+  EXPECT_NE(run.trace_text().find(R"("airtime":[0.05,0.088]})"), std::string::npos);
+  auto quiet = run.events("b", "counters");
+  ASSERT_EQ(quiet.size(), 1u);
+  EXPECT_EQ(json_object_get(quiet[0].fields, "airtime"), nullptr) << "it has sent nothing";
+}

@@ -7,6 +7,7 @@
 #include "support/SketchMacros.inc"
 
 #include "arduino/ArduinoBoard.h"
+#include "delivery/AirtimeLimit.h"
 #include "delivery/Broadcaster.h"
 #include "delivery/Relay.h"
 #include "radio/AskHardware.h"
@@ -32,6 +33,7 @@ using JavinoResult = javinolib::Result;
 using JavinoBroadcaster = javinolib::Broadcaster;
 using JavinoRelay = javinolib::Relay;
 using JavinoAskRadio = javinolib::AskRadio;
+using JavinoAirtimeLimit = javinolib::AirtimeLimit;
 using JavinoSerialRadio = javinolib::SerialRadio;
 using JavinoSerialModule = javinolib::SerialModule;
 

@@ -68,5 +68,5 @@ class LoopbackRadio : public JavinoRadio {
   uint32_t sentAt_ = 0;
   uint8_t received_[LONGEST];
   uint8_t receivedLength_ = 0;  // 0 where nothing waits
-  JavinoRadioCounters counters_ = {0, 0, 0, 0, 0, 0};
+  JavinoRadioCounters counters_ = {};
 };

@@ -46,7 +46,11 @@ void eeprom::commit() {
 static TakenNonces nonces __attribute__((section(".noinit")));
 
 TakenNonces &retained::takenNonces() { return nonces; }
+
+static retained::Airtime keptAirtime __attribute__((section(".noinit")));
 #else
+static retained::Airtime keptAirtime;
+
 TakenNonces &retained::takenNonces() {
   // Elsewhere it is cleared too. No epoch follows this one.
   static struct Cleared : TakenNonces {
@@ -55,6 +59,8 @@ TakenNonces &retained::takenNonces() {
   return nonces;
 }
 #endif
+
+retained::Airtime &retained::airtime() { return keptAirtime; }
 
 // There is room for an interrupt, and for the functions that write there. Where the stack of another chip is, is not known.
 static bool hasOverrun;

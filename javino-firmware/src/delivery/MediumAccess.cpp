@@ -1,6 +1,7 @@
 #include "MediumAccess.h"
 
 #include "../support/Clock.h"
+#include "../support/Counters.h"
 #include "../support/Trace.h"
 
 namespace javinolib {
@@ -33,12 +34,18 @@ void MediumAccess::update() {
 }
 
 bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer) {
+  Radio &radio = radio_;
+  uint8_t lasts = length;
 #if JAVINO_LARGE
-  radio_.follow(trailer);
+  lasts = static_cast<uint8_t>(lasts + radio.follow(trailer, length));
 #else
   (void)trailer;
 #endif
-  if (!radio_.send(payload, length)) return false;
+  if (!radio.send(payload, length)) return false;
+  uint16_t millis = radio.airtimeMillis(lasts);
+  millis = static_cast<uint16_t>(millis + airtimeMillis_);
+  for (; millis >= 1000; millis = static_cast<uint16_t>(millis - 1000)) countUp(airtime_);
+  airtimeMillis_ = millis;
   sending_ = true;
   quietSlots_ = 0;
   return true;

@@ -80,8 +80,14 @@ class MediumAccess {
   /// Whether the radio holds none. Safe to call with interrupts off.
   bool isIdle() const { return radio_.idle(); }
 
-  /// Copies the radio's counters.
-  void counters(RadioCounters &into) const { radio_.counters(into); }
+  /// Copies the radio's counters, and adds the airtime.
+  void counters(RadioCounters &into) const {
+    radio_.counters(into);
+    into.airtime = airtime_;
+  }
+
+  /// How long the radio has sent since the boot, in whole seconds.
+  config::Count airtime() const { return airtime_; }
 
   /// How long a packet is on the air.
   /// @param length of its payload, in bytes
@@ -102,6 +108,8 @@ class MediumAccess {
   uint8_t quietMillis_ JAVINO_ZEROED;
   uint16_t slotSince_ JAVINO_ZEROED;  // when the current quiet slot began
   uint16_t lookedAt_ JAVINO_ZEROED;
+  uint16_t airtimeMillis_ JAVINO_ZEROED;  // less than 1000
+  config::Count airtime_ JAVINO_ZEROED;   // the seconds before them
 };
 
 }  // namespace javinolib

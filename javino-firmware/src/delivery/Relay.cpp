@@ -1,5 +1,7 @@
 #include "Relay.h"
 
+#include "../support/Clock.h"
+
 namespace javinolib {
 
 bool Relay::begin(uint16_t number) {
@@ -19,6 +21,10 @@ void Relay::run() {
     medium_->release();
   }
   forwarding_.run();
+  for (; static_cast<uint16_t>(clock::millis() - secondSince_) >= 1000;
+       secondSince_ = static_cast<uint16_t>(secondSince_ + 1000)) {
+    seconds_++;
+  }
 }
 
 }  // namespace javinolib

@@ -36,12 +36,17 @@ class Relay {
   // The number of messages that were not copied, since its memory was full or too many went unanswered.
   uint32_t refused() const { return counters_->value(Counter::RELAY_REFUSED); }
 
+  // The share of the time since the boot that the radio has sent, in tenths of a percent.
+  uint16_t airtime() const { return seconds_ == 0 ? 0 : static_cast<uint16_t>(1000ul * medium_->airtime() / seconds_); }
+
  private:
   OwnPart<MediumAccess> medium_;
   OwnPart<Random> random_;
   OwnPart<Counters> counters_;
   Forwarding::Memory memory_ JAVINO_ZEROED;
   Forwarding forwarding_;
+  uint32_t seconds_ JAVINO_ZEROED;  // since the boot, as the clock begins anew after 49 days
+  uint16_t secondSince_ JAVINO_ZEROED;
 };
 
 }  // namespace javinolib

@@ -60,6 +60,13 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   return true;
 }
 
+#if JAVINO_LARGE
+uint8_t AskRadio::follow(Trailer trailer, uint8_t length) {
+  follower_ = trailer;
+  return RadioEncoder::trailerLength(trailer, static_cast<uint8_t>(length + linecode::PACKET_OVERHEAD));
+}
+#endif
+
 bool AskRadio::carrier() const {
   askhardware::InterruptLock lock;
   const bool before = carrierHeard_;

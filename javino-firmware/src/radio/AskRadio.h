@@ -72,7 +72,7 @@ class AskRadio : public Radio {
   Mender *mender() override { return mender_.operator->(); }
   uint8_t *sentPath() override { return &path_; }
 #if JAVINO_LARGE
-  void follow(Trailer trailer) override { follower_ = trailer; }
+  uint8_t follow(Trailer trailer, uint8_t length) override;
 #endif
   void counters(RadioCounters &into) const override;
   bool idle() const override { return decoder_->queue().empty(); }

@@ -27,7 +27,7 @@ enum class Trailer : uint8_t {
   PARITY  ///< another word, and the packet's parity
 };
 
-/// The counts of a radio since it began (SPEC 4.5, counters 5, 6, 7, 17, 28, 41).
+/// The counts of a radio since it began (SPEC 4.5, counters 5, 6, 7, 17, 28, 41 to 43).
 struct RadioCounters {
   config::Count received;    ///< packets with a right CRC, mended ones too
   config::Count damaged;     ///< packets with a wrong symbol, count or CRC
@@ -35,6 +35,8 @@ struct RadioCounters {
   config::Count sent;        ///< packets that have been on the air whole
   config::Count mended;      ///< packets that came damaged and were mended
   config::Count lateMicros;  ///< how late its interrupt began at most, 0 where it has none
+  config::Count airtime;     ///< the board counts it, no driver
+  config::Count airtimeWait; ///< seconds until an airtime limit lets a new message go
 };
 
 /// The facts that come with a payload.
@@ -62,8 +64,13 @@ class Radio {
   virtual bool send(const uint8_t *payload, uint8_t length) = 0;
 
 #if JAVINO_LARGE
-  /// Says what follows the packets that are sent from now on. A driver need not do that.
-  virtual void follow(Trailer) {}
+  /// Says what follows the next packet. A driver need not do that.
+  /// @param length of its payload
+  /// @return how many bytes of payload would take as long, 0…17; 0 where nothing follows
+  virtual uint8_t follow(Trailer, uint8_t length) {
+    (void)length;
+    return 0;
+  }
 #endif
 
   /// @return where to say the path of the packets that are sent from now on, less than PATHS, at first 0; null if the driver
@@ -100,7 +107,7 @@ class Radio {
   /// Drops the payload that receive() returned.
   virtual void release() = 0;
 
-  /// Copies the counters; no interrupt changes one during its copy.
+  /// Copies the counters, 0 for those that it does not count; no interrupt changes one during its copy.
   virtual void counters(RadioCounters &into) const = 0;
 
   /// @return whether receive() has nothing to do: the CPU may sleep until the next interrupt.

@@ -32,13 +32,17 @@ bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer
 
 #if JAVINO_LARGE
 
+uint8_t RadioEncoder::trailerLength(Trailer trailer, uint8_t length) {
+  if (trailer == Trailer::PARITY) return static_cast<uint8_t>(1 + linecode::parityLength(length));
+  return trailer == Trailer::MARK ? 1 : 0;
+}
+
 // Puts the trailer behind the packet. Returns its length.
 uint8_t RadioEncoder::addTrailer(Trailer trailer, uint8_t *packet, uint8_t length) {
-  if (trailer == Trailer::NONE) return 0;
-  packet[length] = trailer == Trailer::MARK ? linecode::TRAILER_MARK : linecode::TRAILER_PARITY;
-  if (trailer == Trailer::MARK) return 1;
-  reedsolomon::encode(packet, length, packet + length + 1);
-  return static_cast<uint8_t>(1 + linecode::parityLength(length));
+  if (trailer == Trailer::MARK) packet[length] = linecode::TRAILER_MARK;
+  if (trailer == Trailer::PARITY) packet[length] = linecode::TRAILER_PARITY;
+  if (trailer == Trailer::PARITY) reedsolomon::encode(packet, length, packet + length + 1);
+  return trailerLength(trailer, length);
 }
 
 #else

@@ -26,6 +26,10 @@ class RadioEncoder {
                                  (linecode::PREAMBLE_SYMBOLS + 2 * (length + linecode::PACKET_OVERHEAD)));
   }
 
+  /// The bytes of a trailer, each of 12 bits as those of a payload.
+  /// @param length of the packet before it, count and CRC included
+  static uint8_t trailerLength(Trailer trailer, uint8_t length);
+
   /// @return whether next() has another bit.
   bool hasNext() const { return bitsLeft_ != 0; }
 

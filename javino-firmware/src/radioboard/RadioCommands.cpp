@@ -198,10 +198,10 @@ Status RadioCommands::statistics(Length length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   RadioCounters radio;
   delivery_->radioCounters(radio);
-  const config::Count *nextOfRadio = reinterpret_cast<const config::Count *>(&radio);  // in the order of their numbers
-  for (uint8_t number = 1; number <= Counters::COUNT; number++) {
+  const config::Count *ofRadio = reinterpret_cast<const config::Count *>(&radio + 1);  // in the order of their numbers
+  for (uint8_t number = Counters::COUNT; number != 0; number--) {  // the last first: others can be left out
     const Counter counter = static_cast<Counter>(number);
-    const config::Count value = Counters::isRadios(counter) ? *nextOfRadio++ : state_->counters->value(counter);
+    const config::Count value = Counters::isRadios(counter) ? *--ofRadio : state_->counters->value(counter);
     if (ALL_COUNTERS_FIT || value != 0) Commands::addCounter(number, value, reply);
   }
   return Status::OK;

@@ -35,8 +35,16 @@ struct TakenNonces {
 /// RAM that a reset leaves alone, but a loss of power does not: whoever uses it has to find out what it is worth.
 namespace retained {
 
-/// The seam is these two, bound when linking, to ArduinoSeams.cpp on a board and to SimulatedRam in the host tests.
+/// The seam is these three, bound when linking, to ArduinoSeams.cpp on a board and to SimulatedRam in the host tests.
 TakenNonces &takenNonces();
+
+/// The airtime that is left (AirtimeLimit), with a check of its own.
+struct Airtime {
+  uint32_t level;
+  uint32_t check;
+};
+
+Airtime &airtime();
 
 /// Whether the stack ends well above it, so that it can be written without harm to the stack; false for good once it did not.
 bool isClear();

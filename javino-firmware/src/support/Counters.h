@@ -69,7 +69,7 @@ class Counters {
   /// Whether the radio counts this one (RadioCounters).
   static bool isRadios(Counter counter) {
     return (counter >= Counter::RADIO_RECEIVED && counter <= Counter::RADIO_MISSED) || counter == Counter::RADIO_SENT ||
-           counter == Counter::RADIO_MENDED || counter == Counter::RADIO_LATE_MICROS;
+           counter == Counter::RADIO_MENDED || counter >= Counter::RADIO_LATE_MICROS;
   }
 
   SerialCounters &serial() { return serial_; }
@@ -84,7 +84,7 @@ class Counters {
   config::Count value(Counter counter) const { return const_cast<Counters *>(this)->at(counter); }
 
  private:
-  static const uint8_t RADIOS = 6;
+  static const uint8_t RADIOS = 8;
   static const uint8_t FIRST = static_cast<uint8_t>(Counter::RADIO_BAD_FRAMES);
 
   // The radio's have no place.

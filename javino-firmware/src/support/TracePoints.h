@@ -75,4 +75,7 @@ POINT(RELAY_ANSWER_GONE_ON, place, )   // the acknowledgement has gone on
 POINT(RELAY_ANSWER_PEER, place, )      // another relay has copied it
 POINT(RELAY_FORGET, place, )           // the packet comes too often behind its acknowledgement, which may be forged
 
+// The law of the air.
+POINT(AIRTIME_LIMIT, percent, )        // a boot: the radio may send for so much of each hour
+
 // clang-format on

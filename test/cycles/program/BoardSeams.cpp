@@ -28,6 +28,11 @@ void SerialPort::write(uint8_t byte) {
 uint8_t eeprom::read(uint16_t) { return 0xFF; }
 void eeprom::write(uint16_t, uint8_t) {}
 TakenNonces &retained::takenNonces() { return nonces; }
+
+retained::Airtime &retained::airtime() {
+  static Airtime airtime;
+  return airtime;
+}
 bool retained::isClear() { return true; }
 uint32_t clock::millis() { return 0; }
 

@@ -446,17 +446,18 @@ TEST_F(BoardPolling, a_repeated_poll_brings_an_unchanged_reading_again) {
   EXPECT_EQ(first, board.sendRaw(poll));
 }
 
-TEST_F(BoardPolling, statistics_tell_all_counters_in_order) {
-  board.radio.counts = {0x01020304, 6, 7, 17, 28, 41};
+TEST_F(BoardPolling, statistics_tell_all_counters_the_last_first) {
+  board.radio.counts = {0x01020304, 6, 7, 17, 28, 41, 0, 43};
   const Bytes body = board.request('S').body;
   ASSERT_EQ(javinolib::Counters::COUNT * 5u, body.size());
-  for (size_t i = 0; i < javinolib::Counters::COUNT; i++) EXPECT_EQ(i + 1, body[i * 5]);
+  for (size_t i = 0; i < javinolib::Counters::COUNT; i++) EXPECT_EQ(javinolib::Counters::COUNT - i, body[i * 5]);
   EXPECT_EQ(0x01020304u, board.counter(javinolib::Counter::RADIO_RECEIVED));
   EXPECT_EQ(6u, board.counter(javinolib::Counter::RADIO_DAMAGED));
   EXPECT_EQ(7u, board.counter(javinolib::Counter::RADIO_MISSED));
   EXPECT_EQ(17u, board.counter(javinolib::Counter::RADIO_SENT));
   EXPECT_EQ(28u, board.counter(javinolib::Counter::RADIO_MENDED));
   EXPECT_EQ(41u, board.counter(javinolib::Counter::RADIO_LATE_MICROS));
+  EXPECT_EQ(43u, board.counter(javinolib::Counter::AIRTIME_WAIT));
   board.reboot();
   board.hello();
   EXPECT_EQ(2u, board.counter(javinolib::Counter::SERIAL_REQUESTS)) << "all start at 0 at each boot";

@@ -402,6 +402,21 @@ TEST_F(RelayTest, bears_random_packets) {
   for (const Bytes &packet : radio.sent) EXPECT_TRUE(packet.size() == 40 || packet.size() == 18);
 }
 
+TEST_F(RelayTest, tells_its_share_of_the_air_since_the_boot) {
+  EXPECT_EQ(0u, relay.airtime());
+  for (uint8_t number = 1; number <= 8; number++) carry(number);
+  uint32_t sent = 0;
+  for (const Bytes &packet : radio.sent) sent += radio.airtimeMillis(static_cast<uint8_t>(packet.size()));
+  const uint32_t seconds = clock.millis / 1000;
+  EXPECT_EQ(sent / 1000 * 1000 / seconds, relay.airtime());
+  clock.millis = UINT32_MAX - 500;  // 49 days later, of which it saw nothing
+  pass(1);
+  const uint16_t before = relay.airtime();
+  pass(50000);
+  EXPECT_GT(before, relay.airtime()) << "the clock begins anew";
+  EXPECT_LT(0u, relay.airtime());
+}
+
 TEST(RelayRadio, must_tell_paths) {
   FakeClock clock;
   FakeRadio radio;

@@ -115,8 +115,22 @@ TEST_F(SmallBoard, tells_all_outcomes_in_one_poll) {
 TEST_F(SmallBoard, leaves_counters_out_that_are_zero) {
   const Bytes body = board.request('S').body;
   ASSERT_EQ(10u, body.size()) << "no other has counted";
-  EXPECT_EQ(static_cast<uint8_t>(Counter::SERIAL_REQUESTS), body[0]);
-  EXPECT_EQ(static_cast<uint8_t>(Counter::LOOP_MILLIS), body[5]);
+  EXPECT_EQ(static_cast<uint8_t>(Counter::LOOP_MILLIS), body[0]);
+  EXPECT_EQ(static_cast<uint8_t>(Counter::SERIAL_REQUESTS), body[5]);
+}
+
+TEST_F(SmallBoard, leaves_the_first_counters_out_where_not_all_fit) {
+  board.radio.counts = {5, 6, 7, 17, 28, 41, 0, 43};
+  const Bytes good = sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, "tell;x");
+  for (const Bytes &packet :
+       {bytesOf("x"), plain("+AAA", "ROMA", "x"), plain("SUPO", "ROMA", "x"), plain("////", "LAMP", "x"),
+        sealed(KEY, "LAMP", "SUPO", {0, 0, 5, 0, 1, 2}, "tell;x"),
+        sealed(Bytes(16, 9), "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, "tell;x"), plain("+FAA", "ROMA", "x"), good, good}) {
+    board.receive(packet);
+  }
+  EXPECT_EQ(80u, board.request('S').body.size());
+  EXPECT_EQ(43u, board.counter(Counter::AIRTIME_WAIT));
+  EXPECT_THROW(board.counter(Counter::SERIAL_REQUESTS), std::runtime_error);
 }
 
 // Its lengths are of one byte: a packet of 256 bytes, or of 269, is none of 0 or 13.

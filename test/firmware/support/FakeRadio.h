@@ -1,6 +1,7 @@
 #pragma once
 
 #include <radio/Mender.h>
+#include <radio/RadioEncoder.h>
 
 #include <deque>
 #include <functional>
@@ -25,7 +26,10 @@ class FakeRadio : public javinolib::Radio {
   void release() override;
   javinolib::Mender *mender() override { return mends ? &mender_ : nullptr; }
 #if JAVINO_LARGE
-  void follow(javinolib::Trailer trailer) override { trailer_ = trailer; }
+  uint8_t follow(javinolib::Trailer trailer, uint8_t length) override {
+    trailer_ = trailer;
+    return javinolib::RadioEncoder::trailerLength(trailer, static_cast<uint8_t>(length + 3));
+  }
 #endif
   uint8_t *sentPath() override { return mends ? &path_ : nullptr; }
   void counters(javinolib::RadioCounters &into) const override { into = counts; }
@@ -47,7 +51,7 @@ class FakeRadio : public javinolib::Radio {
   bool heard = false;             ///< whether another board's carrier is on the air
   mutable bool wasHeard = false;  ///< whether one was, since the board has looked
   uint8_t payload = javinolib::MAX_RADIO_PAYLOAD;
-  javinolib::RadioCounters counts = {0, 0, 0, 0, 0, 0};
+  javinolib::RadioCounters counts = {};
   std::vector<Bytes> sent;
   std::vector<javinolib::Trailer> trailers;  ///< what followed each of these
   std::vector<uint8_t> behind;               ///< behind each of these

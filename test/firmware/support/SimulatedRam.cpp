@@ -9,6 +9,8 @@ namespace retained {
 
 TakenNonces &takenNonces() { return currentRam->takenNonces; }
 
+Airtime &airtime() { return currentRam->airtime; }
+
 bool isClear() { return currentRam->isClear; }
 
 }  // namespace retained
@@ -25,7 +27,10 @@ SimulatedRam::~SimulatedRam() {
 
 void SimulatedRam::use() { currentRam = this; }
 
-void SimulatedRam::losePower() { restore(random_.bytes(sizeof takenNonces)); }
+void SimulatedRam::losePower() {
+  restore(random_.bytes(sizeof takenNonces));
+  memcpy(&airtime, random_.bytes(sizeof airtime).data(), sizeof airtime);
+}
 
 Bytes SimulatedRam::content() const {
   const uint8_t *bytes = reinterpret_cast<const uint8_t *>(&takenNonces);

@@ -23,6 +23,7 @@ class SimulatedRam {
   void restore(const Bytes &content);
 
   javinolib::TakenNonces takenNonces;
+  javinolib::retained::Airtime airtime;
   bool isClear = true;  ///< of the stack
 
  private:

@@ -64,6 +64,7 @@ import diffuser.mind.Recorder;
 import diffuser.report.Failure;
 import diffuser.report.Warnings;
 
+import javino.board.AirtimeHour;
 import javino.board.BoardConfig;
 import javino.board.LegacyBoardException;
 import javino.board.Transmission;
@@ -479,6 +480,11 @@ public class Diffuser extends AgArch {
      */
     public CompletableFuture<Map<Counter, Long>> counters() {
         return device().map(Device::counters).orElseGet(() -> CompletableFuture.completedFuture(Map.of()));
+    }
+
+    /** How much of the last hour the board's radio has sent; nothing where that is not known. For any thread. */
+    public Optional<AirtimeHour.Use> airtime() {
+        return device().flatMap(Device::airtime);
     }
 
     /**

@@ -52,6 +52,7 @@ class WrongArgumentsTest {
             ".filter(only,a(X),X > 1 & b(X))   | wrong_arguments | a comparison of the percept's values",
             ".filter(remove,some)              | wrong_arguments | all, except or only was expected after remove, "
                     + "not 'some'",
+            ".airtime(_)                       | wrong_arguments | 2 arguments are expected",
             ".silence                          | wrong_arguments | One argument is expected",
             ".silence(long)                    | wrong_arguments | milliseconds from 0 to 3600000 were expected, not "
                     + "'long'",

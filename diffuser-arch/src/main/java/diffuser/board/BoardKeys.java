@@ -12,6 +12,7 @@ import jason.asSyntax.Literal;
 
 import diffuser.gate.TrustLevel;
 
+import javino.board.AirtimeHour;
 import javino.board.Board;
 import javino.board.LostState;
 import javino.board.ReceivedMessage;
@@ -67,6 +68,11 @@ final class BoardKeys implements KeyService.Host {
     @Override
     public boolean hasBroadcasts() {
         return !device.hasUnicastsOnly();
+    }
+
+    @Override
+    public long airtimeWait() {
+        return device.airtime().map(AirtimeHour.Use::waitSeconds).orElse(0L);
     }
 
     @Override

@@ -15,6 +15,7 @@ import diffuser.gate.Texts;
 import diffuser.gate.TrustLevel;
 import diffuser.report.Failure;
 
+import javino.board.AirtimeHour;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -261,6 +262,11 @@ public final class Device implements BoardListener {
                     "the sketch on " + port() + " is slow, " + slow.part() + ": " + slow.remedy()));
             return counters;
         });
+    }
+
+    /** How much of the last hour the board's radio has sent; of the one radio that an agent has, as far as is known. */
+    public Optional<AirtimeHour.Use> airtime() {
+        return isMain() ? session().airtime() : Optional.empty();
     }
 
     private CompletableFuture<Long> packetsReceived() {

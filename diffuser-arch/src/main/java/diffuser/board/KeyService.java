@@ -26,6 +26,9 @@ public interface KeyService extends HostService {
         /** Whether the board has broadcasts, by which devices agree on keys. */
         boolean hasBroadcasts();
 
+        /** For how many s the board's airtime limit holds back a new message; 0: not at all, as far as is known. */
+        long airtimeWait();
+
         /** Sends a message under the key that the board has, as {@link Sender#send}. */
         Transmission send(Address to, Message message);
 

@@ -13,6 +13,7 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 
+import javino.board.AirtimeUsedException;
 import javino.board.BoardOfflineException;
 import javino.board.LegacyBoardException;
 import javino.board.OutcomeUnknownException;
@@ -26,9 +27,9 @@ import javino.protocol.Status;
  *
  * @param error   an atom's name, such as {@code no_key}.
  * @param message one line: what was wrong and, where it helps, what to do.
- * @param reason  the sketch's own, {@code reason(Term)}, if it gave one.
+ * @param detail  {@code reason(Term)} if the sketch gave one; {@code seconds(S)}, when to try again, if that is known.
  */
-public record Failure(String error, String message, Optional<Literal> reason) {
+public record Failure(String error, String message, Optional<Literal> detail) {
 
     private static final String TOO_LONG = nameOf(Status.TOO_LONG);
     private static final String UNDELIVERED = "undelivered";
@@ -39,7 +40,7 @@ public record Failure(String error, String message, Optional<Literal> reason) {
             OutcomeUnknownException.class, "outcome_unknown", LegacyBoardException.class, "legacy_board",
             QueueFullException.class, "queue_full");
 
-    /** A failure for which no sketch gave a reason. */
+    /** A failure without more to tell. */
     public Failure(String error, String message) {
         this(error, message, Optional.empty());
     }
@@ -56,6 +57,10 @@ public record Failure(String error, String message, Optional<Literal> reason) {
         }
         if (thrown instanceof TimeoutException) {
             return new Failure("timeout", "the board has not answered in time; it may or may not have done it");
+        }
+        if (thrown instanceof AirtimeUsedException used) {
+            return new Failure("airtime_used", used.getMessage(),
+                    Optional.of(ASSyntax.createLiteral("seconds", ASSyntax.createNumber(used.seconds()))));
         }
         String error = thrown instanceof RequestFailedException refused ? nameOf(refused.status())
                 : ERRORS.getOrDefault(thrown.getClass(), "board_error");
@@ -89,16 +94,16 @@ public record Failure(String error, String message, Optional<Literal> reason) {
     /** As an exception of an internal action. */
     public JasonException toException() {
         JasonException exception = new JasonException(message, ASSyntax.createAtom(error));
-        reason.ifPresent(exception::addErrorAnnot);
+        detail.ifPresent(exception::addErrorAnnot);
         return exception;
     }
 
     /** {@code reason(Reason)}, or {@code error(Error)} without one: Jason itself adds that an action has failed. */
     public Literal annotation() {
-        return reason.orElseGet(() -> ASSyntax.createLiteral("error", ASSyntax.createAtom(error)));
+        return detail.orElseGet(() -> ASSyntax.createLiteral("error", ASSyntax.createAtom(error)));
     }
 
-    /** {@code [error(Error), error_msg(Message)]}, and perhaps {@code reason(Reason)}. */
+    /** {@code [error(Error), error_msg(Message)]}, and perhaps {@code reason(Reason)} or {@code seconds(S)}. */
     public ListTerm annotations() {
         return toException().getErrorTerms();
     }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import jason.JasonException;
 import jason.asSyntax.ASSyntax;
 
+import javino.board.AirtimeUsedException;
 import javino.board.BoardOfflineException;
 import javino.board.LegacyBoardException;
 import javino.board.OutcomeUnknownException;
@@ -57,6 +58,14 @@ class FailureTest {
         assertFalse(new Failure("too_long", "").isUndelivered());
         assertTrue(Failure.of(new RequestFailedException("act go", Status.TOO_LONG)).isTooLong());
         assertFalse(new Failure("undelivered", "").isTooLong());
+    }
+
+    @Test
+    void of_usedAirtime_saysWhenToTryAgain() {
+        Failure failure = Failure.of(new AirtimeUsedException("transmit to ROMA", 42));
+        assertEquals("airtime_used", failure.error());
+        assertEquals("seconds(42)", failure.annotations().get(2).toString());
+        assertEquals(failure, Failure.of(failure.toException()));
     }
 
     @Test

@@ -2,21 +2,26 @@ package gateway;
 
 import java.util.List;
 
-/** How much of the air may be used: a share of the time, and at most some seconds at once. */
+/**
+ * How much of the air may be used: a share of each hour, and at most some seconds at once. What fills it within an hour
+ * and what it holds at its beginning are that share together: as a board's own limit has it, and as laws count.
+ */
 final class AirtimeBudget {
 
+    private static final double HOUR_MILLIS = 3_600_000;
+
     private final long most;
-    private final int percent;
+    private final double rate;
     private double left;
     private long last;
 
     /**
-     * @param most    ms at once.
-     * @param percent share of the time.
+     * @param most    ms at once, less than that share of an hour.
+     * @param percent share of each hour.
      */
     AirtimeBudget(long most, int percent, long now) {
         this.most = most;
-        this.percent = percent;
+        rate = percent / 100.0 - most / HOUR_MILLIS;
         left = most;
         last = now;
     }
@@ -37,7 +42,7 @@ final class AirtimeBudget {
     }
 
     private void fill(long now) {
-        left = Math.min(most, left + (now - last) * percent / 100.0);
+        left = Math.min(most, left + (now - last) * rate);
         last = now;
     }
 }

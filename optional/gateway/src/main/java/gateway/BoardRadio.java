@@ -1,7 +1,9 @@
 package gateway;
 
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
+import javino.board.AirtimeHour;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -62,6 +64,11 @@ final class BoardRadio implements Radio {
     @Override
     public boolean isOnline() {
         return board.state() == BoardState.ONLINE;
+    }
+
+    @Override
+    public long airtimeWait() {
+        return TimeUnit.SECONDS.toMillis(board.airtime().map(AirtimeHour.Use::waitSeconds).orElse(0L));
     }
 
     @Override

@@ -310,6 +310,10 @@ final class Gateway implements AutoCloseable {
             counters.count(GatewayCounter.ARRIVED);
             long until = now() + Router.LIFE_MILLIS
                     - age(topic.from(), from, message.properties().get(TIME));
+            long wait = isOnline() ? radio.airtimeWait() : 0;
+            if (wait > 0) {
+                step(new RouterEvent.AirtimeUsed(wait));
+            }
             step(new RouterEvent.Arrived(topic.from(), topic.whom(), attempt(message),
                     Bytes.copyOf(message.payload()), until, cellGateways.isOwnTurn(now()) && isOnline()));
         }

@@ -10,6 +10,11 @@ interface Radio extends AutoCloseable {
 
     boolean isOnline();
 
+    /** For how many ms its own airtime limit holds back what is new; 0: not at all, or there is none. */
+    default long airtimeWait() {
+        return 0;
+    }
+
     /** Sends a frame, one at a time; tells whether it was on the air. */
     CompletionStage<Boolean> relay(Frame frame);
 

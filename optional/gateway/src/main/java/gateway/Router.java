@@ -59,6 +59,7 @@ final class Router {
     private final AirtimeBudget all;
     private final AirtimeBudget searches;
     private final AirtimeBudget published;
+    private long airtimeUsedUntil;
     private List<RouterEffect> effects = new ArrayList<>();
 
     /** The cells for which a frame is published. */
@@ -104,6 +105,8 @@ final class Router {
         } else if (event instanceof RouterEvent.Relayed relayed) {
             outgoing.ended(relayed.sent()).ifPresent(frame -> frameHistory.remember(frame.encode()).onAir(now));
             relayNext(now);
+        } else if (event instanceof RouterEvent.AirtimeUsed used) {
+            airtimeUsedUntil = now + used.millis();
         } else if (event instanceof RouterEvent.BoardGone) {
             outgoing.clear();
         } else if (event instanceof RouterEvent.Unasked unasked) {
@@ -291,7 +294,7 @@ final class Router {
         boolean isSearch = event.whom() == Whom.SEARCH;
         List<AirtimeBudget> needed = isSearch ? List.of(ofCell.air(), all, ofCell.searches(), searches)
                 : List.of(ofCell.air(), all);
-        if (!AirtimeBudget.takeOfAll(needed, airtime, now)) {
+        if (now < airtimeUsedUntil || !AirtimeBudget.takeOfAll(needed, airtime, now)) {
             return Optional.of(GatewayCounter.OVER_BUDGET);
         }
         if (isSearch) {

@@ -28,6 +28,10 @@ sealed interface RouterEvent {
     record Relayed(boolean sent) implements RouterEvent {
     }
 
+    /** The board's own airtime limit is reached: for so many ms it gets no frames of other cells. */
+    record AirtimeUsed(long millis) implements RouterEvent {
+    }
+
     /** The board has gone: it gets no more frames. */
     record BoardGone() implements RouterEvent {
     }

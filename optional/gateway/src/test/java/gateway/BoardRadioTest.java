@@ -9,6 +9,7 @@ import javino.JavinoException;
 import javino.fake.FakeBoard;
 import javino.protocol.Bytes;
 import javino.protocol.Capability;
+import javino.protocol.Counter;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 
@@ -38,8 +39,10 @@ class BoardRadioTest {
 
     @Test
     void open_boardThatRelays_begins() throws Exception {
-        Radio radio = BoardRadio.open(new FakeBoard("whole").port, NOBODY);
+        FakeBoard board = new FakeBoard("whole").setCounter(Counter.AIRTIME_WAIT, 3600);
+        Radio radio = BoardRadio.open(board.port, NOBODY);
         assertTrue(radio.isOnline());
+        assertTrue(radio.airtimeWait() > 0, "it passes on what its board waits for");
         radio.close();
         assertFalse(radio.isOnline());
     }

@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import javino.Counts;
 import javino.protocol.Address;
 import javino.protocol.Frame;
@@ -19,6 +22,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The small parts of a gateway. */
 class PartsTest {
+
+    private static final long HOUR = 3_600_000;
 
     private final Counts<GatewayCounter> counters = new Counts<>();
 
@@ -124,9 +129,32 @@ class PartsTest {
         AirtimeBudget budget = new AirtimeBudget(1000, 50, 0);
         assertTrue(budget.take(1000, 0));
         assertFalse(budget.take(300, 500));
-        assertTrue(budget.take(300, 600));
+        assertTrue(budget.take(300, 601));
         assertTrue(budget.take(1000, 1_000_000));
         assertFalse(budget.take(1, 1_000_000));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"10000,50", "10000,25", "5000,2", "2500,1"})
+    void budget_ofAnyHour_isNotMoreThanItsShare(long most, int percent) {
+        AirtimeBudget budget = new AirtimeBudget(most, percent, 0);
+        Random random = new Random(most);
+        Deque<long[]> hour = new ArrayDeque<>();
+        long sent = 0;
+        long largest = 0;
+        for (long now = 0; now < 4 * HOUR; now += random.nextInt(40_000) == 0 ? HOUR / 10 : random.nextInt(200)) {
+            long millis = 50 + random.nextInt(300);
+            if (budget.take(millis, now)) {
+                hour.add(new long[]{now, millis});
+                sent += millis;
+            }
+            while (!hour.isEmpty() && hour.peek()[0] < now - HOUR) {
+                sent -= hour.remove()[1];
+            }
+            largest = Math.max(largest, sent);
+        }
+        assertTrue(largest <= percent * HOUR / 100, "" + largest);
+        assertTrue(largest > percent * HOUR / 100 * 0.7, "it is not less than it must be: " + largest);
     }
 
     @Test

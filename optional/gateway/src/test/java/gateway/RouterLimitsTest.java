@@ -154,6 +154,15 @@ class RouterLimitsTest extends RouterFixture {
     }
 
     @Test
+    void frames_whileTheBoardsOwnAirtimeIsUsed_areNotRelayed() {
+        step(new RouterEvent.AirtimeUsed(10 * STEP));
+        assertFalse(relays(Frames.sealed("SUPO", "ROMA", 1)));
+        assertEquals(1, counters.of(GatewayCounter.OVER_BUDGET));
+        now += 10 * STEP;
+        assertTrue(relays(Frames.sealed("SUPO", "ROMA", 2)));
+    }
+
+    @Test
     void copy_byTheSecondGatewayOfACell_isNotRelayed() {
         Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
         assertTrue(relays("east", Whom.CELL, 1, frame));

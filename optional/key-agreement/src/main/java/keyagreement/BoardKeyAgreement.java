@@ -37,6 +37,9 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
     /** Names the folder of identities where it is not the default one. */
     public static final String FOLDER_PROPERTY = DeviceNotes.FOLDER_PROPERTY;
 
+    /** How often a message that waits for a key asks whether the board may send. */
+    private static final long AIRTIME_MILLIS = 10_000;
+
     private final Path folder;
     private final Time.Timer clock;
     private final Time time;
@@ -123,7 +126,18 @@ public final class BoardKeyAgreement implements BoardService, KeyService {
         }
         // The board may have it and wait for the air.
         clock.after(MessageQueue.MOST_MILLIS, () -> message.end(Outcome.UNDELIVERED));
+        clock.after(AIRTIME_MILLIS, () -> tellAirtime(board, message));
         step(all -> send(all, message, toGroup));
+    }
+
+    /** The messages that agree on a key are held back, too, if the board has an airtime limit. */
+    private void tellAirtime(Host board, PendingMessage message) {
+        long wait = board.airtimeWait();
+        if (message.isWaiting() && wait > 0) {
+            message.failForAirtime(wait);
+        } else if (message.isWaiting()) {
+            clock.after(AIRTIME_MILLIS, () -> tellAirtime(board, message));
+        }
     }
 
     private void send(KeyAgreement all, PendingMessage message, boolean toGroup) {

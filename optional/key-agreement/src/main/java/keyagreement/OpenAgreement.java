@@ -107,7 +107,9 @@ final class OpenAgreement {
             unicast(unicast);
         } else if (effect instanceof Effect.Multicast multicast) {
             PendingMessage message = (PendingMessage) multicast.ticket();
-            message.follow(host.send(message.to(), message.message()));
+            if (!message.isOver()) {
+                message.follow(host.send(message.to(), message.message()));
+            }
         } else if (effect instanceof Effect.SetSessionKey set) {
             setSessionKey(set.device(), set.key());
         } else if (effect instanceof Effect.DeleteKey delete) {
@@ -141,6 +143,11 @@ final class OpenAgreement {
     }
 
     private void unicast(Effect.Unicast unicast) {
+        if (unicast.ticket().filter(ticket -> ((PendingMessage) ticket).isOver()).isPresent()) {
+            // Its agent was told that it is not sent.
+            clock.execute(() -> step(all -> all.sent(unicast.to(), Session.Input.FAILED, clock.millis())));
+            return;
+        }
         Transmission transmission = host.send(unicast.to(), unicast.message());
         transmission.taken().thenRun(() -> unicast.ticket().ifPresent(ticket -> ((PendingMessage) ticket).take()));
         whenDone(transmission.end(), (outcome, thrown) -> {

@@ -4,6 +4,7 @@ import java.util.concurrent.CompletableFuture;
 
 import diffuser.report.Failure;
 
+import javino.board.AirtimeUsedException;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Message;
@@ -20,6 +21,16 @@ record PendingMessage(Address to, Message message, Transmission transmission) {
 
     PendingMessage(Address to, Message message) {
         this(to, message, new Transmission(new CompletableFuture<>(), new CompletableFuture<>()));
+    }
+
+    /** Whether the board has not taken it yet, and nobody has been told that it will not. */
+    boolean isWaiting() {
+        return !transmission.taken().isDone();
+    }
+
+    /** Whether its outcome was told. */
+    boolean isOver() {
+        return transmission.end().isDone();
     }
 
     /** The board has taken it. */
@@ -54,6 +65,11 @@ record PendingMessage(Address to, Message message, Transmission transmission) {
 
     void fail(String error, String message) {
         fail(new Failure(error, message).toException());
+    }
+
+    /** It will not be sent, as an airtime limit holds back for so many s what agrees on its key. */
+    void failForAirtime(long seconds) {
+        fail(new AirtimeUsedException("transmit to " + to + ": " + message, seconds));
     }
 
     /** It will not be sent; or, if the board had it before, it may have arrived all the same. */

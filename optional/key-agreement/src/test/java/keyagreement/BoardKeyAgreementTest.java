@@ -62,6 +62,7 @@ class BoardKeyAgreementTest {
         private final Sender sender = new Sender(this::begin);
         private boolean off;
         private boolean hasUnicastsOnly;
+        private long airtimeWait;
         private final List<String> warnings = new ArrayList<>();
         private Supplier<CompletableFuture<?>> groupKeys = CompletableFuture::new;
         private final List<Address> asked = new ArrayList<>();
@@ -69,6 +70,11 @@ class BoardKeyAgreementTest {
         @Override
         public boolean hasBroadcasts() {
             return !hasUnicastsOnly;
+        }
+
+        @Override
+        public long airtimeWait() {
+            return airtimeWait;
         }
 
         private Transmission begin(Address to, Message message) {
@@ -157,6 +163,29 @@ class BoardKeyAgreementTest {
         said.addAll(send(GROUP, 20));
         assertFalse(said.get(0).end().isDone());
         assertEnded(said);
+    }
+
+    @Test
+    void messages_theAirtimeIsUsed_areToldSoAndNotSentLater(@TempDir Path servers) throws Exception {
+        new TestAuthority(servers).groupKeyServer("BUSB");
+        CompletableFuture<Void> set = new CompletableFuture<>();
+        board.groupKeys = () -> set;
+        agreement = new BoardKeyAgreement(servers, thread, time);
+        agreement.online(board, Address.parse("BUSB"), 1, List.of());
+        List<Transmission> said = send(BUSA, 2);
+        said.addAll(send(GROUP, 1));
+        time.run(MINUTE / 4);
+        assertTrue(said.stream().noneMatch(each -> each.end().isDone()), "the board may send");
+        board.airtimeWait = 42;
+        time.run(MINUTE / 4);
+        for (Transmission each : said) {
+            Failure failure = Failure.of(each.end().handle((how, thrown) -> thrown).getNow(null));
+            assertEquals("airtime_used", failure.error());
+            assertEquals("seconds(42)", failure.detail().orElseThrow().toString());
+        }
+        set.complete(null);
+        assertEnded(said);
+        assertFalse(board.asked.contains(GROUP));
     }
 
     @Test

@@ -41,6 +41,7 @@ final class BoardSource implements Source, BoardListener {
     private volatile Board board;
     private CompletableFuture<?> counting = CompletableFuture.completedFuture(null);
     private Map<String, Long> counted = Map.of();
+    private String airtime = "";
 
     private BoardSource(Hub hub, String name) {
         this.hub = hub;
@@ -77,9 +78,11 @@ final class BoardSource implements Source, BoardListener {
 
     private synchronized void counters(Map<Counter, Long> counters) {
         Map<String, Long> now = Counters.told(counters);
-        if (!now.equals(counted)) {
+        String sent = board.airtime().map(Object::toString).orElse("");
+        if (!now.equals(counted) || !sent.equals(airtime)) {
             counted = now;
-            tell("counters-of-board", "counters", now);
+            airtime = sent;
+            tell("counters-of-board", "counters", now, "airtime", sent);
         }
     }
 

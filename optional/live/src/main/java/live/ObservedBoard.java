@@ -17,6 +17,7 @@ final class ObservedBoard {
     private final Consumer<Object[]> out;
     private CompletableFuture<?> answer = CompletableFuture.completedFuture(null);
     private Map<String, Long> counted = Map.of();
+    private String airtime = "";
     private volatile Optional<String> port = Optional.empty();
     private Optional<BoardInfo> info = Optional.empty();
 
@@ -59,9 +60,11 @@ final class ObservedBoard {
 
     private synchronized void tell(Map<Counter, Long> counters) {
         Map<String, Long> now = Counters.told(counters);
-        if (!now.equals(counted)) {
+        String sent = agent.airtime().map(Object::toString).orElse("");
+        if (!now.equals(counted) || !sent.equals(airtime)) {
             counted = now;
-            tell("event", "counters-of-board", "counters", now);
+            airtime = sent;
+            tell("event", "counters-of-board", "counters", now, "airtime", sent);
         }
     }
 

@@ -71,7 +71,9 @@ class BoardSourceTest {
             assertEquals("SUPO ROMA tell <script>",
                     String.join(" ", message.text("from"), message.text("to"),
                             message.text("performative"), message.text("text")));
-            assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).json("counters").toString());
+            TraceEvent counters = await("counters-of-board", event -> true);
+            assertEquals("{\"radioBadTag\":3}", counters.json("counters").toString());
+            assertEquals("0.0 % of the last hour, at most 0.0 % of one", counters.text("airtime"));
             assertEquals(List.of("act", "say"), source.controls());
         }
         assertEquals("radio 0", List.copyOf(fake.requests).get(fake.requests.size() - 1));

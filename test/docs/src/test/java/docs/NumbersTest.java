@@ -106,6 +106,8 @@ class NumbersTest {
                 says("docs/how-to/add-a-sensor.md", "two decimals, between -%1$d and %1$d million",
                         firmware("MOST_MILLIONS")),
                 says("docs/errors.md", "not between -%1$d and %1$d million", firmware("MOST_MILLIONS")),
+                says("docs/errors.md", "| `airtime` | over %d %% of an hour",
+                        constant("javino-java/cli/src/main", "MOST_AIRTIME_PERCENT")),
                 says("emulator/README.md", "A picture shows at most %d s",
                         constant("test/lab/campaign/src/main/java/air", "MOST_SECONDS")),
                 says("emulator/README.md", "less than a slot (%d bits)", SLOT),

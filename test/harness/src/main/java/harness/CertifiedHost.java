@@ -18,6 +18,7 @@ import diffuser.gate.TrustLevel;
 
 import keyagreement.BoardKeyAgreement;
 
+import javino.board.AirtimeHour;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -126,6 +127,11 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     @Override
     public boolean hasBroadcasts() {
         return true;
+    }
+
+    @Override
+    public long airtimeWait() {
+        return board.join().airtime().map(AirtimeHour.Use::waitSeconds).orElse(0L);
     }
 
     private Transmission begin(Address to, Message message) {

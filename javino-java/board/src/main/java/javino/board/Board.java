@@ -34,6 +34,7 @@ import javino.protocol.Message;
  * <li>{@link BoardOfflineException} if it was not reached,
  * <li>{@link OutcomeUnknownException} if it was lost or reset while the request was under way,
  * <li>{@link QueueFullException} if too many requests wait,
+ * <li>{@link AirtimeUsedException} if the board has no room for a message, as its airtime limit holds back those before,
  * <li>{@link ProtocolException} if the reply was not understood.
  * </ul>
  */
@@ -239,7 +240,15 @@ public final class Board implements AutoCloseable {
 
     /** The board's counters since it booted, as a rule when this session opened its port. */
     public CompletableFuture<Map<Counter, Long>> statistics() {
-        return ask(Request.statistics(), Reply::statistics);
+        return ask(Request.statistics(), context::counted);
+    }
+
+    /**
+     * How much of the last hour the board's radio has sent, by counters of at most a minute ago; nothing before the
+     * first of them, without a radio, and from an earlier library.
+     */
+    public Optional<AirtimeHour.Use> airtime() {
+        return info().filter(BoardInfo::countsAirtime).flatMap(any -> context.airtime().use(context.time().nanos()));
     }
 
     /**

@@ -83,6 +83,13 @@ final class RequestQueue {
         hasRoom = false;
     }
 
+    /** Takes out the transmissions that are held. */
+    synchronized List<PendingRequest<?>> takeHeld() {
+        List<PendingRequest<?>> all = List.copyOf(held);
+        held.clear();
+        return all;
+    }
+
     /** The board may have room for another transmission: one has ended. */
     synchronized void setRoom() {
         hasRoom = true;

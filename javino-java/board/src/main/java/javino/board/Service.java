@@ -28,11 +28,17 @@ final class Service {
     /** The most time from one poll to the next, while requests follow each other. */
     private static final Duration MOST_INTERVAL = Duration.ofMillis(35);
 
+    /** From one reading of the airtime to the next, and while messages are under way: they may wait for it. */
+    private static final Duration AIRTIME_INTERVAL = Duration.ofMinutes(1);
+    private static final Duration BUSY_AIRTIME_INTERVAL = Duration.ofSeconds(5);
+
     private final SessionContext context;
     private final Exchange exchange;
     private final Polling polling;
     private final StateGuard guard;
     private Deadline latestPoll;
+    private Deadline airtimeDue;
+    private Deadline busyAirtimeDue;
     private boolean pollsFail;
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
     private boolean pollFirst;
@@ -48,6 +54,8 @@ final class Service {
         this.polling = polling;
         this.guard = guard;
         latestPoll = context.in(Duration.ZERO);
+        airtimeDue = context.in(AIRTIME_INTERVAL);
+        busyAirtimeDue = context.in(BUSY_AIRTIME_INTERVAL);
         exchange.setLateReplies(this::takeLate);
     }
 
@@ -95,10 +103,10 @@ final class Service {
         return reply.status() == Status.OK ? reply.storedKeys() : List.of();
     }
 
-    /** Asks for the board's counters; none if it has none. */
+    /** Asks for the board's counters, which tell its airtime, too; none if it has none. */
     Map<Counter, Long> statistics() throws LinkException, LostException, ProtocolException {
         Reply reply = ask(Request.statistics());
-        return reply.status() == Status.OK ? reply.statistics() : Map.of();
+        return reply.status() == Status.OK ? context.counted(reply) : Map.of();
     }
 
     /** Raises the board's epoch. @return OK if it has it; BUSY while messages are under way. */
@@ -125,10 +133,31 @@ final class Service {
             }
             if (request == null || latestPoll.passed()) {
                 poll();
+                if (isAirtimeDue()) {
+                    readAirtime(present.get());
+                }
             }
         }
         if (polling.owesTaken()) {
             confirm();
+        }
+    }
+
+    /** While messages are under way more often, as they may wait for it; never while somebody waits for the line. */
+    private boolean isAirtimeDue() {
+        Deadline due = polling.isTransmitting() ? busyAirtimeDue : airtimeDue;
+        return due.passed() && !pollFirst && !context.queue().hasNews();
+    }
+
+    /** Asks for the airtime. @return in how many s the board lets a new message go; 0 if it does. */
+    private long readAirtime(BoardInfo board) throws LinkException, LostException {
+        airtimeDue = context.in(AIRTIME_INTERVAL);
+        busyAirtimeDue = context.in(BUSY_AIRTIME_INTERVAL);
+        try {
+            return board.countsAirtime() ? statistics().getOrDefault(Counter.AIRTIME_WAIT, 0L) : 0;
+        } catch (ProtocolException e) {
+            context.counters().count(SessionCounter.BAD_REPLIES);
+            return 0;
         }
     }
 
@@ -149,7 +178,11 @@ final class Service {
             if (request.command() == Request.Command.SET_RF_ID && reply.status() == Status.OK) {
                 renamed.to(Address.decode(request.frame().message(), 1));
             }
-            if (pending.isTransmission() && reply.status() == Status.QUEUE_FULL && polling.isTransmitting()) {
+            boolean isFull = reply.status() == Status.QUEUE_FULL;
+            long wait = isFull ? readAirtime(board) : 0;
+            if (wait > 0) {
+                throw new AirtimeUsedException(pending.description(), wait);
+            } else if (isFull && pending.isTransmission() && polling.isTransmitting()) {
                 context.queue().hold(pending);
             } else {
                 pending.answer(reply, exchange.reason());

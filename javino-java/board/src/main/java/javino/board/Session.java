@@ -1,6 +1,7 @@
 package javino.board;
 
 import java.time.Duration;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -10,6 +11,7 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
@@ -149,8 +151,10 @@ final class Session implements Runnable {
         } else {
             Service service = new Service(context, greeting.exchange(), polling, guard);
             info = info.withActions(service.actions());
-            if (!greeting.exchange().lag().isZero()) {
-                SketchTimes.ofLoop(service.statistics()).ifPresent(context.listener()::warn);
+            boolean lags = !greeting.exchange().lag().isZero();
+            Map<Counter, Long> counters = lags || info.countsAirtime() ? service.statistics() : Map.of();
+            if (lags) {
+                SketchTimes.ofLoop(counters).ifPresent(context.listener()::warn);
             }
             if (fresh) {
                 raiseEpoch(service, false);

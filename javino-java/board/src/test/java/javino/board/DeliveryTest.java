@@ -93,8 +93,8 @@ class DeliveryTest extends BoardFixture {
         });
         opened.complete(board);
         acted.get();
-        // The requests behind hello, list actions and list keys; what comes later may be there already.
-        assertEquals(List.of(POLL, POLL + "00", Bytes.ofText("Astop").hex()), requests().subList(3, 6));
+        // The requests behind hello, list actions, statistics and list keys; what comes later may be there already.
+        assertEquals(List.of(POLL, POLL + "00", Bytes.ofText("Astop").hex()), requests().subList(4, 7));
     }
 
     @Test

@@ -67,6 +67,7 @@ final class InfoCommand implements Callable<Integer> {
             } else {
                 UntilInterrupted.listen(board, () -> count(board, info, out));
             }
+            board.airtime().ifPresent(use -> out.println(line("airtime", use)));
         }
     }
 

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import javino.JavinoException;
+import javino.board.AirtimeHour;
 import javino.board.Board;
 import javino.board.LostState;
 import javino.board.SessionCounter;
@@ -17,6 +18,7 @@ final class TrafficCheck {
     /** A line is bad from so many damaged packets on, if they are more than one in so many. */
     private static final int FEW_DAMAGED = 3;
     private static final int ONE_IN = 20;
+    private static final int MOST_AIRTIME_PERCENT = 10;
     private static final String SKETCH_FIRST = "first do what is said above of the sketch, which may be why";
 
     private final Board board;
@@ -42,6 +44,7 @@ final class TrafficCheck {
         boolean lasts = examineSketch(counters, true);
         examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L), lasts);
         examineRadio(counters, listen, lasts);
+        board.airtime().ifPresent(this::examineAirtime);
     }
 
     /** Examines a board without a radio. */
@@ -100,6 +103,17 @@ final class TrafficCheck {
 
     private long since(SessionCounter counter) {
         return board.counters().get(counter) - before.get(counter);
+    }
+
+    private void examineAirtime(AirtimeHour.Use use) {
+        if (use.waitSeconds() > 0) {
+            findings.trouble("airtime", use + "; send less");
+        } else if (use.most() > MOST_AIRTIME_PERCENT) {
+            findings.trouble("airtime", use + "; few laws allow more than " + MOST_AIRTIME_PERCENT
+                    + " %: send less, or give the sketch an airtime limit");
+        } else {
+            findings.ok("airtime", use);
+        }
     }
 
     private void examineRadio(Map<Counter, Long> counters, Duration listened, boolean lasts) {

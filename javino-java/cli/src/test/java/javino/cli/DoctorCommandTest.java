@@ -79,14 +79,15 @@ class DoctorCommandTest extends CommandFixture {
         assertEquals(expected, lines().subList(0, expected.size()));
         assertTrue(lines().get(6).matches("serial line         ok, 0 of \\d+ packets were damaged"), out.toString());
         assertEquals("radio               ok, 3 packets received, 0 damaged", lines().get(7));
-        assertEquals(8, lines().size());
+        assertEquals("airtime             ok, 0.0 % of the last hour, at most 0.0 % of one", lines().get(8));
+        assertEquals(9, lines().size());
     }
 
     @Test
     void board_examined_isAskedButNotChanged() {
         examine();
         assertEquals(2, fake.line.count('L'), "after hello too");
-        assertEquals(1, fake.line.count('S'));
+        assertEquals(2, fake.line.count('S'), "after hello too");
         assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
@@ -364,7 +365,7 @@ class DoctorCommandTest extends CommandFixture {
     void radio_heardWhileListening_isOk() throws Exception {
         fake.setCounter(Counter.RADIO_RECEIVED, 0);
         start("doctor", "--port", "fake", "--listen", "3600");
-        await(out, written -> fake.line.count('S') > 0);
+        await(out, written -> fake.line.count('S') > 1);
         fake.setCounter(Counter.RADIO_RECEIVED, 1);
         assertEquals(0, status());
     }
@@ -385,6 +386,18 @@ class DoctorCommandTest extends CommandFixture {
     void sketch_thatReturnsSoon_isOk(Counter counter, long time) {
         fake.setCounter(counter, time);
         assertEquals(0, examine(), out.toString());
+    }
+
+    @Test
+    void airtime_beyondWhatMostLawsAllow_isTold() {
+        fake.setRise(Counter.RADIO_AIRTIME, 400);
+        assertTrouble("airtime", "11.1 % of the last hour, at most 11.1 % of one; few laws allow more than 10 %");
+    }
+
+    @Test
+    void airtime_limitHoldsMessagesBack_isTold() {
+        fake.setCounter(Counter.AIRTIME_WAIT, 3600);
+        assertTrouble("airtime", "; its limit holds messages back for ");
     }
 
     @Test
@@ -413,7 +426,7 @@ class DoctorCommandTest extends CommandFixture {
         fake.perceive("dark");
         assertEquals(0, examine(), out.toString());
         List<String> messages = fake.line.messages();
-        List<String> before = messages.subList(0, messages.indexOf("53"));
+        List<String> before = messages.subList(0, messages.lastIndexOf("53"));
         assertTrue(before.stream().anyMatch(message -> message.matches("50.[37b].*")), messages::toString);
     }
 

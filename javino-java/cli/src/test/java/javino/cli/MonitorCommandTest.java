@@ -115,7 +115,7 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void radio_isOpenWhileItRuns() throws Exception {
         startOnline();
-        await(out, written -> fake.line.count('S') > 0);
+        await(out, written -> fake.line.count('S') > 1);
         assertEquals(0, interrupt());
         List<String> radio = fake.requests.stream().filter(what -> what.startsWith("radio")).toList();
         assertEquals(List.of("radio 1", "radio 0"), radio);
@@ -124,7 +124,7 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void board_unpluggedAndBack_isToldAndTheRadioOpenedAnew() throws Exception {
         startOnline();
-        await(out, written -> fake.line.count('S') > 0);
+        await(out, written -> fake.line.count('S') > 1);
         port.unplug();
         awaitLine("offline   fake: there is no such port");
         fake.reset();
@@ -138,7 +138,7 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void board_ofAnotherVersionComes_ends() throws Exception {
         startOnline();
-        await(out, written -> fake.line.count('S') > 0);
+        await(out, written -> fake.line.count('S') > 1);
         fake.setVersion(2);
         fake.reset();
         assertEquals(1, status());

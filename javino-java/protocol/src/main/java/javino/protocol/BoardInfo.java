@@ -67,6 +67,11 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpo
         return !capabilities.contains(Capability.SAYS_TAKEN);
     }
 
+    /** Whether it counts the time that its radio sends. */
+    public boolean countsAirtime() {
+        return hasRadio() && !isOfEarlierLibrary();
+    }
+
     /** Whether it has keys and no epoch: it seals nothing until it is given one. */
     public boolean hasLostEpoch() {
         return bootEpoch == 0 && capabilities.contains(Capability.MEMORY);

@@ -25,7 +25,7 @@ public enum Counter {
         return ordinal() + 1;
     }
 
-    /** Whether it counts nothing, but is the longest of the times since the boot. */
+    /** Whether it counts nothing, but is a time: the longest since the boot, or how long the radio has sent or waits. */
     public boolean isTime() {
         return compareTo(LOOP_MILLIS) >= 0;
     }

@@ -204,7 +204,7 @@ class CommandTest {
     @Test
     void isTime_counter_isWhatCountsNothing() {
         assertEquals(EnumSet.of(Counter.LOOP_MILLIS, Counter.PERCEPTS_MILLIS, Counter.ACTION_MILLIS,
-                Counter.RADIO_LATE_MICROS),
+                Counter.RADIO_LATE_MICROS, Counter.RADIO_AIRTIME, Counter.AIRTIME_WAIT),
                 Stream.of(Counter.values()).filter(Counter::isTime).collect(Collectors.toSet()));
     }
 

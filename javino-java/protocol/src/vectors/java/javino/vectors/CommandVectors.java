@@ -22,7 +22,7 @@ final class CommandVectors {
             "radioOverheardDropped",
             "relayCopies", "relayAnswers", "relayRefused", "memoryDamaged", "loopMillis", "perceptsMillis",
             "actionMillis",
-            "radioLateMicros");
+            "radioLateMicros", "radioAirtime", "airtimeWait");
 
     private static final byte[] FRAME = text("+KAACAFEBA12345678");
 

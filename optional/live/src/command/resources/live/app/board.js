@@ -1,7 +1,7 @@
 // The page of one board without any agent: what it perceives, what it can do, what it hears, what it counts.
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
-import { done, log, percepts, stateOf } from './cards.js';
+import { airtime, done, log, percepts, stateOf } from './cards.js';
 import { actions, say } from './do.js';
 import { plain, seconds } from './text.js';
 import { REFUSALS } from './phrases.js';
@@ -18,8 +18,9 @@ export function rate(board, name, t) {
 
 const AIR = [['radioReceived', 'heard well'], ['radioDamaged', 'heard damaged'], ['radioSent', 'sent'], ['radioNotForUs', 'for others']];
 
-// SPEC 4.5: the longest time since the boot, not a count.
+// SPEC 4.5: the longest time since the boot, or one in seconds, not a count.
 const isTime = (name) => /(Millis|Micros)$/.test(name);
+const isSeconds = (name) => /^(radioAirtime|airtimeWait)$/.test(name);
 
 /** Groups of counters, by the beginnings of their names (SPEC 4.5); refusals are one of their own. */
 const GROUPS = [['refused', (name) => REFUSALS[name]], ['radio', (name) => name.startsWith('radio')], ['serial line', (name) => name.startsWith('serial')], ['sketch and others', () => true]];
@@ -30,7 +31,7 @@ const groups = (board) => GROUPS.map(([title], i) => [title, [...board.counters]
 const radio = (board, messages, t) => html`<h3>messages</h3>
     <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.performative, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
       ${messages.length === 0 ? html`<li class="hint">none yet</li>` : nothing}</ul>
-    <h3>the air</h3>
+    <h3>the air</h3>${airtime(board)}
     <div class="plots">${AIR.map(([name, words]) => html`<figure><figcaption>${words} <b>${rate(board, name, t).toFixed(1)}</b> a second</figcaption>
       <div class="plotted"><canvas class="plot" data-board=${board.name} data-counter=${name}></canvas></div></figure>`)}</div>`;
 
@@ -51,6 +52,6 @@ export function boardPage(app, model, state, t) {
   </section>
   <section class="agent hue-0">${board.radio ? radio(board, messages, t) : html`<p class="hint">this board has no radio</p>`}
     ${groups(board).map(([title, all]) => html`<h3>${title}</h3>
-    <table class="counters"><tbody>${all.map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${isTime(name) ? 'longest' : `${rate(board, name, t).toFixed(1)} a second`}</td></tr>`)}</tbody></table>`)}
+    <table class="counters"><tbody>${all.map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${isTime(name) ? 'longest' : isSeconds(name) ? 'seconds' : `${rate(board, name, t).toFixed(1)} a second`}</td></tr>`)}</tbody></table>`)}
   </section>`;
 }

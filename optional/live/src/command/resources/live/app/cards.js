@@ -120,6 +120,9 @@ const refused = (model, board, t) => {
     html`${i ? ', ' : ''}<span title=${name}>${n} × ${why}</span>`)}</p>`;
 };
 
+/** What laws limit. */
+export const airtime = (board) => (board.airtime === '' ? nothing : html`<p class="airtime"><small>has sent ${plain(board.airtime, 120)}</small></p>`);
+
 /** Output of its sketch, and warnings of the library: neither is said by its agent. */
 export const log = (board) => html`
   ${board.printed.length === 0 ? nothing : html`<h3>its sketch prints</h3>
@@ -172,7 +175,7 @@ export function card(app, model, state, board, t, chosen) {
     ${board.percepts.length || board.pins.size || sensors.length || first !== undefined ? html`<h3>its board</h3>${lamps(app, board)}${sensors}
       ${first === undefined ? nothing : doing(app, agents, board, state)}
       ${done(app, board)}${percepts(board)}` : nothing}
-    ${refused(model, board, t)}${log(board)}
+    ${airtime(board)}${refused(model, board, t)}${log(board)}
   </section>`;
 }
 

@@ -87,6 +87,8 @@ const board = (name, index) => ({
   percepts: [],
   counters: new Map(),
   counted: [],
+  /** How much of the last hour it has sent, in words; empty where that is not known. */
+  airtime: '',
   printed: [],
   warned: [],
   acted: undefined,
@@ -150,7 +152,7 @@ const ofBoard = {
     const counters = numbers(e.counters);
     const rises = [...counters].filter(([name, value]) => value > (b.counters.get(name) ?? 0));
     const risen = { t: e.t, rises: new Map(rises.map(([name, value]) => [name, value - (b.counters.get(name) ?? 0)])) };
-    return { counters, counted: [...b.counted, risen].slice(-COUNTINGS) };
+    return { counters, counted: [...b.counted, risen].slice(-COUNTINGS), airtime: text(e.airtime) };
   },
   printed: (b, e) => ({ printed: [...b.printed, ...text(e.text).split(/[\r\n]+/).filter(Boolean).map((line) => ({ t: e.t, text: line }))].slice(-LINES_SAID) }),
   uart: (b, e) => ofBoard.printed(b, { ...e, text: e.line ?? e.hex }),

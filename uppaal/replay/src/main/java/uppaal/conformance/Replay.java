@@ -18,7 +18,7 @@ import trace.TraceEvent;
 public final class Replay {
     private static final List<Function<Header, Check>> CHECKS = List.of(AirCheck::new, ModelReplay::new,
             RelayCheck::new, FateCheck::new, ByteCheck::new, HostCheck::new, HostMachines::new, MemoryCheck::new,
-            CountCheck::new);
+            CountCheck::new, AirtimeCheck::new);
 
     /** A step that may be refused. */
     private interface Refusable {

@@ -17,12 +17,12 @@ import org.junit.jupiter.api.Test;
 import uppaal.document.DocumentReader;
 
 class PointsTest {
-    /** Points of counters, of stored records, of turns, fragments, relaying on or off, and of timers alone. */
+    /** Points of counters, of stored records, of limits, of turns, fragments, relaying on or off, and of timers alone. */
     private static final Set<String> OF_NO_EDGE =
             Set.of("TURN", "COUNT", "MEMORY", "EPOCH_STORED", "KEY_STORED",
                     "KEY_DELETED", "FLOOR_STORED", "FRAGMENT", "RELAY_ON", "RELAY_DRAW", "RELAY_DRAW_REPEAT",
                     "RELAY_DRAW_ANSWER", "RELAY_DRAW_ANSWER_REPEAT", "RELAY_COPY_ENDED", "RELAY_ANSWER_ENDED",
-                    "RELAY_RESERVE", "RELAY_DISTANCE");
+                    "RELAY_RESERVE", "RELAY_DISTANCE", "AIRTIME_LIMIT");
 
     private static Set<String> listed() throws IOException {
         String list = Files.readString(Path.of(System.getProperty("javino.points")));
