@@ -26,6 +26,9 @@ class LoRaAir {
 
   void send(const LoRaChip *from, uint64_t symbol, uint64_t untilHeader, uint64_t micros, const Bytes &bytes);
 
+  /// Ends what is on the air, unheard.
+  void breakOff() { packets_.clear(); }
+
   /// The packet of another chip that is on the air.
   Packet *heardBy(const LoRaChip *chip);
 

@@ -21,8 +21,8 @@ processes = []
 
 
 class Node:
-    def __init__(self, port, number, name):
-        self.process = start([NODE, f'127.0.0.1:{port}', str(number), name], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+    def __init__(self, port, number, name, rate):
+        self.process = start([NODE, f'127.0.0.1:{port}', str(number), name, str(rate)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                              text=True)
         self.lines = queue.Queue()
         threading.Thread(target=lambda: [self.lines.put(line.rstrip('\n')) for line in self.process.stdout], daemon=True).start()
@@ -75,31 +75,33 @@ def broadcasts(sender, receiver, text):
         yield sender.says('sent') and receiver.says(f'ROMA to ////: tell;{text}{number}')
 
 
-def scenario(config, with_relay):
+def scenario(config, with_relay, rate):
+    """@param rate of the air, in bit/s"""
     with socket.socket() as free:
         free.bind(('127.0.0.1', 0))
         port = free.getsockname()[1]
     with tempfile.NamedTemporaryFile('w') as file:
         file.write(config)
         file.flush()
-        simulator = start(['perl', SIMULATOR, '-c', file.name, '-p', str(port)])
+        simulator = start(['perl', SIMULATOR, '-c', file.name, '-p', str(port), '-b', str(rate)])
         while not connects(port):
             if simulator.poll() is not None:
                 sys.exit("RadioHead's simulator does not start; it needs libpoe-perl")
             time.sleep(0.05)
     if with_relay:
-        Node(port, 3, 'relay')
-    return Node(port, 1, 'ROMA'), Node(port, 2, 'SUPO')
+        Node(port, 3, 'relay', rate)
+    return Node(port, 1, 'ROMA', rate), Node(port, 2, 'SUPO', rate)
 
 
 try:
-    near = scenario('', False)
+    near = scenario('', False, 50000)
     check('a sealed unicast', unicasts(*near, 'near'))
     check('one of three packets', unicasts(*near, 'x' * 150))
     check('a broadcast', broadcasts(*near, 'near'))
-    far = scenario('probability:1:2:0.0\n', True)
+    far = scenario('probability:1:2:0.0\n', True, 10000)
     check('a sealed unicast through a relay', unicasts(*far, 'far'))
     check('a broadcast through a relay', broadcasts(*far, 'far'))
+    check('a sealed unicast at 300 bit/s', unicasts(*scenario('', False, 300), 'slow'))
 finally:
     for process in reversed(processes):
         process.kill()

@@ -1,4 +1,4 @@
-// A board of RadioHead's simulator, whose radio is JavinoRadioHead over RH_TCP: node server:port number id|relay. It does what the
+// A board of RadioHead's simulator, whose radio is JavinoRadioHead over RH_TCP: node server:port number id|relay bit/s. It does what the
 // lines at its standard input say, and tells what happens.
 #define Serial SimulatorsSerial  // the tests have others
 #define millis simulatorsMillis
@@ -71,7 +71,7 @@ void setup() {
   if (!tcp.init()) exit(1);
   tcp.setMode(RHGenericDriver::RHModeIdle);  // which it never tells
   tcp.setThisAddress(static_cast<uint8_t>(atoi(_simulator_argv[2])));
-  static JavinoRadioHead radio(tcp, JavinoAirRate::fsk(10000));
+  static JavinoRadioHead radio(tcp, JavinoAirRate::fsk(static_cast<uint32_t>(atol(_simulator_argv[4]))));
   const std::string id = _simulator_argv[3];
   if (id == "relay") {
     relaysClock.reset(new FakeClock);

@@ -170,6 +170,8 @@ TEST_P(RadioLibTest, delivers_through_a_relay) {
   beginRelay();
   send("SUPO", "tell;far");
   EXPECT_THAT(received(), ElementsAre("tell;far"));
+  EXPECT_EQ(0, air.past[0].bytes[0] % javinolib::HOPS_MODULUS);
+  EXPECT_EQ(1, air.past[1].bytes[0] % javinolib::HOPS_MODULUS);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   send("////", "tell;all");
   EXPECT_THAT(received(), ElementsAre("tell;all"));
@@ -185,6 +187,16 @@ TEST_P(RadioLibTest, does_not_send_into_anothers_packet) {
   EXPECT_EQ(0, air.collisions);
   EXPECT_EQ(1, counter(supo, Counter::RADIO_RECEIVED));
   EXPECT_EQ(2, counter(roma, Counter::RADIO_RECEIVED));
+}
+
+TEST_P(RadioLibTest, hears_a_packet_behind_its_header) {
+  send("////", std::string(67, 'x'));
+  while (air.past.empty() || air.micros < air.past[0].hasHeader + 2000) pass(1);
+  supo.use();
+  supo.transmit("////", "SUPO", "tell;two");
+  pass(20000);
+  EXPECT_EQ(2, air.past.size());
+  EXPECT_EQ(0, air.collisions);
 }
 
 TEST_P(RadioLibTest, tells_a_packets_time_or_little_more) {
@@ -237,9 +249,11 @@ TEST_F(RadioLibUsualTest, counts_packets_of_others_as_damaged) {
 TEST_F(RadioLibUsualTest, listens_again_if_a_header_had_no_packet) {
   thirdChip.driver.startTransmit(reinterpret_cast<const uint8_t *>("\0x"), 2);
   pass(25);
-  thirdChip.driver.standby();
+  air.breakOff();
+  EXPECT_TRUE(supoChip.radio.carrier());
   pass(500);
   EXPECT_FALSE(supoChip.radio.carrier());
+  EXPECT_EQ(1, counter(supo, Counter::RADIO_DAMAGED));
 }
 
 TEST(RadioLib, refuses_what_is_too_slow) {
