@@ -23,6 +23,9 @@ USED = set('''ARDUINO ARDUINO_ARCH_AVR E2END EEPROM F F_CPU GPIOR0 GPIOR1 GPIOR2
     OCR0B OCR3BL OCR4BL OCR5BL PCICR RAMEND Serial TCCR0A TIMER0_COMPB_vect TIMER1_COMPC_vect TIMSK0 WGM00 WGM01
     clockCyclesPerMicrosecond pgm_read_byte pgm_read_word'''.split())
 
+# Of ESP32s, and of the standard library.
+USED |= set('ESP32 ESP8266 IRAM_ATTR UINT8_MAX UINT16_MAX UINT32_MAX'.split())
+
 # Macros by which AskRadio.h knows other libraries.
 USED |= set('Servo_h TimerOne_h_ IR_USE_AVR_TIMER1 IR_USE_AVR_TIMER3 IR_USE_AVR_TIMER4 IR_USE_AVR_TIMER5'.split())
 
@@ -40,14 +43,14 @@ def headers(path, found):
 def names():
     """@return the names that a macro of a sketch may have, in order: all but the library's own, which have a prefix."""
     found = {}
-    for header in ('JavinoBDI.h', 'Javino.h'):
+    for header in ('JavinoBDI.h', 'Javino.h', 'JavinoRadioHead.h', 'JavinoRadioLib.h'):
         headers(SOURCES / header, found)
     words = set()
     for text in found.values():
         for noise in (r'/\*.*?\*/', r'//[^\n]*', r'#include[^\n]*', r'"(?:\\.|[^"\\])*"', r"'(?:\\.|[^'\\])*'"):
             text = re.sub(noise, '', text, flags=re.DOTALL)
         words.update(re.findall(r'\b[A-Za-z]\w*', text))
-    return sorted(word for word in words - KEYWORDS - USED if not re.match(r'(?i)javino|\w+_t?$', word))
+    return sorted(word for word in words - KEYWORDS - USED if not re.match(r'(?i)javino|radiolib_|\w+_t?$', word))
 
 
 def rows():

@@ -1,7 +1,7 @@
 # The folders of the firmware, from the lowest floor to the highest: a file includes files of its own folder and of those
-# below, and of none above. What stands in src itself is below all (Config.h) or above all (JavinoBDI.h, Javino.h).
+# below, and of none above. What stands in src itself is below all (Config.h) or above all (Javino….h).
 # cmake -P floors.cmake
-set(FLOORS Config.h support radio framing crypto storage secure delivery board radioboard serialradio arduino Javino.h JavinoBDI.h)
+set(FLOORS Config.h support radio framing crypto storage secure delivery board radioboard serialradio arduino Javino.h JavinoBDI.h JavinoRadioHead.h JavinoRadioLib.h)
 
 set(FIRMWARE ${CMAKE_CURRENT_LIST_DIR}/../../javino-firmware/src)
 file(GLOB_RECURSE SOURCES RELATIVE ${FIRMWARE} ${FIRMWARE}/*.h ${FIRMWARE}/*.cpp ${FIRMWARE}/*.S)

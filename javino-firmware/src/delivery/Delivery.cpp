@@ -13,7 +13,9 @@ bool Delivery::begin() {
   retransmitter_->begin();
   uint8_t number[RELAYING_LENGTH + EepromRecord::CHECK_LENGTH];
   if (config::LARGE && relaying().begin(number, 0) && medium_->canRelay()) beginToRelay(number);
-  return medium_->begin();
+  const bool begun = medium_->begin();
+  receiver_.begin();
+  return begun;
 }
 
 void Delivery::seed() { state_->random->seed(state_->id.address().value(), state_->epoch.value()); }

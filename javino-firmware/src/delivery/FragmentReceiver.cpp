@@ -10,6 +10,15 @@ namespace javinolib {
 static const uint8_t INDEX_MASK = MAX_FRAGMENTS - 1;
 static const uint8_t INDEXES = MAX_FRAGMENTS + fragments::WANTS_ANSWER;
 
+static const uint16_t LEAST_EXPIRY_MILLIS = 5000;
+static const uint8_t EXPIRY_PACKETS = 8;
+
+void FragmentReceiver::begin(const MediumAccess &medium) {
+  const uint8_t longest = static_cast<uint8_t>(HEADER_LENGTH + medium.fragmentLength());
+  expiryMillis_ = static_cast<uint16_t>(EXPIRY_PACKETS * medium.airtimeMillis(longest));
+  if (expiryMillis_ < LEAST_EXPIRY_MILLIS) expiryMillis_ = LEAST_EXPIRY_MILLIS;
+}
+
 template <typename Scope>
 bool FragmentReceiver::accept(const Frame &fragment, uint8_t longest, uint16_t age, bool isDoubtful) {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
@@ -118,8 +127,9 @@ template bool FragmentReceiver::accept<UnicastScope>(const Frame &, uint8_t, uin
 
 void FragmentReceiver::run() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
-  for (uint8_t left = reassembly_.expire(now); left != 0; left--) acceptor_->drop(Counter::RADIO_EXPIRED);
-  ignored_.expire(now);
+  for (uint8_t left = reassembly_.expire(now, expiryMillis_); left != 0; left--)
+    acceptor_->drop(Counter::RADIO_EXPIRED);
+  ignored_.expire(now, expiryMillis_);
 }
 
 }  // namespace javinolib

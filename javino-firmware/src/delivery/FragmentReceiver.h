@@ -6,6 +6,7 @@
 #include "../support/Inlining.h"
 #include "FrameAcceptor.h"
 #include "IgnoredMessages.h"
+#include "MediumAccess.h"
 #include "Reassembly.h"
 #include "../support/Part.h"
 
@@ -16,6 +17,9 @@ class FragmentReceiver {
  public:
   explicit FragmentReceiver(FrameAcceptor &acceptor) : acceptor_(acceptor), reassembly_(acceptor.inbox()) {}
 
+  /// To be called once, when the radio has begun.
+  void begin(const MediumAccess &medium);
+
   /// Takes in a frame to a fragment's address, from another board.
   /// @param longest the most bytes of a fragment, 16…67
   /// @param age how long ago its packet began, in ms
@@ -24,7 +28,7 @@ class FragmentReceiver {
   template <typename Scope = WholeScope>
   JAVINO_NOINLINE bool accept(const Frame &fragment, uint8_t longest, uint16_t age, bool isDoubtful);
 
-  /// Forgets what has got no new fragment for 5 s; to be called often.
+  /// Forgets what has got no new fragment for long; to be called often.
   void run();
 
   /// Forgets all that is half received.
@@ -46,6 +50,7 @@ class FragmentReceiver {
   Part<FrameAcceptor> acceptor_;
   IgnoredMessages ignored_;
   Reassembly reassembly_;
+  uint16_t expiryMillis_;  // set by begin()
 };
 
 /// The substitute for it on a board that has no room for fragments (Config.h): drops them.
@@ -57,6 +62,7 @@ class NoFragmentReceiver {
   bool accept(const Frame &, uint8_t, uint32_t, bool) {
     return acceptor_->drop(Counter::RADIO_FRAGMENTS_DROPPED);
   }
+  void begin(const MediumAccess &) {}
   void run() {}
   void clear() {}
   BoardsForwarding::Memory *lend() { return nullptr; }

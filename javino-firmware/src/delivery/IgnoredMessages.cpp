@@ -6,8 +6,6 @@ const uint8_t IgnoredMessages::CAPACITY;
 const uint8_t IgnoredMessages::FREE;
 const uint8_t IgnoredMessages::USED;
 
-static const uint16_t EXPIRY_MILLIS = 5000;
-
 void IgnoredMessages::add(const Address &origin, uint8_t id, uint16_t now) {
   Entry *entry = find(origin, id);
   if (entry == nullptr) {
@@ -31,9 +29,9 @@ bool IgnoredMessages::covers(const Address &origin, uint8_t id, uint16_t now) {
   return true;
 }
 
-void IgnoredMessages::expire(uint16_t now) {
+void IgnoredMessages::expire(uint16_t now, uint16_t after) {
   for (Entry &entry : entries_) {
-    if (static_cast<uint16_t>(now - entry.lastFragment) >= EXPIRY_MILLIS) entry.mark = FREE;
+    if (static_cast<uint16_t>(now - entry.lastFragment) >= after) entry.mark = FREE;
   }
 }
 

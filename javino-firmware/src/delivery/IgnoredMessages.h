@@ -9,7 +9,7 @@
 namespace javinolib {
 
 /// Messages in fragments of which no fragment is of use: they are for others, or here already. Each is ignored until none of
-/// its fragments has come for 5 s; when more come than there is room for, the oldest goes.
+/// its fragments has come for long; when more come than there is room for, the oldest goes.
 class IgnoredMessages {
  public:
   JAVINO_NOINLINE void add(const Address &origin, uint8_t id, uint16_t now);
@@ -18,8 +18,9 @@ class IgnoredMessages {
   /// Whether a fragment is of such a message, which is then ignored for longer.
   bool covers(const Address &origin, uint8_t id, uint16_t now);
 
-  /// To be called at least once a minute.
-  void expire(uint16_t now);
+  /// To be called at least once a second.
+  /// @param after ms without a fragment, at most 60 000
+  void expire(uint16_t now, uint16_t after);
 
  private:
   static const uint8_t CAPACITY = 4;

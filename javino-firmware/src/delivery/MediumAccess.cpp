@@ -6,10 +6,12 @@
 
 namespace javinolib {
 
+// A radio may know what it can do only once it has begun.
 bool MediumAccess::begin() {
+  const bool begun = radio_.begin();
   slotMillis_ = radio_.slotMillis();
   fragmentLength_ = static_cast<uint8_t>(radio_.longestPayload() - HEADER_LENGTH);
-  return radio_.begin();
+  return begun;
 }
 
 void MediumAccess::update() {

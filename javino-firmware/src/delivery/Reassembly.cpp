@@ -4,7 +4,6 @@
 
 namespace javinolib {
 
-static const uint16_t EXPIRY_MILLIS = 5000;
 static const uint8_t MOST_REFUSALS = 4;
 
 namespace {
@@ -151,11 +150,11 @@ uint8_t *Reassembly::release(PartialFrame &frame) {
   return bytes;
 }
 
-uint8_t Reassembly::expire(uint16_t now) {
+uint8_t Reassembly::expire(uint16_t now, uint16_t after) {
   uint8_t expired = 0;
   for (PartialFrame *frame = frames_; frame != end(); frame++) {
     if (!frame->isFree()) {
-      if (static_cast<uint16_t>(now - frame->lastNew) < EXPIRY_MILLIS) continue;
+      if (static_cast<uint16_t>(now - frame->lastNew) < after) continue;
       expired++;
     }
     release(*frame);

@@ -97,7 +97,7 @@ class PartialFrame {
 };
 
 /// The messages that are being put together: two, so that senders who never end theirs take no more than that, and for no
-/// longer than 5 s. One of them lies in the inbox, as long as that is nearly empty.
+/// longer than FragmentReceiver waits. One of them lies in the inbox, as long as that is nearly empty.
 class Reassembly {
  public:
   explicit Reassembly(Inbox &inbox) : inbox_(inbox) {}
@@ -116,9 +116,9 @@ class Reassembly {
   /// @return where its bytes are until anything else comes
   uint8_t *release(PartialFrame &frame);
 
-  /// Forgets what has got no new fragment for 5 s.
+  /// Forgets what has got no new fragment for so many ms, at most 60 000.
   /// @return how many messages that were
-  uint8_t expire(uint16_t now);
+  uint8_t expire(uint16_t now, uint16_t after);
 
   /// Forgets all.
   void clear();

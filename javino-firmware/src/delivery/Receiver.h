@@ -29,6 +29,9 @@ class Receiver {
         fragments_(acceptor),
         forwarding_(medium, state.random, state.counters) {}
 
+  /// To be called once, when the radio has begun.
+  void begin() { fragments_.begin(medium_); }
+
   /// Takes in all that the radio holds.
   template <typename Scope = WholeScope>
   void run();

@@ -119,6 +119,7 @@ final class TrafficCheck {
     private void examineRadio(Map<Counter, Long> counters, Duration listened, boolean lasts) {
         long received = counters.getOrDefault(Counter.RADIO_RECEIVED, 0L);
         long damaged = counters.getOrDefault(Counter.RADIO_DAMAGED, 0L);
+        long unfit = counters.getOrDefault(Counter.RADIO_FRAGMENTS_DROPPED, 0L);
         String count = received + " packets received, " + damaged + " damaged";
         if (received + damaged == 0) {
             findings.trouble("radio", "nothing was heard in " + listened.toSeconds() + " s; " + (lasts
@@ -128,6 +129,9 @@ final class TrafficCheck {
         } else if (damaged > received) {
             findings.trouble("radio",
                     count + "; antenna, distance, the same bit rate in all sketches, other transmitters");
+        } else if (2 * unfit > received) {
+            findings.trouble("radio", count + ", " + unfit + " fragments that do not fit; the same radio in all sketches, and "
+                    + "no long contents to a small chip");
         } else {
             findings.ok("radio", count);
         }

@@ -362,6 +362,12 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void radio_mostPacketsAreFragmentsOfAnotherLength_isTold() {
+        fake.setCounter(Counter.RADIO_RECEIVED, 5).setCounter(Counter.RADIO_FRAGMENTS_DROPPED, 3);
+        assertTrouble("radio", "5 packets received, 0 damaged, 3 fragments that do not fit; the same radio");
+    }
+
+    @Test
     void radio_heardWhileListening_isOk() throws Exception {
         fake.setCounter(Counter.RADIO_RECEIVED, 0);
         start("doctor", "--port", "fake", "--listen", "3600");
