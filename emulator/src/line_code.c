@@ -103,7 +103,7 @@ static void add_to_packet(line_decoder *decoder, unsigned bits) {
   if (decoder->bit_count == trailer_bits(decoder)) line_decoder_end(decoder);
 }
 
-// The trailer's first byte.
+// The trailer's first byte. Its first symbol tells which it is: the sender may be reset before the second has ended.
 static void take_trailer_word(line_decoder *decoder) {
   unsigned to_come = WINDOW_BITS - decoder->bit_count;
   unsigned sent = (unsigned)decoder->window >> to_come;
@@ -111,9 +111,9 @@ static void take_trailer_word(line_decoder *decoder) {
   bool parity = sent == (PARITY_WORD & WINDOW_MASK >> to_come);
   if (!mark && !parity) {
     line_decoder_end(decoder);
-  } else if (to_come == 0) {
+  } else if (decoder->bit_count % SYMBOL_BITS == 0) {
     decoder->packet.trailer = mark ? LINE_MARK : LINE_PARITY;
-    add_to_packet(decoder, WINDOW_BITS);
+    add_to_packet(decoder, SYMBOL_BITS);
   }
 }
 

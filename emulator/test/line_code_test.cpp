@@ -21,6 +21,9 @@ struct Receiver {
     self->path = packet->path;
     self->start = packet->start;
     self->end = packet->end;
+    self->bits = packet->bits;
+    self->trailer = packet->trailer;
+    self->told = static_cast<cycles_t>(self->decoder.next_sample);
   }
 
   static void on_damaged(void *context, line_error error, cycles_t) {
@@ -50,7 +53,9 @@ struct Receiver {
   double bit_cycles;
   cycles_t now = 100000;
   unsigned path = 0;
-  cycles_t start = 0, end = 0;
+  cycles_t start = 0, end = 0, told = 0;
+  unsigned bits = 0;
+  line_trailer trailer = LINE_NO_TRAILER;
   std::vector<std::vector<uint8_t>> packets;
   std::vector<line_error> errors;
 };
@@ -198,6 +203,32 @@ TEST(LineCode, a_packet_that_broke_off_is_told_as_soon_as_nothing_follows_it) {
       }
       receiver.send("111111");
       EXPECT_EQ(receiver.packets.size(), told) << last << ", " << cut << " bits less";
+    }
+  }
+}
+
+// The replay of traces takes what is told by 8 bits late, and no later.
+TEST(LineCode, a_trailer_that_broke_off_is_told_within_seven_bits_of_its_end) {
+  const std::string words[] = {"001110110001", "110001001110"};
+  uint8_t payload[] = {'x', 'y'};
+  uint8_t encoded[LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * 2];
+  const size_t length = line_encode(encoded, payload, sizeof payload, 0);
+  std::string packet;
+  for (size_t i = 0; i < length; i++) packet += encoded[i] ? '1' : '0';
+  for (const std::string &word : words) {
+    for (size_t sent = 0; sent <= word.size(); sent++) {
+      Receiver receiver;
+      receiver.decoder.at_sender = true;
+      receiver.send(packet + word.substr(0, sent));
+      ASSERT_EQ(receiver.packets.size(), 1u) << word << ", " << sent;
+      // Bits that are 0 anyway are not missed.
+      size_t seen = sent;
+      while (seen < word.size() && word[seen] == '0') seen++;
+      if (sent < 3) seen = 0;
+      EXPECT_LE(receiver.told, receiver.end + 7 * receiver.bit_cycles) << word << ", " << sent;
+      EXPECT_GE(receiver.told, receiver.end - receiver.bit_cycles) << word << ", " << sent;
+      EXPECT_EQ(receiver.bits, LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * 2 + seen / 6 * 6) << word << ", " << sent;
+      EXPECT_EQ(receiver.trailer, seen < 6 ? LINE_NO_TRAILER : word[0] == '0' ? LINE_MARK : LINE_PARITY) << sent;
     }
   }
 }
