@@ -3,7 +3,8 @@
 #include "ArduinoBoard.h"
 
 /// The interface of the published Javino 1.7 and of the first one, so that their sketches compile unchanged: a global
-/// `Javino javino;`. It has one object, on `Serial`.
+/// `Javino javino;`. It has one object, on `Serial`. What the library with radio (2.0) has beside is an error that says what
+/// to write: there a sketch hands messages on and has their key, here the board does so for its agent (SPEC 7, 8).
 class Javino {
  public:
   typedef void (*Function)();
@@ -68,6 +69,39 @@ class Javino {
   bool availablemsg() { return availableMsg(); }
   String getmsg() const { return getMsg(); }
   void sendmsg(const String &literals) { sendMsg(literals); }
+
+  // Without the radio, a name that nobody asks for.
+  void setId(const String &) {}
+  void setAlias(const String &) {}
+
+  template <typename Pin>
+  void enableRF(Pin, Pin) {
+    static_assert(sizeof(Pin) == 0,
+                  "for the radio write JavinoAskRadio radio; JavinoRadioBoard board(Serial, \"bus 1.0\", radio); "
+                  "instead of Javino");
+  }
+
+  template <typename Key>
+  void setCipherKey(Key) {
+    static_assert(sizeof(Key) == 0, "leave the key out: javino provision puts keys on boards");
+  }
+
+  template <typename Text, typename... Texts>
+  void sendMsgRF(Text, Texts...) {
+    static_assert(sizeof(Text) == 0,
+                  "leave messages to the agent, .diffuse(\"ROMA\", tell, help), or write JavinoBroadcaster");
+  }
+
+  template <typename Nothing = char>
+  bool availableMsgRF() {
+    static_assert(sizeof(Nothing) == 0, "leave messages to the agent: .getRFMessages(open)");
+    return false;
+  }
+
+  template <typename Nothing = char>
+  void buffer2USB() {
+    static_assert(sizeof(Nothing) == 0, "leave messages to the agent: .getRFMessages(open)");
+  }
 
  private:
   class Board : public javinolib::ArduinoBoard<javinolib::Board> {

@@ -1,4 +1,5 @@
-"""Compiles sketches with a name that is no F("…"), and on an AVR one with a memory for keys: each is one error, which says so:
+"""Compiles sketches with a name that is no F("…"), with the radio of the published library, and on an AVR one with a memory for
+keys: each is one error, which says so:
 check.py compiler options..."""
 
 import pathlib
@@ -39,6 +40,23 @@ JavinoAskRadio radio;
 void setup() { board.begin(115200); }
 '''
 
+PUBLISHED = '''#include <Javino.h>
+
+Javino javino;
+
+void setup() {
+  javino.setId("ROMA");
+  javino.start(9600);
+}
+
+void loop() { %s; }
+'''
+
+RADIO = [('javino.enableRF(12, 11)', 'JavinoRadioBoard board('), ('javino.setCipherKey("0123456789abcdef")', 'javino provision'),
+         ('javino.sendMsgRF("help")', '.diffuse('), ('javino.sendMsgRF("ROMA", "help")', '.diffuse('),
+         ('if (javino.availableMsgRF()) javino.run()', '.getRFMessages(open)'),
+         ('javino.buffer2USB()', '.getRFMessages(open)')]
+
 PERCEPTS = ['percepts.add("dark")', 'percepts.add("light", 5)', 'percepts.add("light", 5, 4)', 'percepts.add("celsius", 20.5)',
             'percepts.add("celsius", 20.5, 0.5, 1000)', 'percepts.add("says", "hello")', 'percepts.add("says", F("hello"))',
             'percepts.add("light", 5, 4, 500, 1)', 'percepts.event("pressed", true)']
@@ -53,10 +71,12 @@ def errors(sketch):
 
 
 failed = []
-if errors(SKETCH % RIGHT):
-    failed.append(f'{RIGHT}: {errors(SKETCH % RIGHT)}')
+for right in (SKETCH % RIGHT, PUBLISHED % 'javino.run()'):
+    if errors(right):
+        failed.append(f'{right}: {errors(right)}')
 wrongs = [(wrong, SKETCH % wrong, 'F("')
           for wrong in [(percept, RIGHT[1]) for percept in PERCEPTS] + [(RIGHT[0], action) for action in ACTIONS]]
+wrongs += [(call, PUBLISHED % call, words) for call, words in RADIO]
 if any(option.startswith('-mmcu=') for option in sys.argv):
     wrongs += [(board, OWN_MEMORY % board, "leave out the board's fourth argument")
                for board in ('JavinoRadioBoard', 'JavinoUnicastBoard')]

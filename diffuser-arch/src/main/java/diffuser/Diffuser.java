@@ -169,6 +169,11 @@ public class Diffuser extends AgArch {
         return time.port(port);
     }
 
+    /** Whether {@code port(P,on)} is believed only with the first reading of the sensors: no, unless overridden. */
+    protected boolean portWithSensors() {
+        return false;
+    }
+
     /** The term for a port in beliefs: a string, unless a subclass overrides it. */
     protected Term portTerm(String port) {
         return ASSyntax.createString(port);
@@ -210,7 +215,7 @@ public class Diffuser extends AgArch {
             Device opened = Device.open(link, portTerm(port), boardConfig().in(time), wanted,
                     new DeviceContext(getAgName(), board, (message, peer) -> inbox.put(message, peer, getAgName()),
                             hosts, warnings, this::wakeAgent, text -> printed.accept(text),
-                            service(KeyService.class)));
+                            service(KeyService.class), portWithSensors()));
             boards.put(board, opened);
             recordSettings();
             Duration patience = patience();

@@ -19,6 +19,7 @@ import diffuser.board.SensorMode;
  * {@code agentArchClass jason.Argo}. It has all that a Diffuser has; it differs in what those agents rely on.
  * <ul>
  * <li>Beliefs name a port by its last part, as an atom where it is one: {@code port(ttyACM0,on)}.
+ * <li>They come with the first reading of the sensors, so that a plan for the port may ask for them.
  * <li>Percepts that are blocked stay believed: {@code .percepts(block)} is {@code .percepts(close)}.
  * <li>{@code .port(none)} leaves the port.
  * <li>After an action, too, the plan goes on when the sensors were read anew and are believed; but where {@code .limit}
@@ -32,6 +33,11 @@ public class Argo extends Diffuser {
     private static final long serialVersionUID = 1L;
 
     private static final Pattern ATOM = Pattern.compile("[a-z][A-Za-z0-9_]*");
+
+    @Override
+    protected boolean portWithSensors() {
+        return true;
+    }
 
     @Override
     protected Term portTerm(String port) {

@@ -292,17 +292,46 @@ class ArgoTest {
         agent.notes("ttyACM0 off");
     }
 
+    /** As the public Argo, which learns of its port from its board's readings. */
+    @Test
+    void port_isBelievedWithTheFirstReading() {
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("light(1)");
+        String program = """
+                !start.
+                +!start <- .argo.port(ttyACM0); diffuser.note(opened).
+                +!sense <- .argo.percepts(open).
+                +port(P,on) : light(X) <- diffuser.note(P,X).
+                +port(P,on) <- diffuser.note(P,dark).
+                +!probe <- diffuser.note(probed).
+                """;
+        RunningAgent agent = argo(program, board);
+        agent.notes("opened");
+        agent.notesNothingElse();
+        agent.achieve("sense");
+        agent.notes("ttyACM0 1");
+        board.port.unplug();
+        board.port.plug();
+        agent.notes("ttyACM0 1");
+    }
+
+    @Test
+    void port_boardWithoutPercepts_isBelievedToo() {
+        RunningAgent agent = argo("!start. +!start <- .argo.port(ttyACM0); .argo.percepts(open)."
+                + "+port(P,on) <- diffuser.note(P).", new FakeBoard("ttyACM0"));
+        agent.notes("ttyACM0");
+    }
+
     @Test
     void port_pathAsString_isBelievedByItsLastPart() {
-        String program =
-                "!start. +!start <- .argo.port(\"/dev/ttyUSB0\",true). +port(ttyUSB0,on) <- diffuser.note(on).";
+        String program = "!start. +!start <- .argo.port(\"/dev/ttyUSB0\",true); .argo.percepts(open)."
+                + "+port(ttyUSB0,on) <- diffuser.note(on).";
         RunningAgent agent = argo(program, new FakeBoard("/dev/ttyUSB0"));
         agent.notes("on");
     }
 
     @Test
     void port_noAtom_isBelievedAsAString() {
-        String program = "!start. +!start <- .port(COM3). +port(\"COM3\",on) <- diffuser.note(on).";
+        String program = "!start. +!start <- .port(COM3); .percepts(open). +port(\"COM3\",on) <- diffuser.note(on).";
         RunningAgent agent = argo(program, new FakeBoard("COM3"));
         agent.notes("on");
     }

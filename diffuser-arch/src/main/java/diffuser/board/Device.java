@@ -64,7 +64,7 @@ public final class Device implements BoardListener {
         this.time = time;
         this.settings = settings;
         this.context = context;
-        this.percepts = new Percepts(term, context.board(), settings.percepts(), context.warnings());
+        this.percepts = new Percepts(term, settings.percepts(), context);
         this.keys = new BoardKeys(this, this::session, context);
         this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings(), time);
     }

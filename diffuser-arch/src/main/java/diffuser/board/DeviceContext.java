@@ -20,8 +20,9 @@ import javino.board.ReceivedMessage;
  * @param wake     ends its sleep.
  * @param printed  is told what the sketch prints.
  * @param keyService agrees on keys, if that library is there.
+ * @param portWithSensors whether it believes whether the board is there only once its sensors were opened.
  */
 public record DeviceContext(String agent, String board, BiConsumer<ReceivedMessage, TrustLevel> messages,
         HostMessages hosts, Warnings warnings, Runnable wake, Consumer<String> printed,
-        Optional<KeyService> keyService) {
+        Optional<KeyService> keyService, boolean portWithSensors) {
 }

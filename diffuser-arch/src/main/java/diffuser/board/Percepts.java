@@ -31,6 +31,7 @@ final class Percepts {
 
     private final Term port;
     private final String board;
+    private final boolean portWithSensors;
     private final Warnings warnings;
     private final AtomicLong malformed = new AtomicLong();
     private List<Literal> state = List.of();
@@ -40,19 +41,22 @@ final class Percepts {
     /** The sensors that the agent is to believe. */
     private List<Literal> shown = List.of();
     private SensorMode sensing;
+    /** Whether the sensors were read since the board came; a board that is away has none to be read. */
+    private boolean read;
     private List<Filter> filters = List.of();
     private volatile List<Literal> snapshot = List.of();
 
     /**
      * @param port    as beliefs name it.
-     * @param board   its name, in which the sensors' percepts are.
      * @param sensing the mode of the sensors.
+     * @param context whose percepts they are; the sensors' are in the name of its board.
      */
-    Percepts(Term port, String board, SensorMode sensing, Warnings warnings) {
+    Percepts(Term port, SensorMode sensing, DeviceContext context) {
         this.port = port;
-        this.board = board;
         this.sensing = sensing;
-        this.warnings = warnings;
+        this.board = context.board();
+        this.portWithSensors = context.portWithSensors();
+        this.warnings = context.warnings();
     }
 
     /** All that is perceived now. A list is never changed: another state is another list. */
@@ -68,6 +72,7 @@ final class Percepts {
             sensors = Map.of();
             shown = List.of();
         }
+        read = !on;
         compose();
     }
 
@@ -96,6 +101,7 @@ final class Percepts {
             }
         }
         sensors = now;
+        read = true;
         compose();
     }
 
@@ -135,7 +141,8 @@ final class Percepts {
             case HELD -> shown;
             case BLOCKED -> List.of();
         };
-        List<Literal> all = new ArrayList<>(state);
+        boolean tellsPort = !portWithSensors || read && sensing != SensorMode.BLOCKED;
+        List<Literal> all = new ArrayList<>(tellsPort ? state : List.of());
         all.addAll(peers);
         all.addAll(shown);
         // An agent that has forgotten a belief is told it anew only by another list.

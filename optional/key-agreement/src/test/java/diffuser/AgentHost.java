@@ -41,7 +41,7 @@ public final class AgentHost implements AutoCloseable {
         Warnings warnings = new Warnings(() -> SILENT);
         DeviceContext context = new DeviceContext("agent", "", (message, peer) -> {},
                 new HostMessages(List.of(keyService), warnings::once), warnings, () -> {}, text -> {},
-                Optional.of(keyService));
+                Optional.of(keyService), false);
         BoardSettings settings = BoardSettings.NONE.withRfId(id).withRadio(true);
         device = Device.open(new ExclusivePort(link, "agent", CompletableFuture.completedFuture(null), Time.REAL),
                 ASSyntax.createString(link.name()), usual.with(usual.notes(), clock), settings, context);

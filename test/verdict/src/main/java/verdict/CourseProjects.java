@@ -37,8 +37,6 @@ public final class CourseProjects {
         // Most of a run is waiting.
         ExecutorService threads = Executors.newFixedThreadPool(AT_ONCE);
         try (Judge judge = new Judge("Projects of ChonIDE's course", arguments[1], "`javino import`")) {
-            judge.know("their plan for port(P,on) needs percepts, which with us come only after .percepts(open)",
-                    "kombi.chon", "trator.chon");
             List<Future<Optional<Boolean>>> ends = new ArrayList<>();
             for (Path project : projects) {
                 ends.add(threads.submit(() -> judge(project, arguments)));
