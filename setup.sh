@@ -32,6 +32,8 @@ socat                    a page's commands to the emulator
 tshark                   the tests of captures, and of the dissector for Wireshark
 python3                  the second checker of the models
 asciidoctor              the manual's pages, in Debian's package
+gpg                      signs releases
+gpg-agent                keeps its keys
 chromium                 the tests of the live page
 chromium-driver          drives it
 fonts-dejavu-core        letters for it
