@@ -24,7 +24,7 @@ final class Log {
      * @throws IOException if it does not end within that many seconds.
      */
     static List<String> of(Path folder, int seconds, List<String> words) throws IOException, InterruptedException {
-        return run(folder, seconds, line -> false, words);
+        return run(folder, seconds, false, lines -> false, words);
     }
 
     /**
@@ -35,21 +35,40 @@ final class Log {
      */
     static List<String> until(Path folder, int seconds, Predicate<String> enough, List<String> words)
             throws IOException, InterruptedException {
-        return run(folder, seconds, enough, words);
+        return run(folder, seconds, false, lines -> lines.stream().anyMatch(enough), words);
     }
 
-    private static List<String> run(Path folder, int seconds, Predicate<String> enough, List<String> words)
+    /**
+     * Runs a program until it has been silent for some seconds, or its time is over.
+     *
+     * @return all lines that it has written.
+     */
+    static List<String> untilQuiet(Path folder, int seconds, int quiet, List<String> words)
             throws IOException, InterruptedException {
+        int[] before = {0, 0};
+        return run(folder, seconds, true, lines -> {
+            before[1] = lines.size() == before[0] ? before[1] + 1 : 0;
+            before[0] = lines.size();
+            return before[0] > 0 && before[1] >= quiet;
+        }, words);
+    }
+
+    /** @param endless whether the program may outlive its seconds. */
+    private static List<String> run(Path folder, int seconds, boolean endless, Predicate<List<String>> enough,
+            List<String> words) throws IOException, InterruptedException {
         File log = File.createTempFile("verdict", ".log");
         Process process = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
                 .redirectOutput(log).start();
         try {
             for (int second = 0; !process.waitFor(1, TimeUnit.SECONDS); second++) {
-                if (lines(log).stream().anyMatch(enough)) {
-                    process.waitFor(MOMENT_SECONDS, TimeUnit.SECONDS);
+                if (enough.test(lines(log))) {
+                    process.waitFor(endless ? 0 : MOMENT_SECONDS, TimeUnit.SECONDS);
                     break;
                 }
                 if (second == seconds) {
+                    if (endless) {
+                        break;
+                    }
                     throw new IOException(String.join(" ", words) + " does not end; its log is " + log);
                 }
             }

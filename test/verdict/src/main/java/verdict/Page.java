@@ -20,7 +20,7 @@ public final class Page {
     private static final List<String> TOP = List.of("<!-- verdict: made by gradle verdict -->", "# Verdict", "",
             "`gradle verdict` runs cases that others wrote, writes this page, and fails if a number falls. What is to "
                     + "be refused is right if it is refused. `test/verdict/vectors/SOURCES.txt` says where the cases "
-                    + "are from; suites need `-Pothers=FOLDER`, or stay as they are.",
+                    + "are from; suites need `-Pothers=FOLDER`, JaCaMo's `-Pjacamo=URL` too, or stay as they are.",
             "");
 
     private Page() {

@@ -2,41 +2,39 @@ package verdict;
 
 import jason.JasonException;
 import jason.infra.local.RunLocalMAS;
+import jason.runtime.RuntimeServices;
 import jason.runtime.RuntimeServicesFactory;
 import java.rmi.RemoteException;
 import java.util.Arrays;
 
-/** Runs a MAS of Jason in which each agent, also one made later, has one architecture more. */
+/** Runs a MAS of Jason or JaCaMo in which each agent, also one made later, has one architecture more. */
 public final class RunWithArchitecture extends RunLocalMAS {
 
-    private final String architecture;
-
-    private RunWithArchitecture(String architecture) {
-        this.architecture = architecture;
+    private RunWithArchitecture() {
     }
 
-    @Override
-    public void create() throws JasonException {
-        try {
-            RuntimeServicesFactory.get().registerDefaultAgArch(architecture);
-        } catch (RemoteException e) {
-            throw new JasonException("these services are not local", e);
-        }
-        super.create();
-    }
-
-    /** @param arguments the architecture's class, and what Jason's own launcher takes. */
+    /** @param arguments the architecture's class, and what the platform's own launcher takes. */
     public static void main(String[] arguments) {
-        RunWithArchitecture mas = new RunWithArchitecture(arguments[0]);
-        runner = mas;
+        String[] own = Arrays.copyOfRange(arguments, 1, arguments.length);
         try {
-            mas.init(Arrays.copyOfRange(arguments, 1, arguments.length));
+            RunLocalMAS mas = own[0].endsWith(".jcm") ? jacamo() : new RunLocalMAS();
+            runner = mas;
+            mas.init(own);
+            RuntimeServicesFactory.get().registerDefaultAgArch(arguments[0]);
             mas.create();
             mas.start();
             mas.waitEnd();
-        } catch (JasonException e) {
+        } catch (JasonException | RemoteException | ReflectiveOperationException e) {
             System.err.println("verdict: " + e.getMessage());
         }
-        mas.finish(0, true, 0);
+        runner.finish(0, true, 0);
+    }
+
+    /** JaCaMo's launcher, whose classes are not there when Jason's own tests run. */
+    private static RunLocalMAS jacamo() throws ReflectiveOperationException {
+        Object mas = Class.forName("jacamo.infra.JaCaMoLauncher").getConstructor().newInstance();
+        RuntimeServicesFactory.set((RuntimeServices) Class.forName("jacamo.infra.JaCaMoRuntimeServices")
+                .getConstructors()[0].newInstance(mas));
+        return (RunLocalMAS) mas;
     }
 }
