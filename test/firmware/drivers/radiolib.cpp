@@ -269,6 +269,16 @@ TEST_F(RadioLibUsualTest, counts_a_packet_as_ended_if_no_interrupt_tells_it) {
   EXPECT_EQ(2, counter(roma, Counter::RADIO_SENT));
 }
 
+TEST_F(RadioLibUsualTest, listens_again_if_nothing_is_sent_on_a_free_channel) {
+  const unsigned before = supoChip.hardware.scans;
+  supo.use();
+  EXPECT_FALSE(supoChip.radio.send(reinterpret_cast<const uint8_t *>("x"), 1));
+  pass(100);
+  EXPECT_EQ(1, supoChip.hardware.scans - before);
+  send("////", "tell;one");
+  EXPECT_THAT(received(), ElementsAre("tell;one"));
+}
+
 TEST_F(RadioLibUsualTest, counts_packets_of_others_as_damaged) {
   const uint8_t foreign[100] = {javinolib::PATHS};
   uint32_t count = 0;
