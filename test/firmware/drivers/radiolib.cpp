@@ -203,7 +203,8 @@ TEST_P(RadioLibTest, delivers_through_a_relay) {
   send("SUPO", "tell;far");
   EXPECT_THAT(received(), ElementsAre("tell;far"));
   EXPECT_EQ(0, air.past[0].bytes[0]);
-  const auto copy = std::find_if(air.past.begin(), air.past.end(), [this](const LoRaAir::Packet &packet) { return packet.from == &thirdChip.hardware; });
+  const auto copy = std::find_if(air.past.begin(), air.past.end(),
+                                 [this](const LoRaAir::Packet &packet) { return packet.from == &thirdChip.hardware; });
   EXPECT_EQ(1, copy->bytes[0] % javinolib::HOPS_MODULUS);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   send("////", "tell;all");
