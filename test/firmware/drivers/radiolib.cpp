@@ -135,6 +135,38 @@ class RadioLibUsualTest : public RadioLibTest {
   RadioLibUsualTest() : RadioLibTest(USUAL) {}
 };
 
+// A chip as RadioLib's drivers of FSK show it: no scan, no airtime, but the strength of what is heard.
+class FskChip : public PhysicalLayer {
+ public:
+  FskChip() { maxPacketLength = 64; }
+
+  int16_t startReceive() override {
+    listens = true;
+    return RADIOLIB_ERR_NONE;
+  }
+  int16_t startTransmit(const uint8_t *data, size_t length, uint8_t) override {
+    listens = false;
+    sent.assign(data, data + length);
+    return RADIOLIB_ERR_NONE;
+  }
+  int16_t finishTransmit() override { return RADIOLIB_ERR_NONE; }
+  size_t getPacketLength(bool) override { return came.size(); }
+  int16_t readData(uint8_t *data, size_t length) override {
+    std::copy(came.begin(), came.begin() + length, data);
+    return RADIOLIB_ERR_NONE;
+  }
+  float getRSSI() override { return 0; }  // of the last packet
+  float getRSSI(bool ofPacket) { return ofPacket ? 0 : dbm; }
+  void setPacketReceivedAction(void (*call)()) override { interrupt = call; }
+  void setPacketSentAction(void (*call)()) override { interrupt = call; }
+  Module *getMod() override { return nullptr; }
+
+  bool listens = false;
+  Bytes sent, came;
+  float dbm = -100;
+  void (*interrupt)() = nullptr;
+};
+
 }  // namespace
 
 INSTANTIATE_TEST_SUITE_P(rates, RadioLibTest, testing::Values(FAST, USUAL, SLOW));
@@ -170,8 +202,10 @@ TEST_P(RadioLibTest, delivers_through_a_relay) {
   beginRelay();
   send("SUPO", "tell;far");
   EXPECT_THAT(received(), ElementsAre("tell;far"));
-  EXPECT_EQ(0, air.past[0].bytes[0] % javinolib::HOPS_MODULUS);
-  EXPECT_EQ(1, air.past[1].bytes[0] % javinolib::HOPS_MODULUS);
+  EXPECT_EQ(0, air.past[0].bytes[0]);
+  const auto copy = std::find_if(air.past.begin(), air.past.end(),
+                                 [this](const LoRaAir::Packet &packet) { return packet.from == &thirdChip.hardware; });
+  EXPECT_EQ(1, copy->bytes[0] % javinolib::HOPS_MODULUS);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   send("////", "tell;all");
   EXPECT_THAT(received(), ElementsAre("tell;all"));
@@ -236,6 +270,16 @@ TEST_F(RadioLibUsualTest, counts_a_packet_as_ended_if_no_interrupt_tells_it) {
   EXPECT_EQ(2, counter(roma, Counter::RADIO_SENT));
 }
 
+TEST_F(RadioLibUsualTest, listens_again_if_nothing_is_sent_on_a_free_channel) {
+  const unsigned before = supoChip.hardware.scans;
+  supo.use();
+  EXPECT_FALSE(supoChip.radio.send(reinterpret_cast<const uint8_t *>("x"), 1));
+  pass(100);
+  EXPECT_EQ(1, supoChip.hardware.scans - before);
+  send("////", "tell;one");
+  EXPECT_THAT(received(), ElementsAre("tell;one"));
+}
+
 TEST_F(RadioLibUsualTest, counts_packets_of_others_as_damaged) {
   const uint8_t foreign[100] = {javinolib::PATHS};
   uint32_t count = 0;
@@ -269,4 +313,40 @@ TEST(RadioLib, refuses_what_is_too_slow) {
     EXPECT_EQ(row.begins, chip.radio.begin()) << testing::PrintToString(row.settings);
     EXPECT_GE(chip.radio.slotMillis(), 1);
   }
+}
+
+TEST(RadioLib, hears_by_strength_where_a_chip_has_no_scan) {
+  FakeClock clock;
+  FskChip chip;
+  javinolib::NumberedRadioLibRadio<3> radio(chip, AirRate::fsk(4800));
+  javinolib::Received with;
+  ASSERT_TRUE(radio.begin());
+  EXPECT_EQ(60, radio.longestPayload());
+  for (float dbm : {-100, -80, -100}) {
+    clock.millis++;
+    chip.dbm = dbm;
+    EXPECT_EQ(nullptr, radio.receive(with));
+    radio.carrier();  // one that came before
+    EXPECT_EQ(dbm > -90, radio.carrier());
+    EXPECT_EQ(dbm < -90, radio.send(reinterpret_cast<const uint8_t *>("ab"), 2)) << dbm;
+    if (!radio.sending()) continue;
+    EXPECT_EQ((Bytes{0, 'a', 'b'}), chip.sent);
+    chip.interrupt();
+    EXPECT_EQ(nullptr, radio.receive(with));
+    EXPECT_FALSE(radio.sending());
+    EXPECT_TRUE(chip.listens);
+  }
+  chip.came = {2, 'c'};
+  chip.interrupt();
+  const uint8_t *const payload = radio.receive(with);
+  ASSERT_NE(nullptr, payload);
+  EXPECT_EQ('c', *payload);
+  EXPECT_EQ(1, with.length);
+  EXPECT_EQ(2, with.path);
+}
+
+TEST(RadioLib, refuses_a_chip_without_a_rate) {
+  FakeClock clock;
+  FskChip chip;
+  EXPECT_FALSE(javinolib::NumberedRadioLibRadio<3>(chip).begin());
 }

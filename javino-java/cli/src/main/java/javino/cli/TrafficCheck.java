@@ -130,8 +130,9 @@ final class TrafficCheck {
             findings.trouble("radio",
                     count + "; antenna, distance, the same bit rate in all sketches, other transmitters");
         } else if (2 * unfit > received) {
-            findings.trouble("radio", count + ", " + unfit + " fragments that do not fit; the same radio in all sketches, and "
-                    + "no long contents to a small chip");
+            findings.trouble("radio",
+                    count + ", " + unfit + " fragments that do not fit; the same radio in all sketches, and "
+                            + "no long contents to a small chip");
         } else {
             findings.ok("radio", count);
         }
