@@ -27,10 +27,10 @@ uint32_t AirtimeLimit::costOf(uint8_t length) const { return (radio_.airtimeMill
 // What a packet is to leave: acknowledgements and what goes on with a message may take all.
 uint32_t AirtimeLimit::reserveFrom(const uint8_t *payload) const {
   const uint8_t *path = radio_.sentPath();
-  if (path != nullptr && *path % HOPS_MODULUS != 0) return capacity() / 4 * 3;
+  if (path != nullptr && *path % HOPS_MODULUS != 0) return capacity() / 4;
   const bool isOfMessage = payload[0] != '+' || (payload[1] == 'F' && (payload[3] == FIRST_DIGIT ||
                                                                        payload[3] == FIRST_DIGIT_WANTS_ANSWER));
-  return isOfMessage ? capacity() / 2 : 0;
+  return isOfMessage ? capacity() / 8 : 0;
 }
 
 uint32_t AirtimeLimit::level() const {
@@ -64,7 +64,7 @@ bool AirtimeLimit::send(const uint8_t *payload, uint8_t length) {
 
 void AirtimeLimit::counters(RadioCounters &into) const {
   radio_.counters(into);
-  uint32_t needed = capacity() / 2 + costOf(radio_.longestPayload());
+  uint32_t needed = capacity() / 8 + costOf(radio_.longestPayload());
   if (needed > capacity()) needed = capacity();
   const uint32_t before = level();
   const uint32_t inASecond = 1000ul * FILL * percent_;

@@ -112,21 +112,21 @@ TEST_F(Limited, sends_seven_eighths_of_its_share_in_the_long_run_and_an_eighth_a
   EXPECT_NEAR(HOUR / 10 / 8 * 7, sent * (lasts + 1), lasts);
 }
 
-TEST_F(Limited, leaves_a_half_to_acknowledgements_and_three_quarters_before_relays_copies) {
+TEST_F(Limited, leaves_an_eighth_to_acknowledgements_and_a_quarter_before_relays_copies) {
   boot(10);
   passUntilFull();
   const uint32_t eighth = HOUR / 10 / 8;
   const uint32_t lasts = radio.airtimeMillis(40) + 1u;
-  EXPECT_NEAR(eighth / 4, sendAll("SUPO", 1) * lasts, lasts);
+  EXPECT_NEAR(eighth / 4 * 3, sendAll("SUPO", 1) * lasts, lasts);
   EXPECT_EQ(0u, sendAll("+KAA", 5)) << "a copy of an acknowledgement";
-  EXPECT_NEAR(eighth / 4, sendAll("SUPO") * lasts, lasts);
+  EXPECT_NEAR(eighth / 8, sendAll("SUPO") * lasts, lasts);
   EXPECT_EQ(0u, sendAll("////"));
   EXPECT_EQ(0u, sendAll("+FAA"));
   EXPECT_EQ(0u, sendAll("+FAI"));
   EXPECT_EQ(0u, sendAll("SUPO", 8)) << "it tells a distance only";
   EXPECT_TRUE(send(packet("+FAB"))) << "what goes on with a message";
   EXPECT_TRUE(send(packet("+FAJ")));
-  EXPECT_NEAR(eighth / 2, (sendAll("+KAA") + 2) * lasts, lasts);
+  EXPECT_NEAR(eighth / 8, (sendAll("+KAA") + 2) * lasts, lasts);
 }
 
 TEST_F(Limited, tells_how_long_a_new_message_waits) {
@@ -145,7 +145,7 @@ TEST_F(Limited, tells_how_long_a_new_message_waits) {
   EXPECT_EQ(0u, wait());
   EXPECT_TRUE(send(packet("SUPO", 77)));
   sendAll("+KAA");
-  EXPECT_NEAR(HOUR / 7 / 2 / 1000, wait(), 8);
+  EXPECT_NEAR(HOUR / 7 / 8 / 1000, wait(), 8);
 }
 
 TEST_F(Limited, goes_on_after_a_reset_and_begins_spent_after_a_loss_of_power_or_with_another_share) {
@@ -187,9 +187,9 @@ TEST_F(Limited, takes_nothing_for_what_its_radio_refuses_and_more_for_a_trailer)
   EXPECT_EQ(plain + 13 * 6 * 800, level - ram.airtime.level - plain) << "13 bytes of 6 ms";
 }
 
-TEST(LimitedSlowRadio, sends_a_packet_of_over_half_its_level_once_that_is_full) {
+TEST(LimitedSlowRadio, sends_a_packet_that_leaves_no_reserve_once_its_level_is_full) {
   class SlowRadio : public FakeRadio {
-    uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(40 * length); }
+    uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(55 * length); }
   } radio;
   FakeClock clock;
   SimulatedRam ram;
@@ -197,7 +197,7 @@ TEST(LimitedSlowRadio, sends_a_packet_of_over_half_its_level_once_that_is_full) 
   const Bytes payload = packet("SUPO", 77);
   for (int i = 0; i < 2; i++) {
     clock.millis += HOUR / 7 + 1;
-    EXPECT_TRUE(limit.send(payload.data(), 77)) << "3 of 4.5 s";
+    EXPECT_TRUE(limit.send(payload.data(), 77)) << "4.2 of 4.5 s";
     radio.finishSending();
     clock.millis += HOUR / 28;
     EXPECT_FALSE(limit.send(payload.data(), 77));
@@ -214,7 +214,7 @@ TEST(LimitedBoard, waits_with_a_unicast_without_losing_attempts) {
   board.transmit("SUHO", "SUPP", "tell;x");
   size_t seconds = 0;
   for (; radio.sent.empty() && seconds < 1000; seconds++) board.pass(1000);
-  EXPECT_NEAR(HOUR / 7 / 2 / 1000, seconds, 60) << "half of the level is for acknowledgements";
+  EXPECT_NEAR(HOUR / 7 / 8 / 1000 + 26, seconds, 5) << "until an eighth and the packet are there";
   EXPECT_EQ(0u, board.counter(Counter::RADIO_RESENT));
   EXPECT_LT(0u, board.counter(Counter::AIRTIME_WAIT));
   const Bytes first = radio.sent[0];

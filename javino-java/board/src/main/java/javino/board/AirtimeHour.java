@@ -18,8 +18,8 @@ public final class AirtimeHour {
     private static final long HOUR = Duration.ofHours(1).toNanos();
     private static final long MINUTE = Duration.ofMinutes(1).toNanos();
     private static final long SECOND = Duration.ofSeconds(1).toNanos();
-    private static final double PERMILLE = 1000;
-    private static final double PERCENT = 10;
+    private static final double PERMILLE_OF_ALL = 1000;
+    private static final double PERMILLE_A_PERCENT = 10;
     /** A small chip counts no further (SPEC 4.5). */
     private static final long SMALL_MOST = 0xFFFF;
 
@@ -83,6 +83,6 @@ public final class AirtimeHour {
         long before = Math.max(0, last.nanos - HOUR - first.nanos);
         double sentBefore = before == 0 ? 0
                 : (double) (second.sent - first.sent) * before / (second.nanos - first.nanos);
-        return Math.round((last.sent - first.sent - sentBefore) * SECOND / HOUR * PERMILLE) / PERCENT;
+        return Math.round((last.sent - first.sent - sentBefore) * SECOND / HOUR * PERMILLE_OF_ALL) / PERMILLE_A_PERCENT;
     }
 }

@@ -37,9 +37,11 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
      * @param sum       that of all flows.
      * @param sent      the results of each flow.
      * @param perSecond how many were delivered a second while all went at its pace.
+     * @param busiest   the airtime of the board that sent for longest, in seconds.
      * @param repeated  nonces with two messages.
      */
-    record Result(Ledger.Sum sum, List<Traffic.Sent> sent, double perSecond, AirUsage.Sum air, long repeated) {}
+    record Result(Ledger.Sum sum, List<Traffic.Sent> sent, double perSecond, AirUsage.Sum air, double busiest,
+            long repeated) {}
 
     /**
      * Each plan with each of so many seeds; what came of each, in their order, and of those that are alike together.
@@ -118,6 +120,7 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
                 // Nonces are watched in the whole run: what was repeated counts with its first cell.
                 results.add(new Result(traffic.sum(), traffic.sent(),
                         (then[cell] - before[cell]) / (seconds - FROM * seconds), air.of(traffic.posts()),
+                        traffic.posts().stream().mapToDouble(post -> air.of(List.of(post)).seconds()).max().orElse(0),
                         cell == 0 ? air.nonces().repeated() : 0));
             }
             return results;

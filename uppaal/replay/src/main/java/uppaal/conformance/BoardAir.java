@@ -27,6 +27,7 @@ final class BoardAir {
     private final Deque<Quiet> quiets = new ArrayDeque<>();
     private final double slot;
     private final double second;
+    private boolean isLimited;
 
     BoardAir(Header header, String board) {
         second = header.second(board);
@@ -35,6 +36,7 @@ final class BoardAir {
 
     /** Takes notice of a point of the board, and tells whether the air becomes busy or quiet by it. */
     boolean changes(Point point) {
+        isLimited |= point.is("AIRTIME_LIMIT");
         if (isBusy() && point.is("QUIET")) {
             quiets.addLast(new Quiet(point.run(), Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false));
             if (quiets.size() > KEPT) {
@@ -91,6 +93,11 @@ final class BoardAir {
     /** How long a second of the board's clock is. */
     double second() {
         return second;
+    }
+
+    /** Whether what is due may wait on for its airtime (SPEC 7.6). */
+    boolean isLimited() {
+        return isLimited;
     }
 
     /** Whether timers are known: not of serial modules. */

@@ -58,7 +58,7 @@ final class Timer {
 
     /** The board has done nothing up to the run() before. */
     void checkNotLate(Point point) throws RefusedException {
-        if (air == null || air.isBusy()) {
+        if (air == null || air.isBusy() || first != 0 && air.isLimited()) {
             return;
         }
         longestGap = Math.max(longestGap, point.gap());
