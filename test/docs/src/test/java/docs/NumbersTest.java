@@ -34,7 +34,7 @@ class NumbersTest {
     private static final int SLOT = firmware("SLOT_BITS");
     private static final int WINDOW = firmware("LEAST_WINDOW");
     private static final int MOST_WINDOW = firmware("MOST_WINDOW");
-    private static final int EXPIRY = firmware("EXPIRY_MILLIS") / 1000;
+    private static final int EXPIRY = firmware("LEAST_EXPIRY_MILLIS") / 1000;
     private static final int AHEAD = firmware("MORE_PER_WRITE");
     private static final int FLOORS = firmware("FLOOR_SLOTS");
     private static final int SAMPLE = firmware("DEFAULT_SAMPLE_MILLIS");
