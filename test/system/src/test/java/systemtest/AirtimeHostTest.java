@@ -22,7 +22,6 @@ import javino.protocol.Content;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -79,7 +78,6 @@ class AirtimeHostTest {
     }
 
     @Test
-    @Tag("verify")
     void messages_thatWaitForTheLimit_goOnAtTheTimeThatWasTold() throws Exception {
         Transmission first = fill().get(0);
         long seconds = airtime(limited).waitSeconds();
