@@ -22,6 +22,7 @@ import javino.protocol.Content;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -67,6 +68,7 @@ class AirtimeHostTest {
     }
 
     @Test
+    @Tag("verify")
     void messages_beyondTheLimit_areRefusedWithTheTimeAlsoAfterAReset() throws Exception {
         assertTrue(fill().size() > 1);
         long seconds = airtime(limited).waitSeconds();
