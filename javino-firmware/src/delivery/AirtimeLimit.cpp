@@ -28,8 +28,8 @@ uint32_t AirtimeLimit::costOf(uint8_t length) const { return (radio_.airtimeMill
 uint32_t AirtimeLimit::reserveFrom(const uint8_t *payload) const {
   const uint8_t *path = radio_.sentPath();
   if (path != nullptr && *path % HOPS_MODULUS != 0) return capacity() / 4;
-  const bool isOfMessage = payload[0] != '+' || (payload[1] == 'F' && (payload[3] == FIRST_DIGIT ||
-                                                                       payload[3] == FIRST_DIGIT_WANTS_ANSWER));
+  const bool isOfMessage =
+      payload[0] != '+' || (payload[1] == 'F' && (payload[3] == FIRST_DIGIT || payload[3] == FIRST_DIGIT_WANTS_ANSWER));
   return isOfMessage ? capacity() / 8 : 0;
 }
 

@@ -29,14 +29,14 @@ enum class Trailer : uint8_t {
 
 /// The counts of a radio since it began (SPEC 4.5, counters 5, 6, 7, 17, 28, 41 to 43).
 struct RadioCounters {
-  config::Count received;    ///< packets with a right CRC, mended ones too
-  config::Count damaged;     ///< packets with a wrong symbol, count or CRC
-  config::Count missed;      ///< packets that came while no buffer was free
-  config::Count sent;        ///< packets that have been on the air whole
-  config::Count mended;      ///< packets that came damaged and were mended
-  config::Count lateMicros;  ///< how late its interrupt began at most, 0 where it has none
-  config::Count airtime;     ///< the board counts it, no driver
-  config::Count airtimeWait; ///< seconds until an airtime limit lets a new message go
+  config::Count received;     ///< packets with a right CRC, mended ones too
+  config::Count damaged;      ///< packets with a wrong symbol, count or CRC
+  config::Count missed;       ///< packets that came while no buffer was free
+  config::Count sent;         ///< packets that have been on the air whole
+  config::Count mended;       ///< packets that came damaged and were mended
+  config::Count lateMicros;   ///< how late its interrupt began at most, 0 where it has none
+  config::Count airtime;      ///< the board counts it, no driver
+  config::Count airtimeWait;  ///< seconds until an airtime limit lets a new message go
 };
 
 /// The facts that come with a payload.

@@ -145,7 +145,7 @@ class PartsTest {
         for (long now = 0; now < 4 * HOUR; now += random.nextInt(40_000) == 0 ? HOUR / 10 : random.nextInt(200)) {
             long millis = 50 + random.nextInt(300);
             if (budget.take(millis, now)) {
-                hour.add(new long[]{now, millis});
+                hour.add(new long[] {now, millis});
                 sent += millis;
             }
             while (!hour.isEmpty() && hour.peek()[0] < now - HOUR) {

@@ -68,6 +68,7 @@ class AirtimeHostTest {
     }
 
     @Test
+    @Tag("verify")
     void messages_beyondTheLimit_areRefusedWithTheTimeAlsoAfterAReset() throws Exception {
         assertTrue(fill().size() > 1);
         long seconds = airtime(limited).waitSeconds();
@@ -79,7 +80,6 @@ class AirtimeHostTest {
     }
 
     @Test
-    @Tag("verify")
     void messages_thatWaitForTheLimit_goOnAtTheTimeThatWasTold() throws Exception {
         Transmission first = fill().get(0);
         long seconds = airtime(limited).waitSeconds();

@@ -34,7 +34,7 @@ import javino.protocol.Message;
  * <li>{@link BoardOfflineException} if it was not reached,
  * <li>{@link OutcomeUnknownException} if it was lost or reset while the request was under way,
  * <li>{@link QueueFullException} if too many requests wait,
- * <li>{@link AirtimeUsedException} if the board has no room for a message, as its airtime limit holds back those before,
+ * <li>{@link AirtimeUsedException} if the board is full while its airtime limit holds messages back,
  * <li>{@link ProtocolException} if the reply was not understood.
  * </ul>
  */

@@ -28,7 +28,8 @@ class InfoCommandTest extends CommandFixture {
                 "radio                 yes", "RF id                 none", "boot epoch            1",
                 "actions               lampOn, lampOff",
                 "key                   SUPO, check value 010203", "session key           ROMA, check value 040506",
-                "serialRequests        9", "airtime               0.0 % of the last hour, at most 0.0 % of one"), lines());
+                "serialRequests        9", "airtime               0.0 % of the last hour, at most 0.0 % of one"),
+                lines());
         assertEquals(List.of(), radio());
     }
 

@@ -37,7 +37,7 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
      * @param sum       that of all flows.
      * @param sent      the results of each flow.
      * @param perSecond how many were delivered a second while all went at its pace.
-     * @param busiest   the airtime of the board that sent for longest, in seconds.
+     * @param busiest   the airtime of the board that sent for longest while messages were offered, in seconds.
      * @param repeated  nonces with two messages.
      */
     record Result(Ledger.Sum sum, List<Traffic.Sent> sent, double perSecond, AirUsage.Sum air, double busiest,
@@ -111,6 +111,8 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
             long[] before = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
             time.pause(end - time.now());
             long[] then = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
+            double[] busiest = all.stream().mapToDouble(traffic -> traffic.posts().stream()
+                    .mapToDouble(post -> air.of(List.of(post)).seconds()).max().orElse(0)).toArray();
             while (all.stream().anyMatch(traffic -> traffic.sum().open() > 0) && time.now() < end + PATIENCE_SECONDS) {
                 time.pause(0.1);
             }
@@ -119,8 +121,7 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
                 Traffic traffic = all.get(cell);
                 // Nonces are watched in the whole run: what was repeated counts with its first cell.
                 results.add(new Result(traffic.sum(), traffic.sent(),
-                        (then[cell] - before[cell]) / (seconds - FROM * seconds), air.of(traffic.posts()),
-                        traffic.posts().stream().mapToDouble(post -> air.of(List.of(post)).seconds()).max().orElse(0),
+                        (then[cell] - before[cell]) / (seconds - FROM * seconds), air.of(traffic.posts()), busiest[cell],
                         cell == 0 ? air.nonces().repeated() : 0));
             }
             return results;
