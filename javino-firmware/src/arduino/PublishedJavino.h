@@ -3,8 +3,8 @@
 #include "ArduinoBoard.h"
 
 /// The interface of the published Javino 1.7 and of the first one, so that their sketches compile unchanged: a global
-/// `Javino javino;`. It has one object, on `Serial`. What the library with radio (2.0) has beside is an error that says what
-/// to write: there a sketch hands messages on and has their key, here the board does so for its agent (SPEC 7, 8).
+/// `Javino javino;`. It has one object, on `Serial`. What the library with radio (2.0) has beside is an error that says
+/// what to write: there a sketch hands messages on and has their key, here the board does so for its agent.
 class Javino {
  public:
   typedef void (*Function)();

@@ -1,5 +1,7 @@
 package diffuser;
 
+import java.io.IOException;
+import java.io.ObjectInputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
@@ -108,20 +110,42 @@ public class Diffuser extends AgArch {
     private transient ActionRouter router;
     private transient Infrastructures infrastructures;
     private transient CombinedPercepts percepts;
-    private transient List<BoardService> services = List.of();
-    private transient Optional<MoveService> moves = Optional.empty();
+    private transient List<BoardService> services;
+    private transient Optional<MoveService> moves;
     private transient HostMessages hosts;
     private transient Time time;
     private transient Time.Timer timer;
-    private transient BoardSettings settings = BoardSettings.NONE;
+    private transient BoardSettings settings;
     /** By their names, the main one first. Also asked by threads that stop the agent, or show its status. */
-    private final transient NavigableMap<String, Device> boards = new ConcurrentSkipListMap<>();
+    private transient NavigableMap<String, Device> boards;
     /** Guards {@link #ended}: whoever stops the agent may do so while its own thread opens a port. */
-    private final transient Object ending = new Object();
+    private transient Object ending;
     private transient boolean ended;
-    private transient volatile Consumer<String> printed = text -> {};
-    private transient ActionListener performed = (action, request, outcome) -> {};
-    private transient Optional<Recorder> recorder = Optional.empty();
+    private transient volatile Consumer<String> printed;
+    private transient ActionListener performed;
+    private transient Optional<Recorder> recorder;
+
+    public Diffuser() {
+        leaveAll();
+    }
+
+    /** Without any board, and not in an agent yet. */
+    private void leaveAll() {
+        services = List.of();
+        moves = Optional.empty();
+        settings = BoardSettings.NONE;
+        boards = new ConcurrentSkipListMap<>();
+        ending = new Object();
+        printed = text -> {};
+        performed = (action, request, outcome) -> {};
+        recorder = Optional.empty();
+    }
+
+    /** An agent that was written to a stream is read without its boards. */
+    private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+        in.defaultReadObject();
+        leaveAll();
+    }
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
     @Override
@@ -588,8 +612,20 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} Null, as Jason has it, if nothing has changed, neither at the board nor elsewhere. */
     @Override
     public Collection<Literal> perceive() {
+        if (percepts == null) {
+            initAgain();
+        }
         percepts.perceiving();
         return percepts.perceive(super.perceive(), perceivedHere());
+    }
+
+    /** An agent that was read from a stream is not initialized by Jason. */
+    private void initAgain() {
+        try {
+            init();
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** {@inheritDoc} Jason calls it when it has revised its beliefs by what was perceived. */

@@ -3,8 +3,15 @@ package diffuser;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
+
+import jason.asSemantics.Agent;
 
 import diffuser.board.Device;
 
@@ -216,5 +223,20 @@ class PortTest {
         two.notesAll("done", "p 2");
         RunningAgent.asked(left, "act left");
         RunningAgent.asked(right, "act right");
+    }
+
+    /** As JaCaMo's demo of snapshots does. */
+    @Test
+    void agent_readFromAStream_goesOnWithoutItsBoard() throws Exception {
+        RunningAgent agent = RunningAgent.run("!start. +!start <- .port(ttyACM0); diffuser.note(ready).",
+                new FakeBoard("ttyACM0"));
+        agent.notes("ready");
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        new ObjectOutputStream(bytes).writeObject(agent.body().getTS().getAg());
+        Agent read = (Agent) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
+        Diffuser diffuser = Diffuser.of(read.getTS());
+        diffuser.perceive();
+        assertEquals(Optional.empty(), diffuser.port());
+        diffuser.stop();
     }
 }

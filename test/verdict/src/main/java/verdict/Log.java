@@ -39,7 +39,7 @@ final class Log {
     }
 
     /**
-     * Runs a program until it has been silent for some seconds, or its time is over.
+     * Runs agents until they have been silent for some seconds, or their time is over.
      *
      * @return all lines that it has written.
      */
@@ -49,7 +49,7 @@ final class Log {
         return run(folder, seconds, true, lines -> {
             before[1] = lines.size() == before[0] ? before[1] + 1 : 0;
             before[0] = lines.size();
-            return before[0] > 0 && before[1] >= quiet;
+            return before[1] >= quiet && lines.stream().anyMatch(line -> line.startsWith("["));
         }, words);
     }
 
