@@ -13,13 +13,17 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javino.protocol.Counter;
+import javino.protocol.Outcome;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Sketches do other things beside the library: wait, keep things in the EEPROM, hold up interrupts. */
+/** Sketches do other things beside the library: wait, keep things in the EEPROM, hold up interrupts, limit their radio. */
 @InEmulatedTime
 class NeighboursTest {
+
+    /** An eighth of what a limit may keep, and a packet of the greatest length, at 1 %. */
+    private static final long FROM_NOTHING_SECONDS = 64 + 58;
 
     @TempDir
     private Path folder;
@@ -78,6 +82,27 @@ class NeighboursTest {
             get(host.board.act("strip(1800)"));
             host.send("////", "tell;hello");
             assertEquals(1800, host.counter(Counter.RADIO_LATE_MICROS), 300);
+        }
+    }
+
+    @Test
+    void limit_delaysMessages_outlivesAResetAndBeginsSpentAfterAPowerCut() throws Exception {
+        try (Emulator emulator = new Emulator.Scenario().board("limited", "LimitedStation").board("other", "Station")
+                .start(folder);
+                Host other = Host.of(emulator, "other").as("SUPO", Map.of("ROMA", TestKeys.PAIR)).listen()) {
+            try (Host host = Host.of(emulator, "limited").as("ROMA", Map.of("SUPO", TestKeys.PAIR))) {
+                assertEquals(FROM_NOTHING_SECONDS, host.counter(Counter.AIRTIME_WAIT), 3);
+                assertEquals(Outcome.DELIVERED, host.send("SUPO", "tell;one"));
+                assertEquals("tell;one", other.content());
+                assertEquals(0, host.counter(Counter.RADIO_RESENT));
+            }
+            try (Host host = Host.of(emulator, "limited").listen()) { // opening the port resets the board
+                long wait = host.counter(Counter.AIRTIME_WAIT);
+                assertTrue(wait > 0 && wait <= 58 + 1, "about a packet: " + wait);
+                emulator.command(Map.of("do", "power-cut", "board", "limited", "duration", 1));
+                host.awaitOnline(1);
+                assertEquals(FROM_NOTHING_SECONDS, host.counter(Counter.AIRTIME_WAIT), 15);
+            }
         }
     }
 }

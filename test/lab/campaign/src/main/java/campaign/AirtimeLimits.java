@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** Boards whose radios may send for a share of each hour, at full load: what is delivered, and who sends for how long. */
+/** Boards whose radios may send for a share of each hour, at full load: deliveries, and each board's airtime. */
 final class AirtimeLimits implements Campaign {
 
     private static final int BOARDS = 20;
@@ -31,15 +31,17 @@ final class AirtimeLimits implements Campaign {
         List<TrafficRun> runs = limits.stream().map(limit -> new TrafficRun(settings.seed(), seconds, Map.of(),
                 List.of(new TrafficRun.Plan(new Field.Cell(SKETCHES.get(limit), boards),
                         IntStream.range(0, boards).mapToObj(from -> new Traffic.Flow(from, (from + 1) % boards,
-                                Load.EXCHANGE_SECONDS * boards)).toList())))).toList();
+                                Load.EXCHANGE_SECONDS * boards)).toList()))))
+                .toList();
         List<List<TrafficRun.Result>> results = Runs.all(runs, report);
-        report.text("""
+        report.text(
+                """
             %d boards in one range, each of which sends contents of %d bytes at random times (Poisson) to the next one
             for %.0f s, so that messages and acknowledgements would take all of the time if each were sent once. The
             boards begin with a power-up, with nothing to spend. *Refused*: the queue was full, and the host was told.
             *Most of a
-            board*: the share of that time in which it sent; the replay refuses each run with any hour above the limit."""
-                .formatted(boards, TrafficRun.LENGTH, seconds));
+            board*: the share of that time in which it sent. The replay refuses a run with an hour above the limit."""
+                        .formatted(boards, TrafficRun.LENGTH, seconds));
         Table table = new Table("limit", "unicasts", "delivered", "refused", "undelivered", "median wait",
                 "most of a board");
         Ledger.Sum all = Ledger.Sum.ZERO;

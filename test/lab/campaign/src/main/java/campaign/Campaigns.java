@@ -21,7 +21,8 @@ public final class Campaigns implements Callable<Integer> {
     private static final long DEFAULT_SEED = 1;
     private static final long DEFAULT_MINUTES = 20;
     private static final List<Campaign> ALL =
-            List.of(new Delivery(), new Range(), new Load(), new Relays(), new Modules(), new AirtimeLimits(), new Actions(), new Faults(),
+            List.of(new Delivery(), new Range(), new Load(), new Relays(), new Modules(), new AirtimeLimits(),
+                    new Actions(), new Faults(),
                     new Attacks(),
                     new Fuzzing(),
                     new Moves(), new KeyAgreements(), new Cells(), new Soak());

@@ -121,7 +121,8 @@ record TrafficRun(long seed, double seconds, Map<String, Object> radio, List<Tra
                 Traffic traffic = all.get(cell);
                 // Nonces are watched in the whole run: what was repeated counts with its first cell.
                 results.add(new Result(traffic.sum(), traffic.sent(),
-                        (then[cell] - before[cell]) / (seconds - FROM * seconds), air.of(traffic.posts()), busiest[cell],
+                        (then[cell] - before[cell]) / (seconds - FROM * seconds), air.of(traffic.posts()),
+                        busiest[cell],
                         cell == 0 ? air.nonces().repeated() : 0));
             }
             return results;

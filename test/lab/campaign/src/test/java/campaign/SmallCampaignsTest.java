@@ -23,7 +23,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {
-        return List.of(new Delivery(), new Range(), new Load(), new Relays(), new Modules(), new AirtimeLimits(), new Actions(),
+        return List.of(new Delivery(), new Range(), new Load(), new Relays(), new Modules(), new AirtimeLimits(),
+                new Actions(),
                 new Faults(),
                 new Attacks(),
                 new Fuzzing(), new Moves(), new KeyAgreements(), new Cells(), new Soak());

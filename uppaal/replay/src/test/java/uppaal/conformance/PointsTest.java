@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import uppaal.document.DocumentReader;
 
 class PointsTest {
-    /** Points of counters, of stored records, of limits, of turns, fragments, relaying on or off, and of timers alone. */
+    /** Points of counters, of records, of limits, of turns, fragments, relaying on or off, and of timers alone. */
     private static final Set<String> OF_NO_EDGE =
             Set.of("TURN", "COUNT", "MEMORY", "EPOCH_STORED", "KEY_STORED",
                     "KEY_DELETED", "FLOOR_STORED", "FRAGMENT", "RELAY_ON", "RELAY_DRAW", "RELAY_DRAW_REPEAT",
