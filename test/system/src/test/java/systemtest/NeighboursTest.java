@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Sketches do other things beside the library: wait, keep things in the EEPROM, hold up interrupts, limit their radio. */
+/** Sketches do other things beside the library: wait, keep things in the EEPROM, hold up interrupts, limit airtime. */
 @InEmulatedTime
 class NeighboursTest {
 
