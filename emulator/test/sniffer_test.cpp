@@ -115,8 +115,13 @@ TEST(Sniffer, counts_a_trailer_to_its_packet) {
 TEST(Sniffer, counts_of_a_trailer_that_was_cut_off_the_symbols_that_were_sent) {
   const std::string parity = PARITY + parity_bits(12);
   for (size_t sent = 0; sent < MARK.size(); sent++) {
-    if (MARK.find('1', sent) != std::string::npos) expect_trailer(PAYLOAD, MARK.substr(0, sent), "", 0);
-    if (PARITY.find('1', sent) != std::string::npos) expect_trailer(PAYLOAD, parity.substr(0, sent), "", 0);
+    for (bool is_mark : {true, false}) {
+      const std::string &word = is_mark ? MARK : PARITY;
+      const size_t missing = word.find('1', sent);
+      if (missing == std::string::npos) continue;
+      const bool tells = missing >= 6;  // the first symbol is whole
+      expect_trailer(PAYLOAD, word.substr(0, sent), !tells ? "" : is_mark ? "mark" : "parity", tells ? 6 : 0);
+    }
   }
   for (size_t sent = 12; sent < parity.size(); sent++) {
     const size_t missing = parity.find('1', sent);
@@ -127,8 +132,11 @@ TEST(Sniffer, counts_of_a_trailer_that_was_cut_off_the_symbols_that_were_sent) {
 
 TEST(Sniffer, calls_nothing_else_a_trailer) {
   expect_trailer(PAYLOAD, "1", "", 0);
-  expect_trailer(PAYLOAD, "001110110011", "", 0);
-  expect_trailer(PAYLOAD, "110001001111", "", 0);
+  expect_trailer(PAYLOAD, "001111110001", "", 0);
+  expect_trailer(PAYLOAD, "110011001110", "", 0);
+  // Only their first symbols are those of trailers.
+  expect_trailer(PAYLOAD, "001110110011", "mark", 6);
+  expect_trailer(PAYLOAD, "110001001111", "parity", 6);
   // 16, which is no symbol of trailers.
   expect_trailer(PAYLOAD, PARITY + "101100" + "011010" + parity_bits(11), "parity", 18);
 }

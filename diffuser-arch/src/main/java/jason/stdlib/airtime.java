@@ -26,7 +26,7 @@ import javino.board.AirtimeHour;
  * </ul>
  *
  * <p>Examples:<ul>
- * <li> <code>+light(L) : .airtime(Share,_) & Share < 5 <- .diffuse(broadcast,tell,light(L))</code>
+ * <li> <code>+light(L) : .airtime(Share,_) &amp; Share &lt; 5 &lt;- .diffuse(broadcast,tell,light(L))</code>
  * </ul>
  */
 public class airtime extends DefaultInternalAction {

@@ -158,7 +158,7 @@ export const boardless = (app, agent, t) => html`<section class="agent hue-injec
 
 /** What one can have agents and their board do; where there are many, it opens by a click. */
 const doing = (app, agents, board, state) => (!app.controls.includes('act') ? nothing : html`<details class="do" ?open=${state.boards.size <= FEW}><summary>have it act</summary>
-  ${agents.map((agent) => goal(app, agent.name, agents.length > 1))}${actions(app, board, agents[0].name)}${say(app, board, agents[0].name, state)}</details>`);
+  ${agents.map((agent) => goal(app, agent.name, agents.length > 1))}${actions(app, board, agents[0].name)}${say(app, board, agents[0].name, state)}${airtime(board)}</details>`);
 
 /** The card of a board, with its agents. */
 export function card(app, model, state, board, t, chosen) {
@@ -175,7 +175,7 @@ export function card(app, model, state, board, t, chosen) {
     ${board.percepts.length || board.pins.size || sensors.length || first !== undefined ? html`<h3>its board</h3>${lamps(app, board)}${sensors}
       ${first === undefined ? nothing : doing(app, agents, board, state)}
       ${done(app, board)}${percepts(board)}` : nothing}
-    ${airtime(board)}${refused(model, board, t)}${log(board)}
+    ${refused(model, board, t)}${log(board)}
   </section>`;
 }
 
