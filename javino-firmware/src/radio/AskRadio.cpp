@@ -55,8 +55,8 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   encoder_->next();  // the first bit is a 0, as is the silence now
   nextBit_ = encoder_->next();
   lastBitOut_ = false;
-  // Soon, but not so soon that the alarm could be missed.
-  setAlarm(static_cast<uint16_t>(askhardware::now() + bitTicks_ / 4));
+  // Soon, but not so soon that the alarm could be missed, nor before the point that declares the packet, at 8 MHz too.
+  setAlarm(static_cast<uint16_t>(askhardware::now() + bitTicks_ / 2));
   return true;
 }
 
