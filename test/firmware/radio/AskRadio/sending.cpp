@@ -46,7 +46,7 @@ TEST(AskRadio, isOnTheAirForTheBitsOfThePacketAndThenOff) {
   Modem modem;
   ASSERT_TRUE(modem.send(ramp(10)));
   const uint64_t bits = 84 + 12 * 10 - 1;  // the first one is off, and not waited for
-  modem.hardware.wait(bits * Modem::BIT + Modem::BIT / 4 - 1);
+  modem.hardware.wait(bits * Modem::BIT + Modem::BIT / 2 - 1);
   EXPECT_TRUE(modem.radio.sending());
   EXPECT_EQ(modem.counters().sent, 0u);
   modem.hardware.wait(1);
