@@ -84,7 +84,7 @@ class NewProjectTest {
         try (AgentProcess gradle = AgentProcess.start(
                 gradle("run", "-Plive", "-Pheadless").directory(onMega.toFile()))) {
             gradle.await(" s lamp off", 2);
-            gradle.await("[robot] my lamp is off", 3);
+            gradle.await("[robot] my lamp is off", 2);
             assertTrue(gradle.lines().stream().anyMatch(line -> line.startsWith("http://127.0.0.1:")));
             // The page's record has the agent's words beside the board's trace.
             assertTrue(TraceReader.all(trace).stream().anyMatch(event -> event.is("said", "robot")
