@@ -1,7 +1,9 @@
 package campaign;
 
+import harness.Emulator;
 import harness.Report;
 import harness.Table;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -14,9 +16,9 @@ final class AirtimeLimits implements Campaign {
     private static final double SECONDS = 3600;
     private static final double TEST_SECONDS = 90;
     private static final double MEDIAN = 0.5;
-    /** The sketches by their limit. */
-    private static final Map<String, String> SKETCHES =
-            Map.of("1 %", "LimitedStation", "10 %", "LimitedStationTenPercent");
+    private static final String SKETCH = "LimitedStation";
+    /** What the sketch is built for, by its limit. */
+    private static final Map<String, String> BUILT = Map.of("1 %", "mega", "10 %", "tenpercent");
 
     @Override
     public String name() {
@@ -29,7 +31,8 @@ final class AirtimeLimits implements Campaign {
         double seconds = settings.choose(SECONDS, TEST_SECONDS);
         List<String> limits = settings.choose(List.of("1 %", "10 %"), List.of("10 %"));
         List<TrafficRun> runs = limits.stream().map(limit -> new TrafficRun(settings.seed(), seconds, Map.of(),
-                List.of(new TrafficRun.Plan(new Field.Cell(SKETCHES.get(limit), boards),
+                List.of(new TrafficRun.Plan(new Field.Cell(SKETCH, Collections.nCopies(boards, Map.of("firmware",
+                        Emulator.firmware(SKETCH, BUILT.get(limit)).toString()))),
                         IntStream.range(0, boards).mapToObj(from -> new Traffic.Flow(from, (from + 1) % boards,
                                 Load.EXCHANGE_SECONDS * boards)).toList()))))
                 .toList();
