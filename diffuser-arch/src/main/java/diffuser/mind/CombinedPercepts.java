@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.stream.IntStream;
 
 import jason.asSyntax.Literal;
 
@@ -22,15 +23,21 @@ public final class CombinedPercepts {
     /**
      * The percepts here.
      *
-     * @param boards   those of each board.
+     * @param boards   those of each board; another list is news even if it says the same, as the agent may have
+     *                 forgotten what it believed before, and may not have looked in between.
      * @param openness how open the MAS is.
      */
     public record Now(List<List<Literal>> boards, Literal openness) {
+
+        private boolean tellsNothingNew(Now before) {
+            return openness.equals(before.openness) && boards.size() == before.boards.size()
+                    && IntStream.range(0, boards.size()).allMatch(i -> boards.get(i) == before.boards.get(i));
+        }
     }
 
     /** Whether nothing has changed here since it was perceived, and nobody waits for the next perception. */
     public boolean knows(Now present) {
-        return now.equals(present) && waiting.isEmpty();
+        return present.tellsNothingNew(now) && waiting.isEmpty();
     }
 
     /** Completes once all that is here now is believed. For any thread; the agent is to be woken. */
@@ -59,7 +66,7 @@ public final class CombinedPercepts {
      * @param elsewhere percepts of the architectures behind; null if they have not changed.
      */
     public Collection<Literal> perceive(Collection<Literal> elsewhere, Now present) {
-        if (elsewhere == null && now.equals(present)) {
+        if (elsewhere == null && present.tellsNothingNew(now)) {
             return null;
         }
         if (elsewhere != null) {

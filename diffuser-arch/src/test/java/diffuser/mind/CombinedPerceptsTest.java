@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 
@@ -13,6 +14,9 @@ import jason.asSyntax.Literal;
 import org.junit.jupiter.api.Test;
 
 class CombinedPerceptsTest {
+
+    private static final Literal DARK = Literal.parseLiteral("dark");
+    private static final Literal OPEN = Literal.parseLiteral("port(open,open)");
 
     private final CombinedPercepts percepts = new CombinedPercepts();
 
@@ -43,18 +47,27 @@ class CombinedPerceptsTest {
 
     @Test
     void perceive_changedOnOneSide_isAllOfBothAndNullIfNothingHasChanged() {
-        Literal dark = Literal.parseLiteral("dark");
         Literal time = Literal.parseLiteral("time(3)");
-        Literal open = Literal.parseLiteral("port(open,open)");
         Literal blocked = Literal.parseLiteral("port(open,blocked)");
-        CombinedPercepts.Now first = new CombinedPercepts.Now(List.of(List.of(dark)), open);
-        assertEquals(List.of(time, dark, open), percepts.perceive(List.of(time), first));
+        CombinedPercepts.Now first = new CombinedPercepts.Now(List.of(List.of(DARK)), OPEN);
+        assertEquals(List.of(time, DARK, OPEN), percepts.perceive(List.of(time), first));
         assertNull(percepts.perceive(null, first));
-        CombinedPercepts.Now second = new CombinedPercepts.Now(List.of(), open);
-        assertEquals(List.of(time, open), percepts.perceive(null, second));
+        CombinedPercepts.Now second = new CombinedPercepts.Now(List.of(), OPEN);
+        assertEquals(List.of(time, OPEN), percepts.perceive(null, second));
         assertEquals(List.of(time, blocked),
                 percepts.perceive(null, new CombinedPercepts.Now(second.boards(), blocked)));
-        assertEquals(List.of(dark, open), percepts.perceive(List.of(), first));
+        assertEquals(List.of(DARK, OPEN), percepts.perceive(List.of(), first));
+    }
+
+    /** As of a port that was left and opened anew while the agent did not look. */
+    @Test
+    void perceive_boardThatCameInAnothersPlace_isToldEvenIfItSaysTheSame() {
+        CombinedPercepts.Now first = new CombinedPercepts.Now(List.of(List.of(DARK)), OPEN);
+        CombinedPercepts.Now second = new CombinedPercepts.Now(List.of(new ArrayList<>(List.of(DARK))), OPEN);
+        percepts.perceive(List.of(), first);
+        assertFalse(percepts.knows(second));
+        assertEquals(List.of(DARK, OPEN), percepts.perceive(null, second));
+        assertNull(percepts.perceive(null, second));
     }
 
     @Test
