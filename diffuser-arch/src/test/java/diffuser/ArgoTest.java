@@ -70,6 +70,18 @@ class ArgoTest {
         agent.notes("ttyACM0 off");
     }
 
+    /** Javino 1.6.7 alone tells no port, Argo asks it to do so unless -Dstatus=false: programs for both go on. */
+    @ParameterizedTest
+    @ValueSource(strings = {
+            "+port(ttyACM0,on) : light(X) <- diffuser.note(light,X).",
+            "+light(X) : port(_,on) <- diffuser.note(light,X).",
+            "+light(X) <- diffuser.note(light,X).",
+    })
+    void port_thatAProgramAsksForOrNot_comesWithTheFirstReading(String plan) {
+        String start = "!start. +!start <- .argo.port(ttyACM0); .argo.percepts(open). ";
+        argo(start + plan, new FakeBoard("ttyACM0").perceive("light(1)")).notes("light 1");
+    }
+
     @Test
     void port_missingAndForgottenAndOpenedAnew_isOneEventEachTime() {
         RunningAgent agent = argo("""
