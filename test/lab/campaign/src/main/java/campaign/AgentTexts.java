@@ -75,7 +75,7 @@ final class AgentTexts {
     private static List<String> clauses(List<String> lines) {
         List<String> clauses = new ArrayList<>();
         for (String line : lines) {
-            String code = line.replaceAll("//.*", "").stripTrailing();
+            String code = line.replaceAll("//.*|@\\w+@", "").stripTrailing();
             if (code.isEmpty() || line.contains("\"//")) {
                 continue;
             }
