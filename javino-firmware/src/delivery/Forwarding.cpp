@@ -29,6 +29,7 @@ const uint8_t DOUBTFUL_SPREAD_MASK = 127;
 const uint8_t ANSWER_SPREAD_MASK = 3;
 
 const uint16_t LATE_MILLIS = 1500;
+const uint8_t LATE_PACKETS = 3;  // on a slow channel: their time on the air
 const uint16_t ANSWER_AGAIN_MILLIS = 200;
 const uint8_t MOST_ANSWERS = 4;
 const uint8_t ANSWER_REPEATS = 2;
@@ -157,11 +158,17 @@ bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
     return true;
   }
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  const uint16_t again = entry.copied ? ANSWER_AGAIN_MILLIS : LATE_MILLIS;
+  const uint16_t again = entry.copied ? ANSWER_AGAIN_MILLIS : lateMillis(entry);
   if (!isIdle || placeOf(hops, entry.hops) == DOWNSTREAM || entry.age <= again) return true;
   if (entry.answers >= MOST_ANSWERS) return false;
   wait(entry, ANSWER, AGAIN_SLOTS, spread(true), trace::RELAY_DRAW_ANSWER_AGAIN);
   return true;
+}
+
+// After so long what comes again is no repetition that was on its way.
+uint16_t Forwarding::lateMillis(const Entry &entry) const {
+  const uint16_t repeated = static_cast<uint16_t>(LATE_PACKETS * medium_->airtimeMillis(entry.length));
+  return repeated > LATE_MILLIS ? repeated : LATE_MILLIS;
 }
 
 // A relay that is in reserve as others are nearer may be needed when the packet comes so late.
@@ -172,7 +179,7 @@ bool Forwarding::isInReserveForScore(const Entry &entry) const {
 void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   const Place from = placeOf(hops, entry.hops);
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  const bool isLate = entry.toMany ? hops == 0 && entry.age > medium_->mostCopyMillis() / 2 : entry.age > LATE_MILLIS;
+  const bool isLate = entry.toMany ? hops == 0 && entry.age > medium_->mostCopyMillis() / 2 : entry.age > lateMillis(entry);
   if (isIdle && isLate && !isInReserveForScore(entry) && (!entry.copied || from == UPSTREAM)) {
     entry.late = true;
     entry.distance = 0;

@@ -95,6 +95,7 @@ class Forwarding {
   bool heardAgain(Entry &entry, uint8_t hops);
   void copyHeard(Entry &entry, uint8_t hops);
   void begin(Entry &entry, uint8_t hops, bool fromReserve, bool isAway = false);
+  JAVINO_NOINLINE uint16_t lateMillis(const Entry &entry) const;
   bool isInReserveForScore(const Entry &entry) const;
   void answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t path);
   void firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t path);

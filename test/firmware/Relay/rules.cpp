@@ -31,8 +31,9 @@ Bytes answer(uint8_t number, uint8_t proof = 0x5A, const std::string &from = "SU
 
 class RelayTest : public testing::Test {
  protected:
-  RelayTest() : relay(radio) {
+  explicit RelayTest(uint8_t slower = 1) : relay(radio) {
     radio.mends = true;
+    radio.slower = slower;
     EXPECT_TRUE(relay.begin(7));
     pass(100);
   }
@@ -310,6 +311,21 @@ TEST_F(RelayTest, begins_anew_with_what_is_heard_again_late) {
   hear(unicast(1), 1);
   EXPECT_TRUE(sends(LONGEST));
   EXPECT_EQ(2, radio.behind.back());
+}
+
+// At 300 bit/s a packet is on the air for longer than its repetition is late after on an ASK pair.
+class SlowRelayTest : public RelayTest {
+ protected:
+  SlowRelayTest() : RelayTest(7) {}
+};
+
+TEST_F(SlowRelayTest, takes_no_repetition_that_took_its_time_for_late) {
+  hear(unicast(1), 1);
+  ASSERT_TRUE(sends(7 * LONGEST));
+  hear(unicast(1), 1);
+  EXPECT_FALSE(sends(7 * LONGEST));
+  hear(unicast(1), 1);
+  EXPECT_TRUE(sends(7 * LONGEST));
 }
 
 TEST_F(RelayTest, gives_the_acknowledgement_again_and_after_four_times_the_packet) {

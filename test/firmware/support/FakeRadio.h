@@ -20,8 +20,8 @@ class FakeRadio : public javinolib::Radio {
   bool sending() const override { return onAir_; }
   bool carrier() const override { return std::exchange(wasHeard, false) || heard; }
   uint8_t longestPayload() const override { return payload; }
-  uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(42 + 6 * length); }
-  uint8_t slotMillis() const override { return 8; }
+  uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>((42 + 6 * length) * slower); }
+  uint8_t slotMillis() const override { return static_cast<uint8_t>(8 * slower); }
   uint8_t *receive(javinolib::Received &with) override;
   void release() override;
   javinolib::Mender *mender() override { return mends ? &mender_ : nullptr; }
@@ -50,6 +50,7 @@ class FakeRadio : public javinolib::Radio {
   bool mends = false;             ///< whether packets come as from the air
   bool heard = false;             ///< whether another board's carrier is on the air
   mutable bool wasHeard = false;  ///< whether one was, since the board has looked
+  uint8_t slower = 1;             ///< by how many times than an ASK pair, 1…31
   uint8_t payload = javinolib::MAX_RADIO_PAYLOAD;
   javinolib::RadioCounters counts = {};
   std::vector<Bytes> sent;
