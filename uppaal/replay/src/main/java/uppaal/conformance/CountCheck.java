@@ -23,6 +23,9 @@ final class CountCheck implements Check {
     /** After that without a new fragment a message is forgotten (SPEC 7.1). */
     static final double FORGOTTEN_SECONDS = 5;
 
+    /** No fragment is on the air for less. */
+    private static final double FRAGMENT_SECONDS = 0.01;
+
     /** The points that a board has declared since its last reset. */
     private static final class Declared {
         String last = "";
@@ -57,8 +60,10 @@ final class CountCheck implements Check {
         Declared board = boards.computeIfAbsent(point.board(), added -> new Declared());
         Optional<Counter> counter = point.counter();
         String told = point.number() + point.event().line().replaceFirst("\"t\":[^,]*,", "");
-        // A poll that a late host repeats may be answered anew within the run() that has answered it.
-        boolean mayRepeat = counter.isPresent() || point.is("HANDED");
+        // A poll that a late host repeats may be answered anew within the run() that has answered it. A run() that comes
+        // late takes all fragments that have come.
+        boolean mayRepeat = counter.isPresent() || point.is("HANDED")
+                || point.is("FRAGMENT") && point.gap() >= FRAGMENT_SECONDS;
         point.require(mayRepeat || !told.equals(board.last), "it once in a run()");
         board.last = told;
 

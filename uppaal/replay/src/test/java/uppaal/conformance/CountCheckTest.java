@@ -41,6 +41,8 @@ class CountCheckTest {
             "1 COUNT counter=21; 1 FRAGMENT | accepted",
             "1 QUEUED nonce=0 key=1; 1 QUEUED nonce=0 key=1 | b declares QUEUED; expected it once in a run()",
             "1 HANDED message=0; 1 HANDED message=0 | accepted",
+            "1 FRAGMENT gap=0.27; 1 FRAGMENT gap=0.27 | accepted",
+            "1 FRAGMENT; 1 FRAGMENT | b declares FRAGMENT; expected it once in a run()",
             "1 HANDED message=0; 1 HANDED message=1; 2 HANDED message=1 | accepted",
             "1 COUNT counter=26; 1 COUNT counter=26 | accepted",
             "1 RELAY_COPY place=1; 2 b reset why=power; 3 QUIET | accepted"})
