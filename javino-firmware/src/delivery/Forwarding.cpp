@@ -179,7 +179,8 @@ bool Forwarding::isInReserveForScore(const Entry &entry) const {
 void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
   const Place from = placeOf(hops, entry.hops);
   const bool isIdle = entry.due == NOTHING && !entry.sending;
-  const bool isLate = entry.toMany ? hops == 0 && entry.age > medium_->mostCopyMillis() / 2 : entry.age > lateMillis(entry);
+  const bool isLate =
+      entry.toMany ? hops == 0 && entry.age > medium_->mostCopyMillis() / 2 : entry.age > lateMillis(entry);
   if (isIdle && isLate && !isInReserveForScore(entry) && (!entry.copied || from == UPSTREAM)) {
     entry.late = true;
     entry.distance = 0;

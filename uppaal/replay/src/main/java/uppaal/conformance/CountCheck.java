@@ -60,8 +60,8 @@ final class CountCheck implements Check {
         Declared board = boards.computeIfAbsent(point.board(), added -> new Declared());
         Optional<Counter> counter = point.counter();
         String told = point.number() + point.event().line().replaceFirst("\"t\":[^,]*,", "");
-        // A poll that a late host repeats may be answered anew within the run() that has answered it. A run() that comes
-        // late takes all fragments that have come.
+        // A poll that a late host repeats may be answered anew within the run() that has answered it. A late run()
+        // takes all fragments that have come.
         boolean mayRepeat = counter.isPresent() || point.is("HANDED")
                 || point.is("FRAGMENT") && point.gap() >= FRAGMENT_SECONDS;
         point.require(mayRepeat || !told.equals(board.last), "it once in a run()");
