@@ -16,9 +16,10 @@ import javino.board.AirtimeHour;
 /**
  * <p>Internal action: <b><code>.airtime(<i>Share</i>,<i>Most</i>)</code></b>.
  *
- * <p>Description: how much of the last hour the board's radio has sent, which is what laws limit. It is a belief on
- * demand: it may stand in a context, makes no events, and does not wait, as the board was asked within the last minute.
- * It fails without a board with a radio, or if its sketch has an earlier library.
+ * <p>Description: how much of the last hour the board's radio has sent, which is what laws limit
+ * (docs/law-of-the-air.md). It is a belief on demand: it may stand in a context, makes no events, and does not wait,
+ * as the board was asked within the last minute. It fails without a board with a radio, or if its sketch has an
+ * earlier library.
  *
  * <p>Parameters:<ul>
  * <li>- Share (number): percent of the last hour, 0 to 100; what was sent before the port was opened does not count.

@@ -107,10 +107,10 @@ final class TrafficCheck {
 
     private void examineAirtime(AirtimeHour.Use use) {
         if (use.waitSeconds() > 0) {
-            findings.trouble("airtime", use + "; wait, or send less");
+            findings.trouble("airtime", use + "; wait, or send less (docs/law-of-the-air.md)");
         } else if (use.most() > MOST_AIRTIME_PERCENT) {
             findings.trouble("airtime", use + "; few laws allow more than " + MOST_AIRTIME_PERCENT
-                    + " %: send less, or give the sketch an airtime limit");
+                    + " %: send less, or give the sketch an airtime limit (docs/law-of-the-air.md)");
         } else {
             findings.ok("airtime", use);
         }

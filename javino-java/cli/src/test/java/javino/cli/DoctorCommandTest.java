@@ -397,13 +397,15 @@ class DoctorCommandTest extends CommandFixture {
     @Test
     void airtime_beyondWhatMostLawsAllow_isTold() {
         fake.setRise(Counter.RADIO_AIRTIME, 400);
-        assertTrouble("airtime", "11.1 % of the last hour, at most 11.1 % of one; few laws allow more than 10 %");
+        assertTrouble("airtime", "11.1 % of the last hour, at most 11.1 % of one; few laws allow more than 10 %: "
+                + "send less, or give the sketch an airtime limit (docs/law-of-the-air.md)");
     }
 
     @Test
     void airtime_limitHoldsMessagesBack_isTold() {
         fake.setCounter(Counter.AIRTIME_WAIT, 3600);
         assertTrouble("airtime", "; its limit holds messages back for ");
+        assertTrue(lines().toString().contains("; wait, or send less (docs/law-of-the-air.md)"), out.toString());
     }
 
     @Test
