@@ -3,6 +3,7 @@
 #include "../framing/Address.h"
 #include "../storage/Retained.h"
 #include "../support/Clock.h"
+#include "Fragments.h"
 
 namespace javinolib {
 
@@ -24,13 +25,14 @@ uint32_t AirtimeLimit::capacity() const { return CAPACITY * percent_; }
 // One millisecond more, since drivers round down.
 uint32_t AirtimeLimit::costOf(uint8_t length) const { return (radio_.airtimeMillis(length) + 1ul) * UNITS_A_MILLI; }
 
-// What a packet is to leave: acknowledgements and what goes on with a message may take all.
-uint32_t AirtimeLimit::reserveFrom(const uint8_t *payload) const {
+// What a packet is to leave: acknowledgements and what goes on with a message may take all. A receiver forgets the fragments
+// of a message whose next one waits for long: the first is sent once all have their airtime.
+uint32_t AirtimeLimit::reserveFrom(const uint8_t *payload, uint32_t cost) const {
   const uint8_t *path = radio_.sentPath();
   if (path != nullptr && *path % HOPS_MODULUS != 0) return capacity() / 4;
-  const bool isOfMessage =
-      payload[0] != '+' || (payload[1] == 'F' && (payload[3] == FIRST_DIGIT || payload[3] == FIRST_DIGIT_WANTS_ANSWER));
-  return isOfMessage ? capacity() / 8 : 0;
+  if (payload[0] != '+') return capacity() / 8;
+  const bool isFirst = payload[1] == 'F' && (payload[3] == FIRST_DIGIT || payload[3] == FIRST_DIGIT_WANTS_ANSWER);
+  return isFirst ? capacity() / 8 + (MAX_FRAGMENTS - 1) * cost : 0;
 }
 
 uint32_t AirtimeLimit::level() const {
@@ -56,7 +58,7 @@ void AirtimeLimit::keep(uint32_t level) const {
 bool AirtimeLimit::send(const uint8_t *payload, uint8_t length) {
   const uint32_t cost = costOf(static_cast<uint8_t>(length + follows_));
   const uint32_t before = level();
-  const bool isEnough = before >= cost + reserveFrom(payload) || (before == capacity() && before >= cost);
+  const bool isEnough = before >= cost + reserveFrom(payload, cost) || (before == capacity() && before >= cost);
   if (!isEnough || !radio_.send(payload, length)) return false;
   keep(before - cost);
   return true;

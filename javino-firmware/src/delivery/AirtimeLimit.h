@@ -42,7 +42,7 @@ class AirtimeLimit final : public Radio {
  private:
   uint32_t capacity() const;
   uint32_t costOf(uint8_t length) const;
-  uint32_t reserveFrom(const uint8_t *payload) const;
+  uint32_t reserveFrom(const uint8_t *payload, uint32_t cost) const;
   uint32_t level() const;
   void keep(uint32_t level) const;
 

@@ -134,6 +134,17 @@ TEST_F(Limited, leaves_an_eighth_to_acknowledgements_and_a_quarter_before_relays
   EXPECT_NEAR(eighth / 8, (sendAll("+KAA") + 2) * lasts, lasts);
 }
 
+// What its receiver has of a message it forgets 5 s after a fragment; 1 % of a second is 10 ms.
+TEST_F(Limited, begins_with_fragments_once_all_of_them_may_be_sent) {
+  boot(1);
+  clock.millis += HOUR / 7 * 4 / 5;
+  EXPECT_TRUE(send(packet("SUPO", 77)));
+  EXPECT_FALSE(send(packet("+FAA", 77)));
+  passUntilFull();
+  EXPECT_TRUE(send(packet("+FAA", 77)));
+  for (int i = 1; i < 8; i++) EXPECT_TRUE(send(packet("+FAB", 77))) << i;
+}
+
 TEST_F(Limited, tells_how_long_a_new_message_waits) {
   boot(10);
   passUntilFull();
