@@ -19,6 +19,11 @@ interface Engine extends AutoCloseable {
      */
     boolean runUntil(BooleanSupplier wanted, long end);
 
+    /** How long after it has happened something may be told, in ns: boards and agents may tell by ways of their own. */
+    default long latest() {
+        return 0;
+    }
+
     /** Has something done then, or now if that has passed. For any thread of the run. */
     void at(long nanos, Runnable action);
 

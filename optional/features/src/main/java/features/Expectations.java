@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
-import lockstep.Simulation;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
+import lockstep.Simulation;
 
 /** What a scenario's thens ask for. */
 final class Expectations {
@@ -33,10 +35,14 @@ final class Expectations {
         this.account = account;
     }
 
-    /** A state now. */
-    void now(boolean as, String what) {
-        if (!as) {
-            throw run.failure(what);
+    /**
+     * A state now.
+     *
+     * @param what the failure, of what is so in its place.
+     */
+    void now(BooleanSupplier as, Supplier<String> what) {
+        if (!run.runUntil(as, run.nanos() + run.latest())) {
+            throw run.failure(what.get());
         }
     }
 

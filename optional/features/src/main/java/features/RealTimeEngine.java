@@ -16,6 +16,9 @@ abstract class RealTimeEngine implements Engine {
     /** So often is looked at what nobody tells. */
     private static final long LOOK_NANOS = 20 * Window.MILLI;
 
+    /** What an agent has done is told by its process, what its board has by the emulator: either may come later. */
+    private static final long LATEST_NANOS = 2 * Window.SECOND;
+
     /** What is to be done on the test's thread, and since when. */
     private record Due(long at, Runnable action) {}
 
@@ -75,6 +78,11 @@ abstract class RealTimeEngine implements Engine {
             Thread.currentThread().interrupt();
             throw new AssertionError("the test was interrupted", interrupted);
         }
+    }
+
+    @Override
+    public long latest() {
+        return LATEST_NANOS;
     }
 
     @Override

@@ -149,6 +149,11 @@ class Run implements AutoCloseable {
         return engine.nanos();
     }
 
+    /** How long after it has happened something may be told, in ns. */
+    long latest() {
+        return engine.latest();
+    }
+
     void begin() {
         if (engine != null) {
             runUntil(() -> false, nanos());

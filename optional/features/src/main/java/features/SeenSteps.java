@@ -8,6 +8,7 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 
 /**
  * What is seen of boards and agents. With {@code within}, {@code not within} and {@code never} a change after the last
@@ -25,15 +26,15 @@ public final class SeenSteps {
             return;
         }
         String name = run.watched(pin);
-        String is = run.account.state(pin.board(), name);
+        Supplier<String> is = () -> run.account.state(pin.board(), name);
         if (window.kind() == Window.Kind.UNSAID && count == null) {
-            run.expected.now(is.equals(state), pin + " is " + is);
+            run.expected.now(() -> is.get().equals(state), () -> pin + " is " + is.get());
             return;
         }
         String goes = Account.going(state);
         run.expected.event(window, count, each -> each.is(Kind.PIN, pin.board()) && each.what().equals(name)
                 && each.more().equals(goes), pin + " does not go " + goes
-                        + (is.equals(state) ? "; it is " + state + " all the time" : ""));
+                        + (is.get().equals(state) ? "; it is " + state + " all the time" : ""));
     }
 
     /** A servo of Arduino's library, by the width of its pulses; 3 degrees more or less are the same. */
@@ -46,7 +47,7 @@ public final class SeenSteps {
         String name = run.watched(pin);
         Servo servo = run.account.servo(pin.board(), name);
         if (window.kind() == Window.Kind.UNSAID) {
-            run.expected.now(servo.isAt(degrees), "the servo at " + pin + " is at " + servo);
+            run.expected.now(() -> servo.isAt(degrees), () -> "the servo at " + pin + " is at " + servo);
             return;
         }
         run.expected.event(window, null, each -> each.is(Kind.SERVO, pin.board()) && each.what().equals(name)
@@ -77,13 +78,15 @@ public final class SeenSteps {
     /** Now. */
     @Then("{agent} does not believe {term}")
     public void believesNot(String agent, String belief) {
-        Run.now().expected.now(!holds(agent, matching(belief)), agent + " believes " + belief);
+        Predicate<String> matching = matching(belief);
+        Run.now().expected.now(() -> !holds(agent, matching), () -> agent + " believes " + belief);
     }
 
     /** Now, however long it has. */
     @Then("{agent} still believes {term}")
     public void stillBelieves(String agent, String belief) {
-        Run.now().expected.now(holds(agent, matching(belief)), agent + " does not believe " + belief);
+        Predicate<String> matching = matching(belief);
+        Run.now().expected.now(() -> holds(agent, matching), () -> agent + " does not believe " + belief);
     }
 
     @Then("{window}{agent} prints {string}{often}")

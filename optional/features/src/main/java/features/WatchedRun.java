@@ -135,6 +135,11 @@ public final class WatchedRun {
         }
 
         @Override
+        long latest() {
+            return 0;
+        }
+
+        @Override
         boolean runUntil(BooleanSupplier wanted, long end) {
             return waiting.test(() -> wanted.getAsBoolean() || nanos > end) && wanted.getAsBoolean();
         }

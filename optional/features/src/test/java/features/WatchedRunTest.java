@@ -26,6 +26,8 @@ class WatchedRunTest {
             "Then within 1 min robot's board sends a sealed message to SUPO|",
             "Then within 1 min robot's board sends a sealed message to //SU|"
                     + "robot's board sends no packet to //SU, sealed",
+            "Then robot's lamp is on|",
+            "Then robot's lamp is off|robot's lamp is on",
             "Then within 1 min robot's lamp is off|robot's lamp does not go off",
             "Then within 2 s the agent robot prints a line with \"wor\"|robot does not print a line with \"wor\"",
             "Then never the agent robot prints \"b\"|",
