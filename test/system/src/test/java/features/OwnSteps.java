@@ -15,6 +15,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /** What features of our own need beside the steps of all users. The model replays the trace of each scenario. */
@@ -64,9 +65,15 @@ public final class OwnSteps {
     @Then("{agent} has printed {string}: {}")
     public void hasPrinted(String agent, String words, String rests) {
         List<String> expected = rests.equals("nothing") ? List.of() : List.of(rests.split(", "));
-        List<String> printed = Run.now().account.since(0).stream().filter(each -> each.is(Seen.Kind.PRINTS, agent))
-                .map(Seen::what).filter(line -> line.startsWith(words + " ")).toList();
-        Run.now().expected.now(expected.size() == printed.size() && IntStream.range(0, expected.size())
-                .allMatch(i -> printed.get(i).startsWith(words + " " + expected.get(i))), "it has printed " + printed);
+        Supplier<List<String>> printed = () -> Run.now().account.since(0).stream()
+                .filter(each -> each.is(Seen.Kind.PRINTS, agent)).map(Seen::what)
+                .filter(line -> line.startsWith(words + " ")).toList();
+        Run.now().expected.now(() -> begin(printed.get(), expected.stream().map(rest -> words + " " + rest).toList()),
+                () -> "it has printed " + printed.get());
+    }
+
+    private static boolean begin(List<String> lines, List<String> beginnings) {
+        return lines.size() == beginnings.size()
+                && IntStream.range(0, lines.size()).allMatch(i -> lines.get(i).startsWith(beginnings.get(i)));
     }
 }
