@@ -32,7 +32,6 @@ public final class Host implements AutoCloseable {
     /** Far above what anything takes, on a busy machine too. */
     private static final long PATIENCE_SECONDS = 240;
     private static final Duration LONGEST = Duration.ofSeconds(60);
-    private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
     private final Changes changes = new Changes();
@@ -91,15 +90,6 @@ public final class Host implements AutoCloseable {
 
     public static Host over(LinkOpener link) {
         return new Host(link, config());
-    }
-
-    /**
-     * For boards in real time that write much to their EEPROM: on a busy machine their answers come late by the clock
-     * on the wall.
-     */
-    public static Host patient(Emulator emulator, String board) {
-        return emulator.closing(new Host(link(emulator.port(board)),
-                BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS)))), Host::close);
     }
 
     /** A host as {@link #of}, with the notes that an agent's host has. */

@@ -198,7 +198,7 @@ class FalseGatewayTest extends JoinedCells {
     @Test
     @Tag("soak")
     void falseGateway_thatFloods_getsAQuarterOfTheAirAndNoMore() throws Exception {
-        try (Host near = Host.patient(emulator, "spare").as("NEAR", Map.of("ROMA", TestKeys.PAIR))) {
+        try (Host near = Host.of(emulator, "spare").as("NEAR", Map.of("ROMA", TestKeys.PAIR))) {
             Host.get(bus.board.setKey(Address.parse("NEAR"), Key.of(Bytes.copyOf(TestKeys.PAIR))));
             exchange(0, 1);
             double since = now();

@@ -37,8 +37,8 @@ class HomeTest {
                         .start(folder);
                 BrokerClient watcher = BrokerClient.enter(broker, Mosquitto.OWNER)) {
             watcher.watch("#", this::told);
-            Host.patient(emulator, "home").as("HOME", Map.of("GARD", TestKeys.PAIR)).close();
-            Host garden = Host.patient(emulator, "garden").as("GARD", Map.of("HOME", TestKeys.PAIR));
+            Host.of(emulator, "home").as("HOME", Map.of("GARD", TestKeys.PAIR)).close();
+            Host garden = Host.of(emulator, "garden").as("GARD", Map.of("HOME", TestKeys.PAIR));
             try (garden; AgentProcess agent = start(folder, broker)) {
                 assertEquals(
                         "homeassistant/sensor/garden_light/config {\"name\": \"Light in the garden\", \"unique_id\": "

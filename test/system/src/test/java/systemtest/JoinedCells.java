@@ -50,9 +50,9 @@ abstract class JoinedCells {
                 .board("spare", "Station", Map.of("position", EAST))
                 .start(folder);
         Map<String, byte[]> groups = Map.of("//RO", TestKeys.GROUP, "//SU", TestKeys.GROUP);
-        police = Host.patient(emulator, "police").as("SUPO", Map.of("ROMA", TestKeys.PAIR, ABSENT, TestKeys.PAIR))
+        police = Host.of(emulator, "police").as("SUPO", Map.of("ROMA", TestKeys.PAIR, ABSENT, TestKeys.PAIR))
                 .as("SUPO", groups);
-        bus = Host.patient(emulator, "bus").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).as("ROMA", groups);
+        bus = Host.of(emulator, "bus").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).as("ROMA", groups);
         joinRegions(folder);
         west = join("west");
         east = join("east");
