@@ -300,6 +300,8 @@ final class IntentionText {
         plain.setAsTriggerTerm(false);
         plain.setLiteral(TermTexts.withoutSelf(plain.getLiteral()));
         plain.setLiteral((Literal) TermTexts.plain(plain.getLiteral()));
+        // Jason notes there which file has the plan that failed.
+        plain.getLiteral().delAnnots(plain.getLiteral().getAnnots("code_src"));
         return TermTexts.text(plain, this::name);
     }
 }

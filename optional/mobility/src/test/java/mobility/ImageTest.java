@@ -1,6 +1,7 @@
 package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -59,6 +60,18 @@ class ImageTest {
                 """).moved();
         there.run(20);
         assertEquals(List.of("say failed 1 internal_action", "say after rescued"), there.done);
+    }
+
+    /** Jason notes with a failure the file in which the plan was, by its whole name. */
+    @Test
+    void failure_thatIsHandled_tellsNoFileOfThisComputer() throws Exception {
+        Image image = Stage.of("""
+                !go.
+                +!go <- .fail(oops).
+                -!go[code(C)] <- mobility.leave; say(C).
+                """).leave();
+        assertFalse(image.state().contains("code_src"), image.state());
+        assertTrue(image.state().contains("code_line("), image.state());
     }
 
     @ParameterizedTest
