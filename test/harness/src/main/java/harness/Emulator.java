@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -72,7 +73,7 @@ public final class Emulator implements AutoCloseable {
 
     /** A test's scenario; the words are those of emulator/README.md. */
     public static final class Scenario {
-        private final Map<String, Object> radio = new LinkedHashMap<>(Map.of("bitRate", 2000, "range", 100));
+        private final Map<String, Object> radio = new TreeMap<>(Map.of("bitRate", 2000, "range", 100));
         private final List<Map<String, Object>> boards = new ArrayList<>();
         private final List<Map<String, Object>> faults = new ArrayList<>();
         private String speed = "1";
@@ -179,7 +180,7 @@ public final class Emulator implements AutoCloseable {
 
         /** Writes it into a folder, which may have EEPROM files. */
         public Path write(Path folder) throws IOException {
-            Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
+            Map<String, Object> scenario = new TreeMap<>(Map.of("radio", radio, "boards", boards));
             if (!faults.isEmpty()) {
                 scenario.put("faults", faults);
             }
