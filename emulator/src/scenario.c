@@ -18,6 +18,28 @@
 
 static bool same_text(const char *a, const char *b) { return a && b && strcmp(a, b) == 0; }
 
+// A path from a place in it that a slash is before, without what leads nowhere.
+static const char *skip_here(const char *path) {
+  while (path[0] == '/' || (path[0] == '.' && path[1] == '/')) path++;
+  return path;
+}
+
+static bool same_path(const char *a, const char *b) {
+  if (!a || !b || (*a == '/') != (*b == '/')) return false;
+  a = skip_here(a);
+  b = skip_here(b);
+  while (*a && *a == *b) {
+    bool folder_ends = *a == '/';
+    a++;
+    b++;
+    if (folder_ends) {
+      a = skip_here(a);
+      b = skip_here(b);
+    }
+  }
+  return *a == *b;
+}
+
 // No two boards share a name, a port or an EEPROM file; each firmware and boot loader is readable.
 static void check_board(const scenario *s, size_t index, const json_node *node) {
   const board_config *board = &s->boards[index];
@@ -25,8 +47,8 @@ static void check_board(const scenario *s, size_t index, const json_node *node) 
   json_node boot_loader = json_member(node, "bootLoader");
   for (size_t i = 0; i < index; i++) {
     const char *shared = same_text(board->name, s->boards[i].name)       ? "name"
-                         : same_text(board->port, s->boards[i].port)     ? "port"
-                         : same_text(board->eeprom, s->boards[i].eeprom) ? "eeprom"
+                         : same_path(board->port, s->boards[i].port)     ? "port"
+                         : same_path(board->eeprom, s->boards[i].eeprom) ? "eeprom"
                                                                          : NULL;
     if (shared) {
       json_node value = json_member(node, shared);

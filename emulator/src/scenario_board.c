@@ -175,12 +175,21 @@ static void read_sensor(sensor_config *sensor, const model *m, const json_node *
   after_read(&after, m, &sensor->after_pin, &sensor->after_level);
 }
 
+// No two sensors give one pin its level.
+static void check_sensor_pin(const board_config *board, const json_node *node) {
+  for (size_t i = 0; i < board->sensor_count; i++) {
+    if (board->sensors[i].pin == board->sensors[board->sensor_count].pin)
+      json_fail(node, "has the pin of sensors[%zu]; expected one of its own", i);
+  }
+}
+
 static void read_sensors(board_config *board, const json_node *node) {
   size_t count = json_array_length(node);
   board->sensors = calloc(count + 1, sizeof *board->sensors);
   for (; board->sensor_count < count && !json_failed(node->reader); board->sensor_count++) {
     json_node sensor = json_element(node, board->sensor_count);
     read_sensor(&board->sensors[board->sensor_count], board->model, &sensor);
+    check_sensor_pin(board, &sensor);
   }
 }
 
@@ -194,12 +203,23 @@ static void read_watch(watch_config *watch, const model *m, const json_node *nod
   if (!watch->name) json_expected(&name, "a text in quotes");
 }
 
+static void check_watch(const board_config *board, const json_node *node) {
+  const watch_config *last = &board->watches[board->watch_count];
+  for (size_t i = 0; i < board->watch_count; i++) {
+    const watch_config *other = &board->watches[i];
+    if (other->pin == last->pin) json_fail(node, "has the pin of watch[%zu]; expected one of its own", i);
+    if (last->name && other->name && strcmp(other->name, last->name) == 0)
+      json_fail(node, "has the name of watch[%zu]; expected one of its own", i);
+  }
+}
+
 static void read_watches(board_config *board, const json_node *node) {
   size_t count = json_array_length(node);
   board->watches = calloc(count + 1, sizeof *board->watches);
   for (; board->watch_count < count && !json_failed(node->reader); board->watch_count++) {
     json_node watch = json_element(node, board->watch_count);
     read_watch(&board->watches[board->watch_count], board->model, &watch);
+    check_watch(board, &watch);
   }
 }
 
