@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import trace.TraceReader;
 import trace.why.Why;
@@ -27,6 +28,10 @@ class WhyTest {
             !start.
             +!start <- .port("ports/robot"); .setMyRFId("ROMA"); .getRFMessages(open); .percepts(open).
             """;
+
+    @TempDir
+    private static Path run;
+    private static Why near;
 
     /** The cases, as fields by their names. */
     static List<Map<String, String>> cases() throws IOException {
@@ -65,6 +70,44 @@ class WhyTest {
         }
     }
 
+    /** What a question is near to, or says in other words. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "ledOn(3)|no plan of robot has the step ledOn(3); the nearest is ledOn",
+            "seen(1,2)|no plan of robot has the step seen(1,2); the nearest is seen(N)",
+            "+seen(1,2)|no plan of robot has the step seen(1,2); the nearest is seen(N)",
+            "seen(2)|its plan ran to its end, another way",
+            "moved(3)|its plan ran to its end, another way",
+            ".print(_)|!start is a goal of the program",
+            ".act(ledOn)|!start is a goal of the program",
+            "lamp(1)|!start is a goal of the program",
+            "lamp(0)|no action of robot's board has changed lamp so; ask of one, such as 'ledOn'",
+            "!go(1,2)|nobody gave robot the goal !go(1,2)",
+            "lamp(|WHAT takes a belief, goal, action or pin, such as 'lamp(on)', '!go' or 'lampOn', not 'lamp('"})
+    void answer_ofWhatIsNearlySo_isTrue(String question, String cause) throws IOException {
+        List<String> answer;
+        try {
+            answer = near().answer(question, "");
+        } catch (IllegalArgumentException refused) {
+            answer = List.of(refused.getMessage());
+        }
+        assertTrue(answer.get(answer.size() - 1).endsWith(cause), String.join("\n", answer));
+    }
+
+    private Why near() throws IOException {
+        if (near == null) {
+            try (Project project = new Project(run, "blink/Blink", """
+                    !start.
+                    +!start <- .port("ports/robot"); .percepts(open); .act(ledOn); .print("up"); !!go(1).
+                    +!go(N) : N > 0 <- +seen(N); -+moved(N+1).
+                    """)) {
+                assertEquals(0, project.play("When 2 s pass"), project.said());
+            }
+            near = new Why(TraceReader.all(run.resolve("runs/a-3/run.jsonl")));
+        }
+        return near;
+    }
+
     @Test
     void answer_leadsFromAPinToThePacket(@TempDir Path folder) throws IOException {
         try (Project project = new Project(folder, "radioblink/RadioBlink",
@@ -88,7 +131,7 @@ class WhyTest {
                 assertTrue(answer.get(i).contains(links.get(i)), answer.get(i));
             }
             assertEquals(List
-                    .of("first cause: no action of robot's board has changed lamp so; ask of one, such as 'lampOn'"),
+                    .of("first cause: no action of robot's board has changed lamp so; ask of one, such as 'ledOn'"),
                     why.answer("lamp(off)", "").stream().skip(1).toList());
         }
     }

@@ -20,6 +20,8 @@ record Term(String sign, String goal, String functor, List<String> arguments, Li
     private static final Pattern HEAD = Pattern.compile("([+-]*)([!?]*)(~?\\.?\\w[\\w.:]*)");
     private static final Pattern VARIABLE = Pattern.compile("_\\w*|\\p{Lu}\\w*");
 
+    private static final Pattern EXPRESSION = Pattern.compile("(?<!\\w)[_\\p{Lu}]");
+
     /** Reads a text; what stands behind the term does not matter. Nothing if it is none. */
     static Optional<Term> parse(String as) {
         String text = as.strip().replaceAll("\\b_\\d+\\b", "_");
@@ -90,6 +92,21 @@ record Term(String sign, String goal, String functor, List<String> arguments, Li
         Optional<Term> one = parse(pattern);
         return one.isPresent() && !one.get().arguments.isEmpty()
                 && parse(text).filter(other -> one.get().matches(other)).isPresent();
+    }
+
+    /** Whether a step of a plan may be an instance of this, by the values that its variables have. */
+    boolean mayBe(Term step) {
+        boolean may = isOfKind(step);
+        for (int i = 0; may && i < arguments.size(); i++) {
+            String argument = step.arguments.get(i);
+            may = EXPRESSION.matcher(argument).find() || matches(arguments.get(i), argument);
+        }
+        return may;
+    }
+
+    /** Whether it is an action of Jason's, not of a board. */
+    boolean isInternal() {
+        return functor.contains(".");
     }
 
     /** What a message says that an agent's term may be: a tell of it, or an achieve of a goal. */

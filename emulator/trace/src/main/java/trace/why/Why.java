@@ -29,6 +29,8 @@ public final class Why {
     private static final Set<String> LASTING = Set.of("scenario", "agent-plan", "agent-settings");
     private static final Pattern ON = Pattern.compile("on|off|\\d+");
 
+    private static final Set<String> OFF = Set.of("off", "0");
+
     private final History history;
     private List<Link> answer = new ArrayList<>();
     private final Map<String, Integer> turns = new HashMap<>();
@@ -71,11 +73,16 @@ public final class Why {
      */
     public List<String> answer(String question, String agent) {
         answer = new ArrayList<>();
-        Term asked = Term.parse(question.startsWith("!") ? "+" + question : question)
+        String event = question.startsWith("!") ? "+" + question : question.replaceFirst("^\\.act\\((.*)\\)$", "$1");
+        Term asked = Term.parse(event).filter(any -> isClosed(event))
                 .orElseThrow(() -> new IllegalArgumentException("WHAT takes a belief, goal, action or pin, such as"
                         + " 'lamp(on)', '!go' or 'lampOn', not '" + question + "'"));
         answer(asked, agents(agent));
         return texts();
+    }
+
+    private static boolean isClosed(String text) {
+        return text.replaceAll("[^(]", "").length() == text.replaceAll("[^)]", "").length();
     }
 
     private List<String> texts() {
@@ -85,9 +92,8 @@ public final class Why {
     private List<String> agents(String agent) {
         List<String> agents = agent.isEmpty() ? history.agents() : List.of(agent);
         if (agents.isEmpty() || !history.agents().containsAll(agents)) {
-            throw new IllegalArgumentException("the log has no agent " + agent
-                    + (history.agents().isEmpty() ? "; is it run.jsonl?"
-                            : "; it has " + String.join(", ", history.agents())));
+            throw new IllegalArgumentException(history.agents().isEmpty() ? "the log has no agents; is it run.jsonl?"
+                    : "the log has no agent " + agent + "; it has " + String.join(", ", history.agents()));
         }
         return agents;
     }
@@ -165,7 +171,7 @@ public final class Why {
         boolean level = asked.arguments().size() == 1 && ON.matcher(asked.arguments().get(0)).matches();
         return History.last(history.all().filter(each -> level && each.is("pin")
                 && each.textOrEmpty("name").equals(asked.functor())
-                && (each.number("level") == 1) == !asked.arguments().get(0).equals("off")));
+                && (each.number("level") == 1) == !OFF.contains(asked.arguments().get(0))));
     }
 
     /** The board of which the scenario watches a pin of that name. */

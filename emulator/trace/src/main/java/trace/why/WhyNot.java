@@ -42,16 +42,22 @@ final class WhyNot {
         return history.of(agent, "agent-plan");
     }
 
-    /** Plans with a step of that kind: {@code !} or {@code +} before the name, or nothing for an action. */
-    private Stream<TraceEvent> plansWith(String operator, String functor) {
+    /** Plans with a step that may be that: {@code !} or {@code +} before the term, or nothing for an action. */
+    private Stream<TraceEvent> plansWith(String operator, Term asked) {
+        return plans().filter(each -> steps(operator, asked, each).anyMatch(asked::mayBe));
+    }
+
+    /** The steps of a plan that have its name. */
+    private static Stream<Term> steps(String operator, Term asked, TraceEvent plan) {
         String before = operator.isEmpty() ? "(^|[;&|{] ?|act\\(\"?)" : "(?<!\\w)\\" + operator;
-        Pattern step = Pattern.compile(before + Pattern.quote(functor) + "\\b");
-        return plans().filter(each -> step.matcher(each.text("body")).find());
+        String body = plan.text("body");
+        return Pattern.compile(before + "(?=" + Pattern.quote(asked.functor()) + "\\b)").matcher(body).results()
+                .flatMap(found -> Term.parse(body.substring(found.end())).stream());
     }
 
     /** Whether a plan has it as an action. */
     boolean isStep(Term action) {
-        return plansWith("", action.functor()).findAny().isPresent();
+        return plansWith("", action).findAny().isPresent();
     }
 
     /** What the agent asked its board for that is an instance. */
@@ -68,7 +74,7 @@ final class WhyNot {
             last.ifPresent(
                     each -> why.link(each, "the last action that " + agent + " asked for is " + each.text("action")));
             why.cause("no action of " + of + "'s board has changed " + asked.functor()
-                    + " so; ask of one, such as 'lampOn'");
+                    + " so" + last.map(each -> "; ask of one, such as '" + each.text("action") + "'").orElse(""));
         }
     }
 
@@ -143,12 +149,12 @@ final class WhyNot {
         if (refused(asked, Optional.empty())) {
             return;
         }
-        List<TraceEvent> calling = plansWith("!", asked.functor()).filter(each -> places.add(each.text("place")))
+        List<TraceEvent> calling = plansWith("!", asked).filter(each -> places.add(each.text("place")))
                 .toList();
         if (calling.isEmpty()) {
             why.cause("nobody gave " + agent + " the goal " + asked.term());
         } else {
-            plan(calling.get(calling.size() - 1));
+            plan(calling.get(calling.size() - 1), asked);
         }
     }
 
@@ -161,10 +167,10 @@ final class WhyNot {
             failed(action.get());
             return;
         }
-        List<TraceEvent> plans = plansWith("", asked.functor()).filter(each -> places.add(each.text("place")))
+        List<TraceEvent> plans = plansWith("", asked).filter(each -> places.add(each.text("place")))
                 .toList();
         Optional<TraceEvent> ran = plans.stream().filter(each -> !chosen(each).isEmpty()).findFirst();
-        plan(ran.orElse(plans.get(0)));
+        plan(ran.orElse(plans.get(0)), asked);
     }
 
     private void failed(TraceEvent action) {
@@ -188,15 +194,23 @@ final class WhyNot {
                 && each.textOrEmpty("place").equals(plan.text("place"))).toList();
     }
 
-    /** Why a plan has not done all of its steps. */
-    private void plan(TraceEvent plan) {
+    /** Why a plan has not done a step. */
+    private void plan(TraceEvent plan, Term step) {
         Term trigger = History.parsed(plan, "trigger");
         String place = plan.text("place");
         why.link(plan, "it is in the plan " + trigger.brief() + " (" + place + ")");
         Optional<TraceEvent> last = History.last(chosen(plan).stream());
         if (last.isPresent()) {
             why.link(last.get(), agent + " chose it for " + History.parsed(last.get(), "trigger").brief());
-            if (!ran(last.get().text("intention"), place, true)) {
+            if (ran(last.get().text("intention"), place, true)) {
+                return;
+            }
+            Optional<TraceEvent> event = history.of(agent, "agent-event")
+                    .filter(each -> each.number("number") == last.get().number("number")).findFirst();
+            if (step.isInternal() && event.isPresent()) {
+                why.link(last.get(), "its plan ran to its end; no log tells of " + step.functor() + " itself");
+                why.chain(event.get());
+            } else {
                 why.cause("its plan ran to its end, another way");
             }
             return;
@@ -311,14 +325,19 @@ final class WhyNot {
             }
             return;
         }
-        List<TraceEvent> adding = plansWith("+", asked.functor()).filter(each -> places.add(each.text("place")))
+        List<TraceEvent> adding = plansWith("+", asked).filter(each -> places.add(each.text("place")))
                 .toList();
         if (!adding.isEmpty()) {
-            plan(adding.get(adding.size() - 1));
+            plan(adding.get(adding.size() - 1), asked);
             return;
         }
+        Optional<Term> other = plans().flatMap(each -> Stream.concat(steps("", asked, each), steps("+", asked, each)))
+                .findFirst();
         Optional<Term> nearest = History.nearest(asked, history.believed(agent).stream());
-        if (nearest.isPresent()) {
+        if (other.isPresent()) {
+            why.cause("no plan of " + agent + " has the step " + asked.term() + "; the nearest is "
+                    + other.get().term());
+        } else if (nearest.isPresent()) {
             why.cause(agent + " never believed " + asked.term() + "; the nearest is " + nearest.get().term());
         } else if (settings.map(each -> each.text("port").isEmpty()).orElse(true)) {
             why.cause(agent + " has opened no port: its board can tell it nothing");
