@@ -168,13 +168,23 @@ final class BoardFile {
                 .filter(name -> !name.startsWith("pin ")).collect(Collectors.joining(", "));
     }
 
-    /** The level of the digital sensor at a pin at the start; 1, as by a pull-up, where there is none. */
-    int idleLevel(Parameters.Pin pin) {
+    /** The sensor at a pin, which is the echo of an ultrasonic one. */
+    private Optional<JsonObject> sensorAt(Parameters.Pin pin) {
         JsonObject board = boards.get(pin.board());
         return elements(board, "sensors").map(JsonElement::getAsJsonObject)
-                .filter(sensor -> sensor.has("level")
-                        && number(board, sensor.get("pin").getAsString()).equals(number(board, pin.name())))
-                .map(sensor -> sensor.getAsJsonArray("level").get(0).getAsJsonArray().get(1).getAsInt())
-                .findFirst().orElse(1);
+                .filter(sensor -> Stream.of("pin", "echo").filter(sensor::has).anyMatch(key -> number(board,
+                        sensor.get(key).getAsString()).equals(number(board, pin.name()))))
+                .findFirst();
+    }
+
+    /** The type of the sensor at a pin, if there is one. */
+    Optional<String> sensor(Parameters.Pin pin) {
+        return sensorAt(pin).map(sensor -> sensor.get("type").getAsString());
+    }
+
+    /** The level of the digital sensor at a pin at the start; 1, as by a pull-up, where there is none. */
+    int idleLevel(Parameters.Pin pin) {
+        return sensorAt(pin).filter(sensor -> sensor.has("level"))
+                .map(sensor -> sensor.getAsJsonArray("level").get(0).getAsJsonArray().get(1).getAsInt()).orElse(1);
     }
 }

@@ -24,16 +24,20 @@ public final class BoardSteps {
      * The light of an {@code ldr}, 0 (dark) to 1023 (bright); the distance of an {@code hc-sr04}, by its echo pin, in
      * cm; the level of a {@code digital} sensor, 0 or 1.
      */
-    @When("the light/distance/level at {pin} falls/rises/changes to {int}( cm)")
-    public void value(Parameters.Pin pin, int value) {
-        Run.now().command(command(pin, value));
+    @When("the {quantity} at {pin} falls/rises/changes to {int}( cm)")
+    public void value(String sensor, Parameters.Pin pin, int value) {
+        Run run = Run.now();
+        run.boards.sensor(pin).filter(type -> !type.equals(sensor)).ifPresent(type -> {
+            throw run.wrong("the sensor at " + pin + " has the type " + type + " in board.json, not " + sensor);
+        });
+        run.command(command(pin, value));
     }
 
     /** The level at a {@code digital} sensor is the other one for that time. */
     @When("the button at {pin} is pressed for {time}")
     public void button(Parameters.Pin pin, long nanos) {
         int idle = Run.now().boards.idleLevel(pin);
-        value(pin, 1 - idle);
+        value("digital", pin, 1 - idle);
         Run.now().later(nanos, command(pin, idle));
     }
 

@@ -2,6 +2,7 @@ package features;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -10,6 +11,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import javino.protocol.Counter;
 import lockstep.Simulation;
 
 /** What a scenario's thens ask for. */
@@ -96,6 +98,11 @@ final class Expectations {
 
     /** A counter of an agent's board that rises, since the scenario began. */
     void counter(Window window, String agent, String counter) {
+        Map<String, Object> counts = counts(agent);
+        if (!counts.containsKey(UNANSWERED) && !counts.containsKey(counter)
+                && Arrays.stream(Counter.values()).noneMatch(each -> each.toString().equals(counter))) {
+            throw run.wrong("there is no counter " + counter + " (SPEC 4.5)");
+        }
         long end = begin(window) + window.nanos() * (isNot(window) ? 1 : run.slack());
         boolean rose;
         do {

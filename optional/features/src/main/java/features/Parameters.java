@@ -29,6 +29,12 @@ public final class Parameters {
         return text;
     }
 
+    /** What a sensor senses; the type that {@code board.json} gives it. */
+    @ParameterType(value = "light|distance|level", useForSnippets = false)
+    public String quantity(String text) {
+        return text.equals("light") ? "ldr" : text.equals("distance") ? "hc-sr04" : "digital";
+    }
+
     /** A time, in ns. */
     @ParameterType(TIME)
     public Long time(String text) {

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Features as a user writes them, played by Cucumber's own program on a board with the example Blink. */
 class FeaturesTest {
@@ -94,6 +95,9 @@ class FeaturesTest {
             "Then the agent robot believes lde(on)|first cause: robot never believed lde(on); the nearest is led(on)",
             "When the agent robot gets the goal wrong / Then it fails to perform ledOm with port_off|does not fail",
             "When the light at robot's A0 falls to 1|expected the pin of a sensor of this board",
+            "When the light at robot's 2 falls to 0|the sensor at robot's pin 2 has the type digital in board.json, not ldr",
+            "Then not within 100 ms the counter radioBadTags of the agent robot rises|there is no counter radioBadTags",
+            "Then it prints \"a\" / Senario: c|the features cannot be played: Failed to parse",
             "When bus's board is reset|has no board bus; it has robot",
             "Then the agent bus prints \"a\"|has no agent bus; it has robot",
             "Then it prints \"a\"|no agent was named before",
@@ -111,6 +115,13 @@ class FeaturesTest {
         assertEquals(1, play(steps), project.said());
         assertTrue(project.said().contains(expected), project.said());
         assertFalse(project.said().contains("\tat "), project.said());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"nowhere.feature", "nowhere.feature:3", "robot.asl", "."})
+    void play_ofNoFeature_fails(String file) {
+        assertEquals(1, Play.run("--glue", "features", "--no-summary", "--plugin", "features.Report",
+                project.folder().resolve(file).toString()));
     }
 
     /** Agents of Jason in a virtual machine of their own: what is so, and what is not. */

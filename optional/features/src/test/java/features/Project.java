@@ -3,7 +3,6 @@ package features;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
-import io.cucumber.core.cli.Main;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -84,7 +83,7 @@ final class Project implements AutoCloseable {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
         try {
-            return Main.run("--glue", "features", "--no-summary", "--plugin", "features.Report", "--plugin",
+            return Play.run("--glue", "features", "--no-summary", "--plugin", "features.Report", "--plugin",
                     "junit:" + folder.resolve("junit.xml"), feature.toString());
         } finally {
             System.setOut(out);

@@ -44,6 +44,7 @@ class StepsPageTest {
         SHOWN.put("{string}", "\"TEXT\"");
         SHOWN.put("{word}", "NAME");
         SHOWN.put("{outcome}", "delivered/undelivered");
+        SHOWN.put("{quantity}", "light/distance/level");
         List.of("{int}", "{long}", "{double}").forEach(number -> SHOWN.put(number, "N"));
     }
 
