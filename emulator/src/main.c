@@ -166,8 +166,41 @@ static FILE *open_keys(const char *path) {
   return descriptor < 0 ? NULL : fdopen(descriptor, "a");
 }
 
-static int emulate(const scenario *config, const options *o, trace *out) {
+// A trace, which is kept until all boards are there: a start that was refused leaves the last run's as it is.
+typedef struct {
+  trace out;
+  char *bytes;
+  size_t length;
+} held_trace;
+
+static void hold_trace(held_trace *h, const char *path) {
+  *h = (held_trace){0};
+  if (path) h->out.file = open_memstream(&h->bytes, &h->length);
+}
+
+static void end_trace(held_trace *h) {
+  if (h->out.file && h->out.file != stdout) fclose(h->out.file);
+  free(h->bytes);
+}
+
+// Writes what was kept, and from now on all at once. Returns an exit status.
+static int release_trace(held_trace *h, const char *path) {
+  char error[256];
+  if (!path) return EXIT_OK;
+  fclose(h->out.file);
+  h->out.file = strcmp(path, "-") == 0 ? stdout : fopen(path, "w");
+  if (h->out.file) {
+    fwrite(h->bytes, 1, h->length, h->out.file);
+    fflush(h->out.file);
+    return EXIT_OK;
+  }
+  snprintf(error, sizeof error, "--trace %s: %s", path, strerror(errno));
+  return complain(EXIT_USAGE, error);
+}
+
+static int emulate(const scenario *config, const options *o, held_trace *held) {
   session s;
+  trace *out = &held->out;
   char error[256];
   int status = EXIT_OK;
   if (control_open(&s.socket, o->control_path, (control_listener){&s, perform}, error, sizeof error) != 0)
@@ -180,8 +213,9 @@ static int emulate(const scenario *config, const options *o, trace *out) {
                            : emulation_open(&s.e, config, o->seed, out);
   if (opened != 0) {
     status = complain(EXIT_USAGE, s.e.error);
+  } else if ((status = release_trace(held, o->trace_path)) != EXIT_OK) {
+    // It has been said.
   } else if (record_open(&s.kept, o->record_path) != 0) {
-    // Only now: a start that was refused leaves the last run's record as it is.
     snprintf(error, sizeof error, "--record %s: %s", o->record_path, private_problem());
     status = complain(EXIT_USAGE, error);
   } else if (o->keys_path && !(s.keys = open_keys(o->keys_path))) {
@@ -199,8 +233,9 @@ static int emulate(const scenario *config, const options *o, trace *out) {
 }
 
 // Makes a recorded run again. Returns an exit status.
-static int play(scenario *config, const options *o, trace *out) {
+static int play(scenario *config, const options *o, held_trace *held) {
   emulation e;
+  trace *out = &held->out;
   replay r;
   char error[1024];
   int status = EXIT_OK, more = 1;
@@ -209,6 +244,7 @@ static int play(scenario *config, const options *o, trace *out) {
     return complain(EXIT_USAGE, error);
   }
   if (emulation_open_played(&e, config, r.seed, out, r.eeproms) != 0) status = complain(EXIT_USAGE, e.error);
+  if (status == EXIT_OK) status = release_trace(held, o->trace_path);
   while (status == EXIT_OK && more > 0 && !interrupted) {
     more = replay_step(&r, &e, error, sizeof error);
     if (more < 0) status = complain(EXIT_RUN, error);
@@ -216,12 +252,6 @@ static int play(scenario *config, const options *o, trace *out) {
   }
   replay_close(&r);
   return end(&e, status);
-}
-
-static int open_trace(trace *out, const char *path) {
-  *out = (trace){0};
-  if (path) out->file = strcmp(path, "-") == 0 ? stdout : fopen(path, "w");
-  return path && !out->file ? -1 : 0;
 }
 
 int main(int argc, char **argv) {
@@ -236,16 +266,14 @@ int main(int argc, char **argv) {
   simulator_log_install();
   scenario config;
   scenario_context context = {o.directory, o.overrides, o.override_count};
-  trace out;
+  held_trace held;
   int status;
   if (scenario_load(&config, o.scenario, &context, error, sizeof error) != 0) {
     status = complain(EXIT_USAGE, error);
-  } else if (open_trace(&out, o.trace_path) != 0) {
-    snprintf(error, sizeof error, "--trace %s: %s", o.trace_path, strerror(errno));
-    status = complain(EXIT_USAGE, error);
   } else {
-    status = o.replay_path ? play(&config, &o, &out) : emulate(&config, &o, &out);
-    if (out.file && out.file != stdout) fclose(out.file);
+    hold_trace(&held, o.trace_path);
+    status = o.replay_path ? play(&config, &o, &held) : emulate(&config, &o, &held);
+    end_trace(&held);
   }
   scenario_release(&config);
   return status;

@@ -162,8 +162,10 @@ TEST(Command, a_second_emulator_with_the_same_eeprom_file_is_told_so) {
     write_scenario(*each, "boot_count", ",\"eeprom\":\"" + scratch.path("a.bin") + "\"");
   pid_t first = start(scratch, {"s.json", "--trace", "trace"});
   while (read_text(scratch.path("trace")).find("\"reset\"") == std::string::npos) usleep(1000);
-  Outcome second = run(other, {"s.json", "--duration", "0.1", "--speed", "max"});
+  other.write("trace", "of the run before");
+  Outcome second = run(other, {"s.json", "--duration", "0.1", "--speed", "max", "--trace", "trace"});
   EXPECT_EQ(second.status, 2);
+  EXPECT_EQ(read_text(other.path("trace")), "of the run before");
   EXPECT_EQ(second.err, "javino-emulator: EEPROM file " + scratch.path("a.bin") +
                             ": another emulator or board uses it; end that one or choose another file\n");
   kill(first, SIGTERM);
