@@ -12,6 +12,8 @@ final class Frame {
     /** The place of a sealed content. */
     static final int CONTENT_AT = HEADER + Payload.NONCE_LENGTH;
     static final String ALL = "////";
+    /** So many bytes of a sealed content may be as they were before. */
+    private static final int LONGEST_BY_CHANCE = 2;
 
     /** As far as its first packet has it. */
     final Payload whole;
@@ -62,10 +64,10 @@ final class Frame {
         return first().slice(0, isSealed() ? CONTENT_AT : HEADER);
     }
 
-    /** Whether it shows a content as it is, with a nonce before it or without. */
+    /** Whether it shows a content as it is, with a nonce before it or without; not of one that chance makes look so. */
     boolean isInTheClear(Bytes shown) {
         Bytes begin = shown.slice(0, Math.min(shown.length(), first().length() - CONTENT_AT));
-        return begin.length() > 0 && IntStream.of(HEADER, CONTENT_AT)
+        return begin.length() > LONGEST_BY_CHANCE && IntStream.of(HEADER, CONTENT_AT)
                 .anyMatch(from -> first().slice(from, from + begin.length()).equals(begin));
     }
 

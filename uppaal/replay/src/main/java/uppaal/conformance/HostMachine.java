@@ -89,8 +89,14 @@ final class HostMachine {
         able.retainAll(meant);
         require(!able.isEmpty(), what,
                 before.stream().sorted().map(model::expected).collect(Collectors.joining("; or ")));
+        Set<String> left = before.stream().filter(from -> !able.contains(from)
+                && model.next(from, known).stream().anyMatch(able::contains)).collect(Collectors.toSet());
         if (before.containsAll(able)) {
             states.remove(states.size() - 1);
+            // It may have been there till now, and its board may yet take what it said there.
+            if (!left.isEmpty()) {
+                enter(left);
+            }
         }
         enter(able);
         mayBeOld = false;

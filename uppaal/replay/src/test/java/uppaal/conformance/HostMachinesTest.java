@@ -294,6 +294,7 @@ class HostMachinesTest {
                     + "away hears R 3; away tells departure gone 3; home hears G 3; home tells arrival none 3",
             // Computers that start again.
             "after home says G 1; home is SUSS; home says G 1",
+            "after home says G 1; home is SUSS; home hears A 1; home tells departure over 1; home says G 1; cut",
             "after home hears R 1; home is SUSS; home tells departure gone 1; home says G 1; cut",
             "after away hears D 1; away is SUBB; away hears O 1; away tells arrival coming 1; "
                     + "away says W 1 000000000000; cut",
