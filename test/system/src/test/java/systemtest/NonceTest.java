@@ -28,18 +28,18 @@ class NonceTest {
     void nonces_neverRepeatOverReboots(@TempDir Path folder) throws Exception {
         Map<String, String> frames = new HashMap<>();
         for (int run = 0; run < RUNS; run++) {
-            sendMany(folder, frames);
+            sendMany(folder, run, frames);
         }
         assertEquals(RUNS * MESSAGES_A_RUN, frames.size());
     }
 
     // Nobody hears the unicasts, so they are sent again and again: with the same nonce, but byte for byte.
-    private static void sendMany(Path folder, Map<String, String> frames) throws Exception {
+    private static void sendMany(Path folder, int run, Map<String, String> frames) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().board("police", "Station").start(folder);
                 Host police =
                         Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP))) {
             for (int message = 0; message < MESSAGES_A_RUN; message++) {
-                police.send(message % 50 == 0 ? "SUPP" : "//SU", "tell;x");
+                police.send(message % 50 == 0 ? "SUPP" : "//SU", "tell;x(" + run + ")");
             }
             emulator.await("the last outcome", MESSAGES_A_RUN, event -> event.is("host-outcome", "police"));
             for (TraceEvent sent : emulator.sentBy("police")) {
