@@ -95,8 +95,10 @@ class FeaturesTest {
             "Then the agent robot believes lde(on)|first cause: robot never believed lde(on); the nearest is led(on)",
             "When the agent robot gets the goal wrong / Then it fails to perform ledOm with port_off|does not fail",
             "When the light at robot's A0 falls to 1|expected the pin of a sensor of this board",
-            "When the light at robot's 2 falls to 0|the sensor at robot's pin 2 has the type digital in board.json, not ldr",
-            "Then not within 100 ms the counter radioBadTags of the agent robot rises|there is no counter radioBadTags",
+            "When the light at robot's 2 falls to 0|"
+                    + "the sensor at robot's pin 2 has the type digital in board.json, not ldr",
+            "Then not within 100 ms the counter radioBadTags of the agent robot rises|"
+                    + "there is no counter radioBadTags",
             "Then it prints \"a\" / Senario: c|the features cannot be played: Failed to parse",
             "When bus's board is reset|has no board bus; it has robot",
             "Then the agent bus prints \"a\"|has no agent bus; it has robot",
