@@ -48,7 +48,7 @@ static void check_board(const scenario *s, size_t index, const json_node *node) 
   for (size_t i = 0; i < index; i++) {
     const char *shared = same_text(board->name, s->boards[i].name)       ? "name"
                          : same_path(board->port, s->boards[i].port)     ? "port"
-                         : same_path(board->eeprom, s->boards[i].eeprom) ? "eeprom"
+                         : same_text(board->eeprom, s->boards[i].eeprom) ? "eeprom"
                                                                          : NULL;
     if (shared) {
       json_node value = json_member(node, shared);
