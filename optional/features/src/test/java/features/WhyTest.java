@@ -79,6 +79,7 @@ class WhyTest {
             "seen(2)|its plan ran to its end, another way",
             "moved(3)|its plan ran to its end, another way",
             ".print(_)|!start is a goal of the program",
+            ".print(\"(\")|no plan of robot has the step .print(\"(\"); the nearest is .print(\"up\")",
             ".act(ledOn)|!start is a goal of the program",
             "lamp(1)|!start is a goal of the program",
             "lamp(0)|no action of robot's board has changed lamp so; ask of one, such as 'ledOn'",

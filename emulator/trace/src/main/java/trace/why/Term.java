@@ -3,8 +3,10 @@ package trace.why;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 
 /**
  * A belief, goal or event of AgentSpeak as far as answers need it: {@code +!go(home,_)[source(self)]}.
@@ -19,7 +21,6 @@ record Term(String sign, String goal, String functor, List<String> arguments, Li
 
     private static final Pattern HEAD = Pattern.compile("([+-]*)([!?]*)(~?\\.?\\w[\\w.:]*)");
     private static final Pattern VARIABLE = Pattern.compile("_\\w*|\\p{Lu}\\w*");
-
     private static final Pattern EXPRESSION = Pattern.compile("(?<!\\w)[_\\p{Lu}]");
 
     /** Reads a text; what stands behind the term does not matter. Nothing if it is none. */
@@ -52,6 +53,11 @@ record Term(String sign, String goal, String functor, List<String> arguments, Li
         return text.length();
     }
 
+    /** Whether each bracket outside of quotes has its other one. */
+    static boolean isClosed(String text) {
+        return end("(" + text + ") ") == text.length() + 2;
+    }
+
     private static List<String> parts(String text, int end) {
         List<String> parts = new ArrayList<>();
         int from = 1;
@@ -78,11 +84,12 @@ record Term(String sign, String goal, String functor, List<String> arguments, Li
 
     /** Whether that is an instance of this, whose variables match anything; annotations do not matter. */
     boolean matches(Term other) {
-        boolean matches = isOfKind(other);
-        for (int i = 0; matches && i < arguments.size(); i++) {
-            matches = matches(arguments.get(i), other.arguments.get(i));
-        }
-        return matches;
+        return matches(other, Term::matches);
+    }
+
+    private boolean matches(Term other, BiPredicate<String, String> argument) {
+        return isOfKind(other) && IntStream.range(0, arguments.size())
+                .allMatch(i -> argument.test(arguments.get(i), other.arguments.get(i)));
     }
 
     private static boolean matches(String pattern, String text) {
@@ -96,12 +103,7 @@ record Term(String sign, String goal, String functor, List<String> arguments, Li
 
     /** Whether a step of a plan may be an instance of this, by the values that its variables have. */
     boolean mayBe(Term step) {
-        boolean may = isOfKind(step);
-        for (int i = 0; may && i < arguments.size(); i++) {
-            String argument = step.arguments.get(i);
-            may = EXPRESSION.matcher(argument).find() || matches(arguments.get(i), argument);
-        }
-        return may;
+        return matches(step, (mine, its) -> EXPRESSION.matcher(its).find() || matches(mine, its));
     }
 
     /** Whether it is an action of Jason's, not of a board. */

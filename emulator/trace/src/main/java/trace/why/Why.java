@@ -28,7 +28,6 @@ public final class Why {
     /** Told once. */
     private static final Set<String> LASTING = Set.of("scenario", "agent-plan", "agent-settings");
     private static final Pattern ON = Pattern.compile("on|off|\\d+");
-
     private static final Set<String> OFF = Set.of("off", "0");
 
     private final History history;
@@ -74,15 +73,11 @@ public final class Why {
     public List<String> answer(String question, String agent) {
         answer = new ArrayList<>();
         String event = question.startsWith("!") ? "+" + question : question.replaceFirst("^\\.act\\((.*)\\)$", "$1");
-        Term asked = Term.parse(event).filter(any -> isClosed(event))
+        Term asked = Term.parse(event).filter(any -> Term.isClosed(event))
                 .orElseThrow(() -> new IllegalArgumentException("WHAT takes a belief, goal, action or pin, such as"
                         + " 'lamp(on)', '!go' or 'lampOn', not '" + question + "'"));
         answer(asked, agents(agent));
         return texts();
-    }
-
-    private static boolean isClosed(String text) {
-        return text.replaceAll("[^(]", "").length() == text.replaceAll("[^)]", "").length();
     }
 
     private List<String> texts() {
