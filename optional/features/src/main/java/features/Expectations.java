@@ -98,16 +98,16 @@ final class Expectations {
 
     /** A counter of an agent's board that rises, since the scenario began. */
     void counter(Window window, String agent, String counter) {
-        Map<String, Object> counts = counts(agent);
-        if (!counts.containsKey(UNANSWERED) && !counts.containsKey(counter)
-                && Arrays.stream(Counter.values()).noneMatch(each -> each.toString().equals(counter))) {
-            throw run.wrong("there is no counter " + counter + " (SPEC 4.5)");
-        }
         long end = begin(window) + window.nanos() * (isNot(window) ? 1 : run.slack());
         boolean rose;
         do {
             run.runUntil(() -> false, Math.min(end, run.nanos() + ASKING_NANOS));
-            rose = number(counts(agent).get(counter)) > number(before.getOrDefault(agent, Map.of()).get(counter));
+            Map<String, Object> now = counts(agent);
+            if (!now.containsKey(UNANSWERED) && !now.containsKey(counter)
+                    && Arrays.stream(Counter.values()).noneMatch(each -> each.toString().equals(counter))) {
+                throw run.wrong("there is no counter " + counter + " (SPEC 4.5)");
+            }
+            rose = number(now.get(counter)) > number(before.getOrDefault(agent, Map.of()).get(counter));
         } while (!rose && run.nanos() < end);
         if (rose == isNot(window)) {
             throw run.failure(counter + (rose ? " rises" : " does not rise"));
