@@ -89,11 +89,11 @@ final class HostMachine {
         able.retainAll(meant);
         require(!able.isEmpty(), what,
                 before.stream().sorted().map(model::expected).collect(Collectors.joining("; or ")));
-        Set<String> left = before.stream().filter(from -> !able.contains(from)
-                && model.next(from, known).stream().anyMatch(able::contains)).collect(Collectors.toSet());
         if (before.containsAll(able)) {
             states.remove(states.size() - 1);
             // It may have been there till now, and its board may yet take what it said there.
+            Set<String> left = before.stream().filter(from -> !able.contains(from)
+                    && model.next(from, known).stream().anyMatch(able::contains)).collect(Collectors.toSet());
             if (!left.isEmpty()) {
                 enter(left);
             }

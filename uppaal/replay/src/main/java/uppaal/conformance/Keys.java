@@ -95,10 +95,9 @@ final class Keys {
     /** A frame must say what its message says, as far as its first packet shows. */
     void check(String board, Frame frame, Bytes content) throws RefusedException {
         String what = board + " sends a frame of " + frame;
-        boolean isRight = says(frame, content);
-        require(!frame.isSealed() || frame.key != null || !frame.isInTheClear(content),
-                what + " in the clear: " + Fields.shown(content), "it sealed");
-        require(isRight, what + (frame.isSealed() ? ", as no known key seals it"
+        require(!frame.isSealed() || !frame.isInTheClear(content), what + " in the clear: " + Fields.shown(content),
+                "it sealed");
+        require(says(frame, content), what + (frame.isSealed() ? ", as no known key seals it"
                 : " that says " + Fields.shown(frame.content)), Fields.shown(content));
         opened += frame.key == null ? 0 : 1;
     }

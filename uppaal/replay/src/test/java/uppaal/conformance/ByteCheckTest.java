@@ -103,6 +103,9 @@ class ByteCheckTest {
             "ASKED; police sends 0 c:SUPP:0:help"
                     + " | SUPO to SUPP, nonce 000001000000 in the clear: 'help'; expected it s",
             "LONG; police parts 0 f:AA:c:SUPP:0:LONG | in the clear",
+            // So short a content may look as before by chance.
+            "police asks SUPP hi; police seals 0; police sends 0 c:SUPP:0:hi | as no known key seals it *",
+            "police asks SUPP hey; police seals 0; police sends 0 c:SUPP:0:hey | in the clear: 'hey'",
             "ASKED; police sends 0 x:535550505355504f426f00000000000000000000000000"
                     + " | of 23 bytes; expected 28 in one packet",
             "police asks //// help; police seals 0 255; police sends 0 b:halp | that says 'halp'; expected 'help'",
